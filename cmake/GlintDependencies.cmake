@@ -1,0 +1,16 @@
+# What the library itself needs, by package (scripts/lib/setup.sh installs them).
+find_package(VulkanHeaders REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_program(GLSLC glslc REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
+
+# VMA is one header; Debian 12 has no package of it, so the set-up unpacks Debian 13's into .deps/.
+find_path(VMA_INCLUDE_DIR vk_mem_alloc.h HINTS ${PROJECT_SOURCE_DIR}/.deps/vma/include
+    PATH_SUFFIXES vma include REQUIRED)
+add_library(glint_vma INTERFACE)
+target_include_directories(glint_vma SYSTEM INTERFACE $<BUILD_INTERFACE:${VMA_INCLUDE_DIR}>)
+
+# Reflection of SPIR-V happens at build time only; Debian ships SPIRV-Cross as a C library.
+find_library(SPIRV_CROSS_C spirv-cross-c-shared REQUIRED)
+find_path(SPIRV_CROSS_C_INCLUDE_DIR spirv_cross_c.h PATH_SUFFIXES spirv_cross REQUIRED)

@@ -1,0 +1,52 @@
+# GLSL -> SPIR-V (validated) -> one C++ file per set, with the reflected bindings beside the words.
+
+add_executable(glint_shader_pack ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_pack.cpp)
+target_include_directories(glint_shader_pack PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+target_include_directories(glint_shader_pack SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
+target_link_libraries(glint_shader_pack PRIVATE ${SPIRV_CROSS_C} fmt::fmt glint_warnings)
+set_target_properties(glint_shader_pack PROPERTIES CROSSCOMPILING_EMULATOR "")
+
+# glint_embed_shaders(TARGET SET name FOLDERS shaders/trace ...)
+# A shader is named by its path: shaders/trace/linear.comp is "trace/linear"; raster stages keep their suffix,
+# "render/gbuffer.vert". The set appears in C++ as glint::gpu::shaders::<name>() (gpu/shader.hpp).
+function(glint_embed_shaders target)
+    cmake_parse_arguments(arg "" "SET" "FOLDERS" ${ARGN})
+    set(spirv_files)
+    foreach(folder ${arg_FOLDERS})
+        file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.comp
+            ${PROJECT_SOURCE_DIR}/${folder}/*.vert ${PROJECT_SOURCE_DIR}/${folder}/*.frag)
+        foreach(source ${sources})
+            file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR}/shaders ${source})
+            set(spirv ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}/${name}.spv)
+            get_filename_component(spirv_folder ${spirv} DIRECTORY)
+            file(MAKE_DIRECTORY ${spirv_folder})
+            # SPIR-V 1.6 would say LocalSizeId, which the packaged SPIRV-Cross reads as 0: ask for 1.5.
+            add_custom_command(OUTPUT ${spirv}
+                COMMAND ${GLSLC} --target-env=vulkan1.3 --target-spv=spv1.5 -std=460 -Werror
+                    $<IF:$<CONFIG:Debug>,-g,-O> -I ${PROJECT_SOURCE_DIR}/shaders
+                    -MD -MF ${spirv}.d -o ${spirv} ${source}
+                COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
+                DEPENDS ${source} DEPFILE ${spirv}.d
+                COMMENT "Compiling shader ${name}" VERBATIM)
+            list(APPEND spirv_files ${spirv})
+        endforeach()
+    endforeach()
+    set(packed ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}.cpp)
+    add_custom_command(OUTPUT ${packed}
+        COMMAND glint_shader_pack ${arg_SET} ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET} ${packed} ${spirv_files}
+        DEPENDS glint_shader_pack ${spirv_files}
+        COMMENT "Packing shaders: ${arg_SET}" VERBATIM)
+    target_sources(${target} PRIVATE ${packed})
+endfunction()
+
+# presets/*.json are plain files for people and part of the library: it knows them without opening any file.
+function(glint_embed_presets target)
+    file(GLOB presets CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/presets/*.json)
+    set(embedded ${CMAKE_CURRENT_BINARY_DIR}/presets.cpp)
+    add_custom_command(OUTPUT ${embedded}
+        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded} "-DPRESETS=${presets}"
+            -P ${PROJECT_SOURCE_DIR}/cmake/embed_presets.cmake
+        DEPENDS ${presets} ${PROJECT_SOURCE_DIR}/cmake/embed_presets.cmake
+        COMMENT "Embedding presets" VERBATIM)
+    target_sources(${target} PRIVATE ${embedded})
+endfunction()
