@@ -1,5 +1,4 @@
 # What our own programs need besides: glTF payloads, image files, the command line.
-find_package(glm REQUIRED)
 find_package(OpenEXR REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)

@@ -1,6 +1,7 @@
 # What the library itself needs, by package (scripts/lib/setup.sh installs them).
 find_package(VulkanHeaders REQUIRED)
 find_package(fmt REQUIRED)
+find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_program(GLSLC glslc REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)

@@ -20,14 +20,15 @@ function(glint_embed_shaders target)
             set(spirv ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}/${name}.spv)
             get_filename_component(spirv_folder ${spirv} DIRECTORY)
             file(MAKE_DIRECTORY ${spirv_folder})
+            # No -O: it strips the names that bindings are matched by, and drivers optimize anyway.
             # SPIR-V 1.6 would say LocalSizeId, which the packaged SPIRV-Cross reads as 0: ask for 1.5.
             add_custom_command(OUTPUT ${spirv}
                 COMMAND ${GLSLC} --target-env=vulkan1.3 --target-spv=spv1.5 -std=460 -Werror
-                    $<IF:$<CONFIG:Debug>,-g,-O> -I ${PROJECT_SOURCE_DIR}/shaders
+                    $<$<CONFIG:Debug>:-g> -I ${PROJECT_SOURCE_DIR}/shaders
                     -MD -MF ${spirv}.d -o ${spirv} ${source}
                 COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
                 DEPENDS ${source} DEPFILE ${spirv}.d
-                COMMENT "Compiling shader ${name}" VERBATIM)
+                COMMENT "Compiling shader ${name}" VERBATIM COMMAND_EXPAND_LISTS)
             list(APPEND spirv_files ${spirv})
         endforeach()
     endforeach()

@@ -1,0 +1,22 @@
+// Programmer's mistakes. The world's fault is a Result (base/result.hpp), never an assertion.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#if defined(GLINT_ASSERTS) || !defined(NDEBUG)
+/// Ends the process with the condition, the place and the values that the message carries.
+#define GLINT_ASSERT(condition, ...)                                                                                   \
+    do {                                                                                                               \
+        if (!(condition)) {                                                                                            \
+            std::fprintf(stderr, "%s:%d: assertion failed: %s: %s\n", __FILE__, __LINE__, #condition,                  \
+                         fmt::format(__VA_ARGS__).c_str());                                                            \
+            std::abort();                                                                                              \
+        }                                                                                                              \
+    } while (false)
+#else
+#define GLINT_ASSERT(condition, ...) static_cast<void>(0)
+#endif

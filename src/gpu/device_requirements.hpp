@@ -1,0 +1,37 @@
+// What Glint asks of a Vulkan device, in one place: checked by `glint devices`, enabled when we create a device, and
+// listed for hosts in docs/embedding.md.
+#pragma once
+
+#include "gpu/api.hpp"
+
+#include <string>
+#include <vector>
+
+namespace glint::gpu {
+
+/// A chain of feature structs. Not copyable: the structs point at each other.
+struct FeatureChain {
+    VkPhysicalDeviceFeatures2 base = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+    VkPhysicalDeviceVulkan12Features v12 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
+    VkPhysicalDeviceVulkan13Features v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
+
+    FeatureChain() {
+        base.pNext = &v12;
+        v12.pNext = &v13;
+    }
+    FeatureChain(const FeatureChain&) = delete;
+    FeatureChain& operator=(const FeatureChain&) = delete;
+};
+
+/// The device extensions that every device must offer.
+const std::vector<const char*>& requiredDeviceExtensions();
+
+/// Sets in `enabled` every feature that Glint needs.
+void requireFeatures(FeatureChain& enabled);
+
+/// In words, what this device lacks; empty if it can run Glint.
+std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device);
+
+bool hasExtension(const Api& api, VkPhysicalDevice device, const char* name);
+
+} // namespace glint::gpu

@@ -1,0 +1,287 @@
+#include "gpu/pass.hpp"
+
+#include "base/text.hpp"
+
+#include <cstring>
+
+namespace glint::gpu {
+namespace {
+
+VkPipelineStageFlags2 shaderStages(const Pipeline& pipeline) {
+    return pipeline.bindPoint() == VK_PIPELINE_BIND_POINT_COMPUTE
+               ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT
+               : VK_PIPELINE_STAGE_2_VERTEX_SHADER_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+}
+
+const char* accessWord(bool reads, bool writes) {
+    return reads && writes ? "readWrite" : writes ? "write" : "read";
+}
+
+std::string bindingNames(const Pipeline& pipeline) {
+    std::vector<std::string> names;
+    for (const ShaderBinding& binding : pipeline.bindings())
+        names.push_back(fmt::format("{} ({})", binding.name, accessWord(binding.reads, binding.writes)));
+    return joinText(names, ", ");
+}
+
+} // namespace
+
+// ---------------------------------------------------------------- what the shader reads and writes
+
+const ShaderBinding* Pass::find(std::string_view name, bool reads, bool writes, bool image) {
+    const std::span<const ShaderBinding> bindings = pipeline_.bindings();
+    for (size_t i = 0; i < bindings.size(); ++i) {
+        const ShaderBinding& binding = bindings[i];
+        if (binding.name != name)
+            continue;
+        const bool isImage = binding.kind == BindingKind::SampledImage || binding.kind == BindingKind::StorageImage;
+        if (binding.reads != reads || binding.writes != writes || isImage != image) {
+            frame_.fail(fmt::format("{}: '{}' is declared for {} as {}, but bound for {} as {}", pipeline_.name(), name,
+                                    accessWord(binding.reads, binding.writes), isImage ? "an image" : "a buffer",
+                                    accessWord(reads, writes), image ? "an image" : "a buffer"));
+            return nullptr;
+        }
+        boundMask_ |= 1u << i;
+        return &binding;
+    }
+    frame_.fail(fmt::format("{}: no binding '{}'; the shader has {}", pipeline_.name(), name, bindingNames(pipeline_)));
+    return nullptr;
+}
+
+void Pass::bindImage(const ShaderBinding& binding, VkImageView view, VkImageLayout layout, VkSampler sampler) {
+    imageInfos_[bound_] = {sampler, view, layout};
+    VkWriteDescriptorSet& write = writes_[bound_];
+    write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstBinding = binding.binding;
+    write.descriptorCount = 1;
+    write.descriptorType = binding.kind == BindingKind::SampledImage ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                                                     : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    write.pImageInfo = &imageInfos_[bound_];
+    ++bound_;
+}
+
+void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes) {
+    const bool uniform = binding.kind == BindingKind::UniformBuffer;
+    VkAccessFlags2 access = uniform ? VK_ACCESS_2_UNIFORM_READ_BIT : VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
+    if (writes)
+        access = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | (binding.reads ? VK_ACCESS_2_SHADER_STORAGE_READ_BIT : 0);
+    frame_.use(buffer, {shaderStages(pipeline_), access, VK_IMAGE_LAYOUT_UNDEFINED, writes});
+    bufferInfos_[bound_] = {buffer.handle(), 0, VK_WHOLE_SIZE};
+    VkWriteDescriptorSet& write = writes_[bound_];
+    write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstBinding = binding.binding;
+    write.descriptorCount = 1;
+    write.descriptorType = uniform ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    write.pBufferInfo = &bufferInfos_[bound_];
+    ++bound_;
+}
+
+Pass& Pass::read(std::string_view name, Image& image, SamplerKind sampler) {
+    if (const ShaderBinding* binding = find(name, true, false, true)) {
+        frame_.use(image, 0, image.desc().mips,
+                   {shaderStages(pipeline_), VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+                    VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        bindImage(*binding, image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, frame_.context_.sampler(sampler));
+    }
+    return *this;
+}
+
+Pass& Pass::read(std::string_view name, Buffer& buffer) {
+    if (const ShaderBinding* binding = find(name, true, false, false))
+        bindBuffer(*binding, buffer, false);
+    return *this;
+}
+
+Pass& Pass::write(std::string_view name, Image& image, uint32_t mip, bool keep) {
+    if (const ShaderBinding* binding = find(name, false, true, true)) {
+        frame_.use(image, mip, 1,
+                   {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true,
+                    !keep});
+        bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
+        if (frame_.written_)
+            frame_.written_->push_back({&pipeline_.name(), binding->name, &image});
+    }
+    return *this;
+}
+
+Pass& Pass::write(std::string_view name, Buffer& buffer) {
+    if (const ShaderBinding* binding = find(name, false, true, false))
+        bindBuffer(*binding, buffer, true);
+    return *this;
+}
+
+Pass& Pass::readWrite(std::string_view name, Image& image, uint32_t mip) {
+    if (const ShaderBinding* binding = find(name, true, true, true)) {
+        frame_.use(image, mip, 1,
+                   {shaderStages(pipeline_),
+                    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                    VK_IMAGE_LAYOUT_GENERAL, true});
+        bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
+        if (frame_.written_)
+            frame_.written_->push_back({&pipeline_.name(), binding->name, &image});
+    }
+    return *this;
+}
+
+Pass& Pass::readWrite(std::string_view name, Buffer& buffer) {
+    if (const ShaderBinding* binding = find(name, true, true, false))
+        bindBuffer(*binding, buffer, true);
+    return *this;
+}
+
+Pass& Pass::table(VkDescriptorSet set) {
+    table_ = set;
+    return *this;
+}
+
+Pass& Pass::pushBytes(const void* data, size_t size) {
+    if (size != pipeline_.pushSize())
+        frame_.fail(fmt::format("{}: {} bytes pushed, the shader takes {}", pipeline_.name(), size, pipeline_.pushSize()));
+    std::memcpy(pushed_.data(), data, size);
+    pushedSize_ = size;
+    return *this;
+}
+
+// ---------------------------------------------------------------- attachments
+
+Pass& Pass::color(Image& image, const VkClearColorValue* clear, uint32_t mip) {
+    VkAccessFlags2 access = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+    if (!clear)
+        access |= VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT; // blending and loading read
+    frame_.use(image, mip, 1,
+               {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, access, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, true,
+                clear != nullptr});
+    Attachment& attachment = colors_[colorCount_++];
+    attachment.image = &image;
+    attachment.info.imageView = image.mipView(mip);
+    attachment.info.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    attachment.info.loadOp = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    attachment.info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    if (clear)
+        attachment.info.clearValue.color = *clear;
+    if (frame_.written_)
+        frame_.written_->push_back({&pipeline_.name(), image.desc().name, &image});
+    return *this;
+}
+
+Pass& Pass::depth(Image& image, bool clear, bool writes) {
+    constexpr VkPipelineStageFlags2 kStages =
+        VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;
+    VkAccessFlags2 access = VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT;
+    if (writes || clear)
+        access |= VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT;
+    frame_.use(image, 0, 1, {kStages, access, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, writes || clear, clear});
+    depth_.image = &image;
+    depth_.info.imageView = image.mipView(0);
+    depth_.info.imageLayout = VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL;
+    depth_.info.loadOp = clear ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
+    depth_.info.storeOp = writes || clear ? VK_ATTACHMENT_STORE_OP_STORE : VK_ATTACHMENT_STORE_OP_NONE;
+    return *this;
+}
+
+Pass& Pass::depthView(Image& image, VkImageView layerView, bool clear) {
+    depth(image, clear);
+    depth_.info.imageView = layerView;
+    return *this;
+}
+
+// ---------------------------------------------------------------- recording
+
+bool Pass::begin() {
+    const std::span<const ShaderBinding> bindings = pipeline_.bindings();
+    for (size_t i = 0; i < bindings.size(); ++i)
+        if ((boundMask_ & (1u << i)) == 0)
+            frame_.fail(fmt::format("{}: '{}' is not bound; the shader has {}", pipeline_.name(), bindings[i].name,
+                                    bindingNames(pipeline_)));
+    if (frame_.rehearsing() || !pipeline_)
+        return false;
+
+    frame_.flushBarriers();
+    frame_.beginScope(pipeline_.name());
+    const Api& api = frame_.context_.api();
+    const VkCommandBuffer commands = frame_.commands_;
+    api.CmdBindPipeline(commands, pipeline_.bindPoint(), pipeline_.handle());
+    if (bound_ > 0)
+        api.CmdPushDescriptorSetKHR(commands, pipeline_.bindPoint(), pipeline_.layout(), 0, bound_, writes_.data());
+    if (table_)
+        api.CmdBindDescriptorSets(commands, pipeline_.bindPoint(), pipeline_.layout(), 1, 1, &table_, 0, nullptr);
+    if (pushedSize_ > 0)
+        api.CmdPushConstants(commands, pipeline_.layout(), pipeline_.stages(), 0, static_cast<uint32_t>(pushedSize_),
+                             pushed_.data());
+    return true;
+}
+
+void Pass::dispatch(uint32_t width, uint32_t height, uint32_t depth) {
+    if (pushedSize_ != pipeline_.pushSize())
+        frame_.fail(fmt::format("{}: takes {} bytes of push constants, none were given", pipeline_.name(),
+                                pipeline_.pushSize()));
+    if (!begin())
+        return;
+    const uint32_t* local = pipeline_.localSize();
+    const auto groups = [](uint32_t elements, uint32_t size) { return (elements + size - 1) / size; };
+    frame_.context_.api().CmdDispatch(frame_.commands_, groups(width, local[0]), groups(height, local[1]),
+                                      groups(depth, local[2]));
+    frame_.endScope();
+}
+
+Draws Pass::beginDraws() {
+    ready_ = begin();
+    Draws draws(frame_.context_.api(), frame_.commands_, pipeline_);
+    if (!ready_)
+        return draws;
+    std::array<VkRenderingAttachmentInfo, 8> colors;
+    for (uint32_t i = 0; i < colorCount_; ++i)
+        colors[i] = colors_[i].info;
+    const Image& sizing = colorCount_ > 0 ? *colors_[0].image : *depth_.image;
+    VkRenderingInfo info = {VK_STRUCTURE_TYPE_RENDERING_INFO};
+    info.renderArea.extent = {sizing.width(), sizing.height()};
+    info.layerCount = 1;
+    info.colorAttachmentCount = colorCount_;
+    info.pColorAttachments = colors.data();
+    info.pDepthAttachment = depth_.image ? &depth_.info : nullptr;
+    frame_.context_.api().CmdBeginRendering(frame_.commands_, &info);
+    draws.viewport(0, 0, sizing.width(), sizing.height()).cull(VK_CULL_MODE_NONE);
+    return draws;
+}
+
+void Pass::endDraws() {
+    frame_.context_.api().CmdEndRendering(frame_.commands_);
+    frame_.endScope();
+}
+
+Draws& Draws::pushBytes(const void* data, size_t size) {
+    api_.CmdPushConstants(commands_, pipeline_.layout(), pipeline_.stages(), 0, static_cast<uint32_t>(size), data);
+    return *this;
+}
+
+Draws& Draws::cull(VkCullModeFlags mode, bool mirrored) {
+    api_.CmdSetCullMode(commands_, mode);
+    api_.CmdSetFrontFace(commands_, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    return *this;
+}
+
+Draws& Draws::indexBuffer(const Buffer& buffer) {
+    api_.CmdBindIndexBuffer(commands_, buffer.handle(), 0, VK_INDEX_TYPE_UINT32);
+    return *this;
+}
+
+Draws& Draws::viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
+    // A negative height turns Vulkan's downward clip space upward, so matrices keep +Y up.
+    const VkViewport viewport = {static_cast<float>(x), static_cast<float>(y + height), static_cast<float>(width),
+                                 -static_cast<float>(height), 0, 1};
+    const VkRect2D scissor = {{static_cast<int32_t>(x), static_cast<int32_t>(y)}, {width, height}};
+    api_.CmdSetViewport(commands_, 0, 1, &viewport);
+    api_.CmdSetScissor(commands_, 0, 1, &scissor);
+    return *this;
+}
+
+void Draws::draw(uint32_t vertexCount, uint32_t instanceCount, uint32_t firstVertex, uint32_t firstInstance) {
+    api_.CmdDraw(commands_, vertexCount, instanceCount, firstVertex, firstInstance);
+}
+
+void Draws::drawIndexed(uint32_t indexCount, uint32_t firstIndex, int32_t vertexOffset, uint32_t instanceCount,
+                        uint32_t firstInstance) {
+    api_.CmdDrawIndexed(commands_, indexCount, instanceCount, firstIndex, vertexOffset, firstInstance);
+}
+
+} // namespace glint::gpu

@@ -1,0 +1,250 @@
+#include "gpu/pipeline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace glint::gpu {
+namespace {
+
+VkDescriptorType descriptorType(BindingKind kind) {
+    switch (kind) {
+    case BindingKind::SampledImage: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingKind::StorageImage: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case BindingKind::UniformBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::StorageBuffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    }
+    return VK_DESCRIPTOR_TYPE_MAX_ENUM;
+}
+
+/// A shader module that lives as long as the pipeline is being made.
+class Module {
+public:
+    Module(Context& context, const EmbeddedShader& shader) : context_(context) {
+        VkShaderModuleCreateInfo info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+        info.codeSize = shader.words.size_bytes();
+        info.pCode = shader.words.data();
+        result_ = context.api().CreateShaderModule(context.device(), &info, nullptr, &module_);
+    }
+    ~Module() { context_.api().DestroyShaderModule(context_.device(), module_, nullptr); }
+    Module(const Module&) = delete;
+    Module& operator=(const Module&) = delete;
+    bool ok() const { return result_ == VK_SUCCESS; }
+    VkShaderModule handle() const { return module_; }
+
+private:
+    Context& context_;
+    VkShaderModule module_ = VK_NULL_HANDLE;
+    VkResult result_ = VK_SUCCESS;
+};
+
+/// The arrays behind a VkSpecializationInfo.
+struct Specialization {
+    std::vector<VkSpecializationMapEntry> entries;
+    std::vector<uint32_t> values;
+    VkSpecializationInfo info = {};
+
+    explicit Specialization(const std::vector<SpecConstant>& constants) {
+        for (const SpecConstant& constant : constants) {
+            entries.push_back({constant.id, static_cast<uint32_t>(values.size() * sizeof(uint32_t)), sizeof(uint32_t)});
+            values.push_back(constant.value);
+        }
+        info = {static_cast<uint32_t>(entries.size()), entries.data(), values.size() * sizeof(uint32_t), values.data()};
+    }
+    Specialization(const Specialization&) = delete;
+    Specialization& operator=(const Specialization&) = delete;
+};
+
+} // namespace
+
+Result<void> Pipeline::makeLayout(std::span<const EmbeddedShader* const> shaders, size_t pushSize,
+                                  VkDescriptorSetLayout tableLayout) {
+    uint32_t shaderPushSize = 0;
+    for (const EmbeddedShader* shader : shaders) {
+        shaderPushSize = std::max(shaderPushSize, shader->pushConstantSize);
+        for (const ShaderBinding& binding : shader->bindings) {
+            if (binding.set != 0)
+                continue; // a table's
+            const auto same = std::find_if(bindings_.begin(), bindings_.end(), [&](const ShaderBinding& known) {
+                return known.binding == binding.binding || known.name == binding.name;
+            });
+            if (same == bindings_.end())
+                bindings_.push_back(binding);
+            else if (same->binding != binding.binding || same->name != binding.name || same->kind != binding.kind)
+                return invalidArgument("{}: '{}' and '{}' meet at binding {}: both stages must agree", name_, same->name,
+                                       binding.name, binding.binding);
+        }
+    }
+    if (shaderPushSize != pushSize)
+        return invalidArgument("{}: the shader's push constants have {} bytes, the program's struct has {}", name_,
+                               shaderPushSize, pushSize);
+    if (bindings_.size() > kMaxBindings)
+        return invalidArgument("{}: {} bindings, at most {} are allowed", name_, bindings_.size(), kMaxBindings);
+
+    std::vector<VkDescriptorSetLayoutBinding> layoutBindings;
+    for (const ShaderBinding& binding : bindings_)
+        layoutBindings.push_back({binding.binding, descriptorType(binding.kind), 1, stages_, nullptr});
+    VkDescriptorSetLayoutCreateInfo setInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    setInfo.bindingCount = static_cast<uint32_t>(layoutBindings.size());
+    setInfo.pBindings = layoutBindings.data();
+    const Api& api = context_->api();
+    VkResult result = api.CreateDescriptorSetLayout(context_->device(), &setInfo, nullptr, &setLayout_);
+
+    const VkPushConstantRange range = {stages_, 0, static_cast<uint32_t>(pushSize)};
+    const std::array<VkDescriptorSetLayout, 2> sets = {setLayout_, tableLayout};
+    VkPipelineLayoutCreateInfo info = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+    info.setLayoutCount = tableLayout ? 2 : 1;
+    info.pSetLayouts = sets.data();
+    info.pushConstantRangeCount = pushSize > 0 ? 1 : 0;
+    info.pPushConstantRanges = &range;
+    if (result == VK_SUCCESS)
+        result = api.CreatePipelineLayout(context_->device(), &info, nullptr, &layout_);
+    if (result != VK_SUCCESS)
+        return makeError(ErrorCode::OutOfMemory, "{}: its layout cannot be created (VkResult {})", name_,
+                         static_cast<int>(result));
+    pushSize_ = pushSize;
+    context_->nameObject(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, reinterpret_cast<uint64_t>(setLayout_), name_.c_str());
+    context_->nameObject(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<uint64_t>(layout_), name_.c_str());
+    return {};
+}
+
+Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
+    GLINT_TRY(shader, context.findShader(desc.shader));
+    Pipeline pipeline;
+    pipeline.context_ = &context;
+    pipeline.name_ = desc.shader;
+    pipeline.bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
+    pipeline.stages_ = VK_SHADER_STAGE_COMPUTE_BIT;
+    std::copy(std::begin(shader->localSize), std::end(shader->localSize), pipeline.localSize_);
+    GLINT_CHECK(pipeline.makeLayout(std::array{shader}, desc.pushSize, VK_NULL_HANDLE));
+
+    const Module module(context, *shader);
+    const Specialization specialization(desc.constants);
+    VkComputePipelineCreateInfo info = {VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+    info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
+                  nullptr,
+                  0,
+                  VK_SHADER_STAGE_COMPUTE_BIT,
+                  module.handle(),
+                  "main",
+                  &specialization.info};
+    info.layout = pipeline.layout_;
+    const VkResult result = module.ok() ? context.api().CreateComputePipelines(context.device(), VK_NULL_HANDLE, 1,
+                                                                               &info, nullptr, &pipeline.pipeline_)
+                                        : VK_ERROR_OUT_OF_HOST_MEMORY;
+    if (result != VK_SUCCESS)
+        return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})", desc.shader,
+                         static_cast<int>(result));
+    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline_), pipeline.name_.c_str());
+    return pipeline;
+}
+
+Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
+    Pipeline pipeline;
+    pipeline.context_ = &context;
+    pipeline.name_ = desc.fragmentShader.empty() ? desc.vertexShader : desc.fragmentShader;
+    pipeline.name_.resize(pipeline.name_.rfind('.')); // the pass is "render/surface", whatever its stages
+    pipeline.bindPoint_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
+    pipeline.stages_ = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+    std::vector<const EmbeddedShader*> shaders;
+    for (std::string_view name : {desc.vertexShader, desc.fragmentShader})
+        if (!name.empty()) {
+            GLINT_TRY(shader, context.findShader(name));
+            shaders.push_back(shader);
+        }
+    GLINT_CHECK(pipeline.makeLayout(shaders, desc.pushSize, desc.tableLayout));
+
+    const Specialization specialization(desc.constants);
+    std::vector<std::unique_ptr<Module>> modules;
+    std::vector<VkPipelineShaderStageCreateInfo> stages;
+    for (const EmbeddedShader* shader : shaders) {
+        modules.push_back(std::make_unique<Module>(context, *shader));
+        stages.push_back({VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, nullptr, 0,
+                          stages.empty() ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT,
+                          modules.back()->handle(), "main", &specialization.info});
+    }
+
+    VkPipelineVertexInputStateCreateInfo vertexInput = {VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly = {VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    assembly.topology = desc.topology;
+    VkPipelineViewportStateCreateInfo viewport = {VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    viewport.viewportCount = viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster = {VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    raster.polygonMode = VK_POLYGON_MODE_FILL;
+    raster.lineWidth = 1;
+    raster.depthBiasEnable = desc.depthBiasConstant != 0 || desc.depthBiasSlope != 0;
+    raster.depthBiasConstantFactor = desc.depthBiasConstant;
+    raster.depthBiasSlopeFactor = desc.depthBiasSlope;
+    VkPipelineMultisampleStateCreateInfo multisample = {VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    VkPipelineDepthStencilStateCreateInfo depth = {VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    depth.depthTestEnable = desc.depthFormat != VK_FORMAT_UNDEFINED;
+    depth.depthWriteEnable = depth.depthTestEnable && desc.depthWrite;
+    depth.depthCompareOp = desc.depthCompare;
+    VkPipelineColorBlendAttachmentState attachment = {};
+    attachment.colorWriteMask = 0xf;
+    if (desc.blend == Blend::Premultiplied) {
+        attachment.blendEnable = VK_TRUE;
+        attachment.srcColorBlendFactor = attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+        attachment.dstColorBlendFactor = attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    }
+    const std::vector<VkPipelineColorBlendAttachmentState> attachments(desc.colorFormats.size(), attachment);
+    VkPipelineColorBlendStateCreateInfo blend = {VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    blend.attachmentCount = static_cast<uint32_t>(attachments.size());
+    blend.pAttachments = attachments.data();
+    constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                           VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+    VkPipelineDynamicStateCreateInfo dynamic = {VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    dynamic.dynamicStateCount = static_cast<uint32_t>(std::size(kDynamic));
+    dynamic.pDynamicStates = kDynamic;
+    VkPipelineRenderingCreateInfo rendering = {VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+    rendering.colorAttachmentCount = static_cast<uint32_t>(desc.colorFormats.size());
+    rendering.pColorAttachmentFormats = desc.colorFormats.data();
+    rendering.depthAttachmentFormat = desc.depthFormat;
+
+    VkGraphicsPipelineCreateInfo info = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+    info.stageCount = static_cast<uint32_t>(stages.size());
+    info.pStages = stages.data();
+    info.pVertexInputState = &vertexInput;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &multisample;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = pipeline.layout_;
+    if (const VkResult result = context.api().CreateGraphicsPipelines(context.device(), VK_NULL_HANDLE, 1, &info,
+                                                                      nullptr, &pipeline.pipeline_);
+        result != VK_SUCCESS)
+        return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})",
+                         pipeline.name_, static_cast<int>(result));
+    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline_), pipeline.name_.c_str());
+    return pipeline;
+}
+
+void Pipeline::destroy() {
+    if (!context_)
+        return;
+    const Api& api = context_->api();
+    api.DestroyPipeline(context_->device(), pipeline_, nullptr);
+    api.DestroyPipelineLayout(context_->device(), layout_, nullptr);
+    api.DestroyDescriptorSetLayout(context_->device(), setLayout_, nullptr);
+}
+
+void Pipeline::swap(Pipeline& other) {
+    std::swap(context_, other.context_);
+    std::swap(name_, other.name_);
+    std::swap(bindings_, other.bindings_);
+    std::swap(setLayout_, other.setLayout_);
+    std::swap(layout_, other.layout_);
+    std::swap(pipeline_, other.pipeline_);
+    std::swap(bindPoint_, other.bindPoint_);
+    std::swap(stages_, other.stages_);
+    std::swap(pushSize_, other.pushSize_);
+    std::swap(localSize_, other.localSize_);
+}
+
+} // namespace glint::gpu

@@ -1,0 +1,153 @@
+#include "gpu/resources.hpp"
+
+#include "gpu/memory.hpp"
+
+namespace glint::gpu {
+namespace {
+
+VkImageViewType viewType(ImageShape shape) {
+    switch (shape) {
+    case ImageShape::Flat: return VK_IMAGE_VIEW_TYPE_2D;
+    case ImageShape::Array: return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    case ImageShape::Cube: return VK_IMAGE_VIEW_TYPE_CUBE;
+    }
+    return VK_IMAGE_VIEW_TYPE_2D;
+}
+
+bool isDepth(VkFormat format) {
+    return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM || format == VK_FORMAT_X8_D24_UNORM_PACK32;
+}
+
+} // namespace
+
+VkImageAspectFlags Image::aspect() const {
+    return isDepth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+Result<Image> Image::create(Context& context, const ImageDesc& desc) {
+    Image image;
+    image.context_ = &context;
+    image.desc_ = desc;
+    image.states_.resize(desc.mips);
+
+    VkImageCreateInfo info = {VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.flags = desc.shape == ImageShape::Cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = desc.format;
+    info.extent = {desc.width, desc.height, 1};
+    info.mipLevels = desc.mips;
+    info.arrayLayers = desc.layers;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = desc.usage;
+    VmaAllocationCreateInfo allocation = {};
+    allocation.usage = VMA_MEMORY_USAGE_AUTO;
+    if (const VkResult result = vmaCreateImage(context.allocator(), &info, &allocation, &image.image_,
+                                               &image.allocation_, nullptr);
+        result != VK_SUCCESS)
+        return makeError(ErrorCode::OutOfMemory, "image '{}' ({}x{}, {} mips) cannot be created: VkResult {}",
+                         desc.name, desc.width, desc.height, desc.mips, static_cast<int>(result));
+    context.nameObject(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(image.image_), desc.name.c_str());
+
+    const auto makeView = [&](VkImageViewType type, uint32_t baseMip, uint32_t mips, VkImageView& view) {
+        VkImageViewCreateInfo viewInfo = {VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
+        viewInfo.image = image.image_;
+        viewInfo.viewType = type;
+        viewInfo.format = desc.format;
+        viewInfo.subresourceRange = {image.aspect(), baseMip, mips, 0, desc.layers};
+        const VkResult result = context.api().CreateImageView(context.device(), &viewInfo, nullptr, &view);
+        if (result == VK_SUCCESS)
+            context.nameObject(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view), desc.name.c_str());
+        return result == VK_SUCCESS;
+    };
+    bool made = makeView(viewType(desc.shape), 0, desc.mips, image.view_);
+    // Storage images and attachments take one mip; a cube is stored to as an array of its six faces.
+    const bool single = desc.mips == 1 && desc.shape != ImageShape::Cube;
+    if (!single) {
+        image.mipViews_.resize(desc.mips, VK_NULL_HANDLE);
+        for (uint32_t mip = 0; mip < desc.mips; ++mip)
+            made = made && makeView(desc.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D, mip, 1,
+                                    image.mipViews_[mip]);
+    }
+    if (!made)
+        return makeError(ErrorCode::OutOfMemory, "image '{}': its view cannot be created", desc.name);
+    return image;
+}
+
+Image Image::borrow(VkImage handle, VkImageView view, const ImageDesc& desc, const ResourceState& state) {
+    Image image;
+    image.desc_ = desc;
+    image.image_ = handle;
+    image.view_ = view;
+    image.states_.assign(desc.mips, state);
+    return image;
+}
+
+VkImageView Image::mipView(uint32_t mip) const {
+    return mipViews_.empty() ? view_ : mipViews_[mip];
+}
+
+void Image::destroy() {
+    if (!context_ || !image_)
+        return;
+    const Api& api = context_->api();
+    for (VkImageView view : mipViews_)
+        api.DestroyImageView(context_->device(), view, nullptr);
+    api.DestroyImageView(context_->device(), view_, nullptr);
+    vmaDestroyImage(context_->allocator(), image_, allocation_);
+    image_ = VK_NULL_HANDLE;
+}
+
+void Image::swap(Image& other) {
+    std::swap(context_, other.context_);
+    std::swap(desc_, other.desc_);
+    std::swap(image_, other.image_);
+    std::swap(allocation_, other.allocation_);
+    std::swap(view_, other.view_);
+    std::swap(mipViews_, other.mipViews_);
+    std::swap(states_, other.states_);
+}
+
+Result<Buffer> Buffer::create(Context& context, const BufferDesc& desc) {
+    Buffer buffer;
+    buffer.context_ = &context;
+    buffer.desc_ = desc;
+    VkBufferCreateInfo info = {VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = desc.size;
+    info.usage = desc.usage;
+    VmaAllocationCreateInfo allocation = {};
+    allocation.usage = VMA_MEMORY_USAGE_AUTO;
+    if (desc.home == BufferHome::Upload)
+        allocation.flags =
+            VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
+    if (desc.home == BufferHome::Readback)
+        allocation.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
+    if (desc.home != BufferHome::Device)
+        allocation.requiredFlags = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    VmaAllocationInfo allocated = {};
+    if (const VkResult result = vmaCreateBuffer(context.allocator(), &info, &allocation, &buffer.buffer_,
+                                                &buffer.allocation_, &allocated);
+        result != VK_SUCCESS)
+        return makeError(ErrorCode::OutOfMemory, "buffer '{}' ({} bytes) cannot be created: VkResult {}", desc.name,
+                         desc.size, static_cast<int>(result));
+    buffer.mapped_ = allocated.pMappedData;
+    context.nameObject(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(buffer.buffer_), desc.name.c_str());
+    return buffer;
+}
+
+void Buffer::destroy() {
+    if (context_ && buffer_)
+        vmaDestroyBuffer(context_->allocator(), buffer_, allocation_);
+    buffer_ = VK_NULL_HANDLE;
+}
+
+void Buffer::swap(Buffer& other) {
+    std::swap(context_, other.context_);
+    std::swap(desc_, other.desc_);
+    std::swap(buffer_, other.buffer_);
+    std::swap(allocation_, other.allocation_);
+    std::swap(mapped_, other.mapped_);
+    std::swap(state_, other.state_);
+}
+
+} // namespace glint::gpu

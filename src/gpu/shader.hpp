@@ -1,0 +1,37 @@
+// A compiled shader inside the program, with the bindings that its SPIR-V declares. Made at build time by
+// src/gpu/embed/shader_pack.cpp; the shader is the truth about its bindings, C++ only matches names against it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace glint::gpu {
+
+enum class BindingKind : uint8_t { SampledImage, StorageImage, UniformBuffer, StorageBuffer };
+
+struct ShaderBinding {
+    std::string_view name;
+    uint32_t set = 0;
+    uint32_t binding = 0;
+    BindingKind kind = BindingKind::SampledImage;
+    uint32_t count = 1; ///< array length; 0: unbounded (a texture table)
+    bool reads = true;
+    bool writes = false;
+};
+
+struct EmbeddedShader {
+    std::string_view name; ///< "trace/linear", "render/gbuffer.vert"
+    std::span<const uint32_t> words;
+    std::span<const ShaderBinding> bindings;
+    uint32_t localSize[3] = {1, 1, 1};
+    uint32_t pushConstantSize = 0; ///< bytes
+};
+
+/// The sets that this program embeds; see glint_embed_shaders in cmake/GlintShaders.cmake.
+namespace shaders {
+std::span<const EmbeddedShader> reflect();
+std::span<const EmbeddedShader> render();
+} // namespace shaders
+
+} // namespace glint::gpu

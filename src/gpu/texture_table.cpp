@@ -1,0 +1,105 @@
+#include "gpu/texture_table.hpp"
+
+#include <algorithm>
+
+namespace glint::gpu {
+namespace {
+
+Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
+    VkPhysicalDeviceFeatures2 features = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+    context.api().GetPhysicalDeviceFeatures2(context.physicalDevice(), &features);
+    VkSamplerCreateInfo info = {VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+    info.magFilter = desc.magFilter;
+    info.minFilter = desc.minFilter;
+    info.mipmapMode = desc.mipMode;
+    info.addressModeU = desc.wrapU;
+    info.addressModeV = desc.wrapV;
+    info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    info.maxLod = desc.mips ? VK_LOD_CLAMP_NONE : 0;
+    if (features.features.samplerAnisotropy && desc.mips && desc.minFilter == VK_FILTER_LINEAR &&
+        desc.magFilter == VK_FILTER_LINEAR) {
+        info.anisotropyEnable = VK_TRUE;
+        info.maxAnisotropy = 8; // floors are seen at grazing angles; beyond 8 no difference shows
+    }
+    VkSampler sampler = VK_NULL_HANDLE;
+    if (context.api().CreateSampler(context.device(), &info, nullptr, &sampler) != VK_SUCCESS)
+        return makeError(ErrorCode::OutOfMemory, "a texture's sampler cannot be created");
+    context.nameObject(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(sampler), "textures/sampler");
+    return sampler;
+}
+
+} // namespace
+
+Result<TextureTable> TextureTable::create(Context& context, std::span<const Entry> entries) {
+    TextureTable table;
+    table.context_ = &context;
+    const Api& api = context.api();
+    const auto count = static_cast<uint32_t>(std::max<size_t>(entries.size(), 1));
+
+    const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count,
+                                                  VK_SHADER_STAGE_ALL, nullptr};
+    const VkDescriptorBindingFlags partial = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;
+    const VkDescriptorSetLayoutBindingFlagsCreateInfo flags = {
+        VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO, nullptr, 1, &partial};
+    VkDescriptorSetLayoutCreateInfo layoutInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags};
+    layoutInfo.bindingCount = 1;
+    layoutInfo.pBindings = &binding;
+    VkResult result = api.CreateDescriptorSetLayout(context.device(), &layoutInfo, nullptr, &table.layout_);
+
+    const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count};
+    VkDescriptorPoolCreateInfo poolInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = 1;
+    poolInfo.pPoolSizes = &size;
+    if (result == VK_SUCCESS)
+        result = api.CreateDescriptorPool(context.device(), &poolInfo, nullptr, &table.pool_);
+    if (result == VK_SUCCESS) {
+        const VkDescriptorSetAllocateInfo allocate = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr,
+                                                      table.pool_, 1, &table.layout_};
+        result = api.AllocateDescriptorSets(context.device(), &allocate, &table.set_);
+    }
+    if (result != VK_SUCCESS)
+        return makeError(ErrorCode::OutOfMemory, "a table of {} textures cannot be created (VkResult {})", count,
+                         static_cast<int>(result));
+    context.nameObject(VK_OBJECT_TYPE_DESCRIPTOR_SET, reinterpret_cast<uint64_t>(table.set_), "textures");
+
+    std::vector<VkDescriptorImageInfo> infos;
+    for (const Entry& entry : entries) {
+        auto known = std::find_if(table.samplers_.begin(), table.samplers_.end(),
+                                  [&](const auto& pair) { return pair.first == entry.sampler; });
+        if (known == table.samplers_.end()) {
+            GLINT_TRY(sampler, makeSampler(context, entry.sampler));
+            known = table.samplers_.insert(table.samplers_.end(), {entry.sampler, sampler});
+        }
+        infos.push_back({known->second, entry.image->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }
+    if (!infos.empty()) {
+        VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+        write.dstSet = table.set_;
+        write.descriptorCount = static_cast<uint32_t>(infos.size());
+        write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+        write.pImageInfo = infos.data();
+        api.UpdateDescriptorSets(context.device(), 1, &write, 0, nullptr);
+    }
+    return table;
+}
+
+void TextureTable::destroy() {
+    if (!context_)
+        return;
+    const Api& api = context_->api();
+    for (const auto& [desc, sampler] : samplers_)
+        api.DestroySampler(context_->device(), sampler, nullptr);
+    api.DestroyDescriptorPool(context_->device(), pool_, nullptr);
+    api.DestroyDescriptorSetLayout(context_->device(), layout_, nullptr);
+}
+
+void TextureTable::swap(TextureTable& other) {
+    std::swap(context_, other.context_);
+    std::swap(layout_, other.layout_);
+    std::swap(pool_, other.pool_);
+    std::swap(set_, other.set_);
+    std::swap(samplers_, other.samplers_);
+}
+
+} // namespace glint::gpu
