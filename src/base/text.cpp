@@ -39,6 +39,12 @@ std::string joinText(std::span<const std::string> parts, std::string_view separa
     return joined;
 }
 
+std::string listText(std::span<const std::string> parts, std::string_view last) {
+    if (parts.size() < 2)
+        return joinText(parts, "");
+    return joinText(parts.first(parts.size() - 1), ", ").append(last) + parts.back();
+}
+
 std::string_view nearestText(std::string_view text, std::span<const std::string_view> candidates) {
     std::string_view nearest;
     size_t best = std::numeric_limits<size_t>::max();
@@ -50,6 +56,24 @@ std::string_view nearestText(std::string_view text, std::span<const std::string_
         }
     }
     return nearest;
+}
+
+std::string_view likelyMeant(std::string_view text, std::span<const std::string_view> candidates) {
+    constexpr size_t kLongestName = 100; // longer texts are no misspelt names, and cost quadratic time
+    if (text.size() > kLongestName || candidates.empty())
+        return {};
+    const std::string_view nearest = nearestText(text, candidates);
+    return editDistance(text, nearest) <= std::max<size_t>(1, text.size() / 3) ? nearest : std::string_view();
+}
+
+std::string printable(std::string_view text, size_t longest) {
+    const bool cut = text.size() > longest;
+    std::string line(text.substr(0, longest));
+    for (char& c : line) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            c = '?';
+    }
+    return cut ? line + "..." : line;
 }
 
 } // namespace glint

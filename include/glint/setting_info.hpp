@@ -1,0 +1,66 @@
+// What is known about one setting. A list (settings_list.hpp; our renderer has another) states each setting once; from
+// it come the structs, this table, JSON, --set, tooltips, the docs and the tuner's search space.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+enum class SettingType { Bool, Int, Float, Enum };
+
+/// An interval; an open end does not belong to it. `text` is how the list writes it: "(0, 1e6]".
+struct SettingRange {
+    double min = 0;
+    double max = 0;
+    bool minOpen = false;
+    bool maxOpen = false;
+    std::string text; ///< empty for Bool and Enum, which have no range
+
+    /// False for NaN.
+    bool contains(double value) const {
+        return (minOpen ? value > min : value >= min) && (maxOpen ? value < max : value <= max);
+    }
+};
+
+/// How the value of another system's parameter becomes the value of our setting.
+enum class AliasTransform {
+    Same,           ///< as it is
+    OneMinus,       ///< 1-x: smoothness becomes roughness
+    InverseOnePlus, ///< 1/(n+1): a downsampling becomes a scale
+    Choice,         ///< a switch picks one of two enum values: `whenFalse`, `whenTrue`
+    Always,         ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
+};
+
+/// A parameter of another system that this setting answers to, as `system:name`.
+struct SettingAlias {
+    std::string system; ///< "babylon", "hdrp", "compute-ssr": the name of its preset
+    std::string name;
+    AliasTransform transform = AliasTransform::Same;
+    int whenFalse = 0;
+    int whenTrue = 0;
+};
+
+struct SettingInfo {
+    std::string key; ///< "screen.maxDistance": group and name
+    SettingType type = SettingType::Bool;
+    double defaultValue = 0; ///< Bool: 0 or 1; Enum: index into `choices`
+    SettingRange range;
+    std::string unit;                 ///< "m", "px", "UV", "degrees", "EV"; empty: a plain number
+    std::string meaning;              ///< one line
+    std::vector<std::string> choices; ///< Enum: the values' names, in order
+    std::vector<SettingAlias> aliases;
+    size_t offset = 0; ///< bytes into the struct that the list makes
+};
+
+} // namespace glint
+
+/// One row of a list as a member of its struct: `float maxDistance = 1000;`.
+#define GLINT_SETTING_MEMBER(type, name, initial, range, unit, meaning, aliases) type name = initial;
+
+/// An enum that settings may have as their type. Its values' names in files begin in lower case: Linear is "linear".
+#define GLINT_SETTING_ENUM(Name, ...)                                                                                  \
+    enum class Name : int { __VA_ARGS__ };                                                                             \
+    constexpr std::string_view settingChoices(Name) { return #__VA_ARGS__; }

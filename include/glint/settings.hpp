@@ -1,0 +1,82 @@
+// Everything that a user can tune in the library: plain structs with defaults, and the same by name, as text, as JSON.
+// settings_list.hpp holds each setting's default, range, unit and meaning; docs/settings.md shows them as a table.
+#pragma once
+
+#include "glint/error.hpp"
+#include "glint/setting_info.hpp"
+#include "glint/settings_list.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+GLINT_SETTING_ENUM(March, Linear)
+GLINT_SETTING_ENUM(ThicknessMode, Constant, Relative)
+GLINT_SETTING_ENUM(ThresholdOn, F0, F0TimesStrength)
+GLINT_SETTING_ENUM(FadeBorder, None, Smooth, Linear)
+GLINT_SETTING_ENUM(CompositeModel, Physical, Lerp)
+
+struct ScreenSettings {
+    GLINT_SCREEN_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct ReflectSettings {
+    GLINT_REFLECT_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct RoughSettings {
+    GLINT_ROUGH_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct FadeSettings {
+    GLINT_FADE_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct SkySettings {
+    GLINT_SKY_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct CompositeSettings {
+    GLINT_COMPOSITE_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct DebugSettings {
+    GLINT_DEBUG_SETTINGS(GLINT_SETTING_MEMBER)
+};
+
+/// `Settings s; s.screen.maxDistance = 20;` Defaults are the preset `balanced`.
+struct Settings {
+    ScreenSettings screen;
+    ReflectSettings reflect;
+    RoughSettings rough;
+    FadeSettings fade;
+    SkySettings sky;
+    CompositeSettings composite;
+    DebugSettings debug;
+};
+
+/// Every setting of `Settings`, in the list's order. `SettingInfo::offset` counts from the start of `Settings`.
+std::span<const SettingInfo> settingsTable();
+
+/// Sets one setting from text: `set(s, "screen.step", "4")`. Other systems' names work too: `babylon:thickness`, or a
+/// bare `thickness` where one system alone has that name or `preset` (the one in force; may be empty) is that system.
+/// Errors: InvalidArgument names the nearest key, the candidates, the range or the type; the setting keeps its value.
+Result<void> set(Settings& settings, std::string_view key, std::string_view value, std::string_view preset = {});
+
+/// Sets what the JSON names, nested `{"screen":{"step":4}}` or flat `{"screen.step":4}`; the rest keeps its value.
+/// `name` says in errors where the text comes from: "my.json:3: ...". On an error nothing is changed.
+Result<void> fromJson(Settings& settings, std::string_view text, std::string_view name, std::string_view preset = {});
+
+/// All settings as nested JSON; `fromJson` reads it back to the same bits.
+std::string toJson(const Settings& settings);
+
+/// Errors: InvalidArgument for the first setting out of range, as a host may write it into the struct.
+Result<void> validate(const Settings& settings);
+
+/// Defaults, then what the preset says. Errors: InvalidArgument lists the presets.
+Result<void> applyPreset(Settings& settings, std::string_view name);
+
+/// "babylon", "balanced", ... in alphabetical order: the files of presets/, built into the library.
+std::vector<std::string_view> presetNames();
+
+/// The preset's own text, for programs that have settings of their own beside the library's.
+Result<std::string_view> presetJson(std::string_view name);
+
+} // namespace glint

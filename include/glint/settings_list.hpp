@@ -1,0 +1,106 @@
+// Every setting of the library, each stated once: SETTING(type, name, default, range, unit, meaning, aliases).
+// Aliases are names that other systems use, `system:name`, parted by spaces; `=1-x`, `=1/(n+1)`, `=a|b` (a switch: a
+// when false, b when true) and `=a` (implies a) say where the meaning differs. One alias may stand at several settings.
+#pragma once
+
+// clang-format off
+
+#define GLINT_SCREEN_SETTINGS(SETTING)                                                                                 \
+    SETTING(bool, enabled, true, "", "",                                                                               \
+        "Trace reflections in screen space; off: no such pass runs",                                                   \
+        "babylon:isEnabled compute-ssr:enabled")                                                                       \
+    SETTING(March, march, March::Linear, "", "",                                                                       \
+        "How a ray looks for its hit in the depth image",                                                              \
+        "hdrp:projectionModel")                                                                                        \
+    SETTING(float, maxDistance, 1000, "(0, 1e6]", "m",                                                                 \
+        "Longest ray, in 3D",                                                                                          \
+        "babylon:maxDistance compute-ssr:distance")                                                                    \
+    SETTING(int, maxSteps, 1000, "[1, 4096]", "",                                                                      \
+        "Iterations of march linear; a ray that uses them up is a miss",                                               \
+        "babylon:maxSteps")                                                                                            \
+    SETTING(int, step, 1, "[1, 64]", "px",                                                                             \
+        "Pixels an iteration of march linear; larger: faster, thin objects are missed",                                \
+        "babylon:step")                                                                                                \
+    SETTING(bool, smooth, true, "", "",                                                                                \
+        "Refine each hit to one pixel; acts only with screen.step > 1",                                                \
+        "babylon:enableSmoothReflections")                                                                             \
+    SETTING(ThicknessMode, thicknessMode, ThicknessMode::Constant, "", "",                                             \
+        "How deep a surface is behind its depth sample: constant (screen.thickness) or relative to its distance",      \
+        "hdrp:depthBufferThickness=relative")                                                                          \
+    SETTING(float, thickness, 0.1f, "[0, 1e3]", "m",                                                                   \
+        "Slab behind each depth sample that still counts as a hit; too small: holes, too large: streaks",              \
+        "babylon:thickness compute-ssr:thickness")                                                                     \
+    SETTING(float, thicknessRelative, 0.01f, "[0, 1]", "of viewZ",                                                     \
+        "The same slab as a fraction of the sample's distance; acts with thicknessMode relative",                      \
+        "hdrp:depthBufferThickness")                                                                                   \
+    SETTING(int, selfCollisionSkip, 1, "[0, 16]", "iterations",                                                        \
+        "First iterations in which nothing counts as a hit, so that a surface does not meet itself",                   \
+        "babylon:selfCollisionNumSkip")                                                                                \
+    SETTING(bool, clipToFrustum, true, "", "",                                                                         \
+        "Clip the ray's end to what the screen shows",                                                                 \
+        "babylon:clipToFrustum")
+
+#define GLINT_REFLECT_SETTINGS(SETTING)                                                                                \
+    SETTING(float, threshold, 0, "[0, 1]", "",                                                                         \
+        "No ray where the quantity of reflect.thresholdOn is at most this + 1/510",                                    \
+        "babylon:reflectivityThreshold compute-ssr:reflectivityThreshold")                                             \
+    SETTING(ThresholdOn, thresholdOn, ThresholdOn::F0, "", "",                                                         \
+        "What reflect.threshold is held against: f0, the reflectance at normal incidence, or f0TimesStrength",         \
+        "babylon:reflectivityThreshold=f0 compute-ssr:reflectivityThreshold=f0TimesStrength")                          \
+    SETTING(float, strength, 1, "[0, 10]", "",                                                                         \
+        "Multiplies reflections; 0: none are traced",                                                                  \
+        "babylon:strength compute-ssr:intensity")                                                                      \
+    SETTING(float, falloffExponent, 1, "(0, 16]", "",                                                                  \
+        "Exponent over reflectance times strength; larger: weak reflections fade first",                               \
+        "babylon:reflectionSpecularFalloffExponent")                                                                   \
+    SETTING(bool, fresnel, true, "", "",                                                                               \
+        "Reflectance grows toward grazing angles (Schlick); off: F0 at every angle",                                   \
+        "babylon:useFresnel")                                                                                          \
+    SETTING(float, roughnessFadeStart, 0.3f, "[0, 1]", "perceptual roughness",                                         \
+        "Up to here screen-space reflections have full weight",                                                        \
+        "hdrp:smoothnessFadeStart=1-x")                                                                                \
+    SETTING(float, maxRoughness, 0.6f, "[0, 1]", "perceptual roughness",                                               \
+        "From here on no screen-space ray is traced; at or below roughnessFadeStart: a hard edge just above it",       \
+        "hdrp:minSmoothness=1-x")
+
+#define GLINT_ROUGH_SETTINGS(SETTING)                                                                                  \
+    SETTING(float, factor, 0, "[0, 1]", "",                                                                            \
+        "Jitters each ray by its surface's roughness times this; 0: mirror directions only",                           \
+        "babylon:roughnessFactor")
+
+#define GLINT_FADE_SETTINGS(SETTING)                                                                                   \
+    SETTING(FadeBorder, border, FadeBorder::Linear, "", "",                                                            \
+        "Fade hits near the screen's border: none, smooth (wide, Babylon's), linear (over fade.borderWidth)",          \
+        "babylon:attenuateScreenBorders=none|smooth hdrp:screenWeightDistance=linear")                                 \
+    SETTING(float, borderWidth, 0.05f, "[0, 0.5]", "UV",                                                               \
+        "Width of the linear border fade: 0 at the border, 1 from here inside",                                        \
+        "hdrp:screenWeightDistance")                                                                                   \
+    SETTING(bool, distance, false, "", "",                                                                             \
+        "Fade by 1 - distance / screen.maxDistance",                                                                   \
+        "babylon:attenuateIntersectionDistance")                                                                       \
+    SETTING(bool, iterations, false, "", "",                                                                           \
+        "Fade by 1 - iterations / screen.maxSteps",                                                                    \
+        "babylon:attenuateIntersectionIterations")                                                                     \
+    SETTING(bool, facingCamera, false, "", "",                                                                         \
+        "Fade rays that come back toward the camera, whose hits the screen rarely shows",                              \
+        "babylon:attenuateFacingCamera")                                                                               \
+    SETTING(bool, backface, false, "", "",                                                                             \
+        "Fade hits on surfaces that face away from the ray's origin",                                                  \
+        "babylon:attenuateBackfaceReflection")
+
+#define GLINT_SKY_SETTINGS(SETTING)                                                                                    \
+    SETTING(bool, enabled, true, "", "",                                                                               \
+        "The environment answers for what the sources before it left; without one it adds nothing",                    \
+        "")
+
+#define GLINT_COMPOSITE_SETTINGS(SETTING)                                                                              \
+    SETTING(CompositeModel, model, CompositeModel::Physical, "", "",                                                   \
+        "physical: replaces the host's fallback specular, energy kept; lerp: blends colours by reflectance (Babylon)", \
+        "")
+
+#define GLINT_DEBUG_SETTINGS(SETTING)                                                                                  \
+    SETTING(bool, outcome, false, "", "",                                                                              \
+        "Show how rays ended: blue max distance, red out of steps, yellow off screen, green hit (bright: many steps)", \
+        "babylon:debug")
+
+// clang-format on

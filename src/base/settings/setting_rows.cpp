@@ -1,0 +1,112 @@
+#include "base/settings/setting_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+
+namespace glint {
+namespace {
+
+[[noreturn]] void malformed(std::string_view key, std::string_view text) {
+    fmt::print(stderr, "glint: the list of settings is malformed at {}: '{}'\n", key, text);
+    std::abort();
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    while (!text.empty()) {
+        const size_t end = std::min(text.find(separator), text.size());
+        if (end > 0) parts.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return parts;
+}
+
+/// "Linear, Hiz" becomes {"linear", "hiz"}.
+std::vector<std::string> readChoices(std::string_view enumerators) {
+    std::vector<std::string> choices;
+    for (std::string_view part : split(enumerators, ',')) {
+        std::string choice(part.substr(part.find_first_not_of(' ')));
+        choice[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(choice[0])));
+        choices.push_back(std::move(choice));
+    }
+    return choices;
+}
+
+double readNumber(std::string_view key, std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) malformed(key, text);
+    return value;
+}
+
+/// "(0, 1e6]"
+SettingRange readRange(std::string_view key, std::string_view text) {
+    const size_t comma = text.find(',');
+    if (text.size() < 5 || comma == text.npos || (text.front() != '[' && text.front() != '(')) malformed(key, text);
+    SettingRange range;
+    range.min = readNumber(key, text.substr(1, comma - 1));
+    range.max = readNumber(key, text.substr(comma + 1, text.size() - comma - 2));
+    range.minOpen = text.front() == '(';
+    range.maxOpen = text.back() == ')';
+    range.text = text;
+    return range;
+}
+
+int choiceIndex(const SettingInfo& info, std::string_view choice) {
+    const auto found = std::ranges::find(info.choices, choice);
+    if (found == info.choices.end()) malformed(info.key, choice);
+    return static_cast<int>(found - info.choices.begin());
+}
+
+/// "babylon:attenuateScreenBorders=none|smooth"
+SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
+    const size_t colon = text.find(':');
+    const size_t equals = std::min(text.find('='), text.size());
+    if (colon == text.npos || colon == 0 || equals <= colon + 1) malformed(info.key, text);
+    SettingAlias alias;
+    alias.system = text.substr(0, colon);
+    alias.name = text.substr(colon + 1, equals - colon - 1);
+    if (equals == text.size()) return alias;
+
+    const std::string_view transform = text.substr(equals + 1);
+    if (transform == "1-x") {
+        alias.transform = AliasTransform::OneMinus;
+    } else if (transform == "1/(n+1)") {
+        alias.transform = AliasTransform::InverseOnePlus;
+    } else if (const size_t bar = transform.find('|'); bar != transform.npos) {
+        alias.transform = AliasTransform::Choice;
+        alias.whenFalse = choiceIndex(info, transform.substr(0, bar));
+        alias.whenTrue = choiceIndex(info, transform.substr(bar + 1));
+    } else {
+        alias.transform = AliasTransform::Always;
+        alias.whenTrue = choiceIndex(info, transform);
+    }
+    return alias;
+}
+
+} // namespace
+
+SettingInfo makeSettingInfo(std::string key, SettingType type, double defaultValue, size_t offset,
+                            std::string_view choices, const SettingTexts& texts) {
+    SettingInfo info;
+    info.key = std::move(key);
+    info.type = type;
+    info.defaultValue = defaultValue;
+    info.unit = texts.unit;
+    info.meaning = texts.meaning;
+    info.choices = readChoices(choices);
+    info.offset = offset;
+    if (type == SettingType::Int || type == SettingType::Float)
+        info.range = readRange(info.key, texts.range);
+    else if (!texts.range.empty())
+        malformed(info.key, texts.range);
+    for (std::string_view alias : split(texts.aliases, ' ')) info.aliases.push_back(readAlias(info, alias));
+    return info;
+}
+
+} // namespace glint

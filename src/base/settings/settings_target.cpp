@@ -1,0 +1,253 @@
+#include "base/settings/settings_target.hpp"
+
+#include "base/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <set>
+
+namespace glint {
+namespace {
+
+using Kind = SettingInput::Kind;
+
+/// A setting that a name leads to; no alias: by its own key.
+struct Match {
+    const SettingInfo* info = nullptr;
+    const SettingAlias* alias = nullptr;
+    void* object = nullptr;
+};
+
+std::vector<Match> matchKey(SettingsTargets targets, std::string_view name) {
+    for (const SettingsTarget& target : targets) {
+        for (const SettingInfo& info : target.table) {
+            if (info.key == name) return {{&info, nullptr, target.object}};
+        }
+    }
+    return {};
+}
+
+std::string fullName(const SettingAlias& alias) { return alias.system + ":" + alias.name; }
+
+template <class Wanted> std::vector<Match> matchAliases(SettingsTargets targets, Wanted wanted) {
+    std::vector<Match> matches;
+    for (const SettingsTarget& target : targets) {
+        for (const SettingInfo& info : target.table) {
+            for (const SettingAlias& alias : info.aliases) {
+                if (wanted(alias)) matches.push_back({&info, &alias, target.object});
+            }
+        }
+    }
+    return matches;
+}
+
+Error unknownName(SettingsTargets targets, std::string_view name) {
+    std::vector<std::string> names;
+    for (const SettingsTarget& target : targets) {
+        for (const SettingInfo& info : target.table) {
+            names.push_back(info.key);
+            for (const SettingAlias& alias : info.aliases) {
+                names.push_back(alias.name);
+                names.push_back(fullName(alias));
+            }
+        }
+    }
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    if (const std::string_view nearest = likelyMeant(name, views); !nearest.empty())
+        return invalidArgument("unknown setting '{}'; did you mean '{}'?", printable(name), nearest);
+    return invalidArgument("unknown setting '{}'; `glint settings` lists them all", printable(name));
+}
+
+Result<std::vector<Match>> findSettings(SettingsTargets targets, std::string_view name, std::string_view system) {
+    if (auto matches = matchKey(targets, name); !matches.empty()) return matches;
+    if (auto matches = matchAliases(targets, [&](const SettingAlias& a) { return fullName(a) == name; });
+        !matches.empty())
+        return matches;
+
+    auto matches = matchAliases(targets, [&](const SettingAlias& a) { return a.name == name; });
+    if (matches.empty()) return unknownName(targets, name);
+    std::set<std::string> systems;
+    for (const Match& match : matches) systems.insert(match.alias->system);
+    if (systems.size() == 1) return matches;
+    if (systems.contains(std::string(system))) {
+        std::erase_if(matches, [&](const Match& match) { return match.alias->system != system; });
+        return matches;
+    }
+    std::vector<std::string> candidates;
+    for (const std::string& candidate : systems) candidates.push_back(fmt::format("'{}:{}'", candidate, name));
+    return invalidArgument("'{}' is a name in several systems: write {}", printable(name),
+                           listText(candidates, " or "));
+}
+
+// ---------------------------------------------------------------- values
+
+/// The type in which a value is written under this name, which an alias may change.
+SettingType writtenType(const Match& match) {
+    switch (match.alias ? match.alias->transform : AliasTransform::Same) {
+    case AliasTransform::OneMinus: return SettingType::Float;
+    case AliasTransform::InverseOnePlus: return SettingType::Int;
+    case AliasTransform::Choice: return SettingType::Bool;
+    case AliasTransform::Same:
+    case AliasTransform::Always: break;
+    }
+    return match.info->type;
+}
+
+Error wrongType(std::string_view name, std::string_view expected, const SettingInput& input) {
+    const std::string_view quote = input.kind == Kind::String ? "\"" : "'";
+    return invalidArgument("{}: expected {}, got {}{}{}", printable(name), expected, quote, printable(input.text),
+                           quote);
+}
+
+bool kindIs(const SettingInput& input, Kind kind) { return input.kind == Kind::Any || input.kind == kind; }
+
+Result<double> readBool(std::string_view name, const SettingInput& input) {
+    const bool isTrue = input.text == "true";
+    if (!kindIs(input, Kind::Bool) || (!isTrue && input.text != "false"))
+        return wrongType(name, "true or false", input);
+    return isTrue ? 1.0 : 0.0;
+}
+
+Result<double> readNumber(std::string_view name, const SettingInput& input, bool whole) {
+    const std::string_view expected = whole ? "a whole number" : "a number";
+    double value = 0;
+    const char* const textEnd = input.text.data() + input.text.size();
+    const auto [end, error] = std::from_chars(input.text.data(), textEnd, value);
+    if (!kindIs(input, Kind::Number) || error != std::errc() || end != textEnd) return wrongType(name, expected, input);
+    if (whole && std::isfinite(value) && value != std::floor(value)) return wrongType(name, expected, input);
+    return value;
+}
+
+Result<double> readChoice(std::string_view name, const SettingInfo& info, const SettingInput& input) {
+    const auto found = std::ranges::find(info.choices, input.text);
+    if (kindIs(input, Kind::String) && found != info.choices.end())
+        return static_cast<double>(found - info.choices.begin());
+    return wrongType(name, listText(info.choices, " or "), input);
+}
+
+Result<double> readValue(std::string_view name, const Match& match, const SettingInput& input) {
+    switch (writtenType(match)) {
+    case SettingType::Bool: return readBool(name, input);
+    case SettingType::Int: return readNumber(name, input, true);
+    case SettingType::Float: return readNumber(name, input, false);
+    case SettingType::Enum: break;
+    }
+    return readChoice(name, *match.info, input);
+}
+
+double transformed(const SettingAlias* alias, double value) {
+    switch (alias ? alias->transform : AliasTransform::Same) {
+    case AliasTransform::OneMinus: return 1 - value;
+    case AliasTransform::InverseOnePlus: return 1 / (value + 1);
+    case AliasTransform::Choice: return value != 0 ? alias->whenTrue : alias->whenFalse;
+    case AliasTransform::Always: return alias->whenTrue;
+    case AliasTransform::Same: break;
+    }
+    return value;
+}
+
+/// A double as the setting will hold it: a tiny positive number may become 0 in a float and leave an open range.
+double narrowed(const SettingInfo& info, double value) {
+    return info.type == SettingType::Float ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
+bool inRange(const SettingRange& range, double value, double held) {
+    return range.contains(value) && (!range.minOpen || held > range.min) && (!range.maxOpen || held < range.max);
+}
+
+Error outOfRange(const SettingInfo& info, std::string_view value) {
+    const std::string_view space = info.unit.empty() ? "" : " ";
+    return invalidArgument("{} = {} is out of range {}{}{}", info.key, value, info.range.text, space, info.unit);
+}
+
+Result<SettingAssignment> makeAssignment(std::string_view name, const Match& match, const SettingInput& input) {
+    const SettingInfo& info = *match.info;
+    SettingAssignment assignment{&info, match.object, 0, false};
+    if (match.alias && match.alias->transform == AliasTransform::Always) {
+        assignment.value = match.alias->whenTrue;
+        assignment.implied = true;
+        return assignment;
+    }
+    GLINT_TRY(written, readValue(name, match, input));
+    const double value = transformed(match.alias, written);
+    assignment.value = narrowed(info, value);
+    if (!info.range.text.empty() && !inRange(info.range, value, assignment.value)) {
+        Error error = outOfRange(info, fmt::format("{}", value));
+        if (match.alias) error.message += fmt::format(" (from {} = {})", fullName(*match.alias), printable(input.text));
+        return error;
+    }
+    return assignment;
+}
+
+} // namespace
+
+double settingValue(const SettingInfo& info, const void* object) {
+    const std::byte* const at = static_cast<const std::byte*>(object) + info.offset;
+    if (info.type == SettingType::Bool) return *reinterpret_cast<const bool*>(at) ? 1 : 0;
+    if (info.type == SettingType::Float) return static_cast<double>(*reinterpret_cast<const float*>(at));
+    int value = 0; // int or an enum over int, which memcpy may read as int
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+std::string settingText(const SettingInfo& info, double value) {
+    switch (info.type) {
+    case SettingType::Bool: return value != 0 ? "true" : "false";
+    case SettingType::Int: return fmt::format("{}", static_cast<int>(value));
+    case SettingType::Float: return fmt::format("{}", static_cast<float>(value));
+    case SettingType::Enum: break;
+    }
+    const auto index = static_cast<size_t>(value);
+    return value >= 0 && index < info.choices.size() ? info.choices[index] : fmt::format("{}", value);
+}
+
+Result<std::vector<SettingAssignment>> resolveSetting(SettingsTargets targets, std::string_view name,
+                                                      const SettingInput& input, std::string_view system) {
+    GLINT_TRY(matches, findSettings(targets, name, system));
+    std::vector<SettingAssignment> assignments;
+    for (const Match& match : matches) {
+        GLINT_TRY(assignment, makeAssignment(name, match, input));
+        assignments.push_back(assignment);
+    }
+    return assignments;
+}
+
+void assignSettings(std::span<const SettingAssignment> assignments) {
+    for (const SettingAssignment& assignment : assignments) {
+        std::byte* const at = static_cast<std::byte*>(assignment.object) + assignment.info->offset;
+        if (assignment.info->type == SettingType::Bool) {
+            *reinterpret_cast<bool*>(at) = assignment.value != 0;
+        } else if (assignment.info->type == SettingType::Float) {
+            *reinterpret_cast<float*>(at) = static_cast<float>(assignment.value);
+        } else {
+            const int value = static_cast<int>(assignment.value);
+            std::memcpy(at, &value, sizeof value);
+        }
+    }
+}
+
+Result<void> setSetting(SettingsTargets targets, std::string_view name, std::string_view value,
+                        std::string_view system) {
+    GLINT_TRY(assignments, resolveSetting(targets, name, {value, Kind::Any}, system));
+    assignSettings(assignments);
+    return {};
+}
+
+Result<void> validateSettings(SettingsTargets targets) {
+    for (const SettingsTarget& target : targets) {
+        for (const SettingInfo& info : target.table) {
+            const double value = settingValue(info, target.object);
+            if (info.type == SettingType::Enum && (value < 0 || value >= static_cast<double>(info.choices.size())))
+                return invalidArgument("{} = {} is none of {}", info.key, value, joinText(info.choices, ", "));
+            SettingRange range = info.range; // as floats see it: 0.3f is above 0.3, and still the range's end
+            range.min = narrowed(info, range.min);
+            range.max = narrowed(info, range.max);
+            if (!range.text.empty() && !range.contains(value)) return outOfRange(info, settingText(info, value));
+        }
+    }
+    return {};
+}
+
+} // namespace glint
