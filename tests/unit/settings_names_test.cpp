@@ -1,0 +1,101 @@
+// Names and values as people write them: aliases, the preset in force, misspellings, wrong types; errors of one line.
+#include "glint/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+std::string errorOf(std::string_view key, std::string_view value, std::string_view preset = {}) {
+    Settings settings;
+    const auto done = set(settings, key, value, preset);
+    return done.ok() ? "" : done.error().message;
+}
+
+TEST(SettingsNames, AliasWithOneSystemNeedsNoSystem) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "selfCollisionNumSkip", "3").ok());
+    EXPECT_EQ(settings.screen.selfCollisionSkip, 3);
+}
+
+TEST(SettingsNames, AliasOfSeveralSystemsIsResolvedByThePreset) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "reflectivityThreshold", "0.5", "compute-ssr").ok());
+    EXPECT_EQ(settings.reflect.threshold, 0.5f);
+    EXPECT_EQ(settings.reflect.thresholdOn, ThresholdOn::F0TimesStrength);
+    ASSERT_TRUE(set(settings, "reflectivityThreshold", "0.25", "babylon").ok());
+    EXPECT_EQ(settings.reflect.threshold, 0.25f);
+    EXPECT_EQ(settings.reflect.thresholdOn, ThresholdOn::F0);
+}
+
+TEST(SettingsNames, AliasOfSeveralSystemsIsAnErrorOtherwise) {
+    const std::string expected =
+        "'thickness' is a name in several systems: write 'babylon:thickness' or 'compute-ssr:thickness'";
+    EXPECT_EQ(errorOf("thickness", "1"), expected);
+    EXPECT_EQ(errorOf("thickness", "1", "balanced"), expected);
+    EXPECT_EQ(errorOf("babylon:thickness", "1"), "");
+    EXPECT_EQ(errorOf("babylon:thickness", "1", "compute-ssr"), "");
+}
+
+TEST(SettingsNames, AliasesCarryTheirOwnMeaning) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "hdrp:minSmoothness", "0.75").ok());
+    EXPECT_EQ(settings.reflect.maxRoughness, 0.25f);
+    ASSERT_TRUE(set(settings, "attenuateScreenBorders", "true").ok());
+    EXPECT_EQ(settings.fade.border, FadeBorder::Smooth);
+    ASSERT_TRUE(set(settings, "attenuateScreenBorders", "false").ok());
+    EXPECT_EQ(settings.fade.border, FadeBorder::None);
+    ASSERT_TRUE(set(settings, "screenWeightDistance", "0.2").ok());
+    EXPECT_EQ(settings.fade.border, FadeBorder::Linear);
+    EXPECT_EQ(settings.fade.borderWidth, 0.2f);
+    ASSERT_TRUE(set(settings, "depthBufferThickness", "0.02").ok());
+    EXPECT_EQ(settings.screen.thicknessMode, ThicknessMode::Relative);
+    EXPECT_EQ(settings.screen.thicknessRelative, 0.02f);
+}
+
+TEST(SettingsNames, AnAliasWithABadValueChangesNothing) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "fade.border", "none").ok());
+    EXPECT_FALSE(set(settings, "screenWeightDistance", "2").ok());
+    EXPECT_EQ(settings.fade.border, FadeBorder::None);
+}
+
+TEST(SettingsNames, MisspeltNamesGetTheNearestRightOne) {
+    EXPECT_EQ(errorOf("screen.stpe", "1"), "unknown setting 'screen.stpe'; did you mean 'screen.step'?");
+    EXPECT_EQ(errorOf("maxDistanse", "1"), "unknown setting 'maxDistanse'; did you mean 'maxDistance'?");
+    EXPECT_EQ(errorOf("SCREEN.MAXSTEPS", "1"), "unknown setting 'SCREEN.MAXSTEPS'; did you mean 'screen.maxSteps'?");
+    EXPECT_EQ(errorOf("babilon:thickness", "1"),
+              "unknown setting 'babilon:thickness'; did you mean 'babylon:thickness'?");
+    EXPECT_EQ(errorOf("zzzzzzzzzzzz", "1"), "unknown setting 'zzzzzzzzzzzz'; `glint settings` lists them all");
+    EXPECT_EQ(errorOf("", "1"), "unknown setting ''; `glint settings` lists them all");
+}
+
+TEST(SettingsNames, WrongTypesSayWhatIsExpected) {
+    EXPECT_EQ(errorOf("screen.step", "fast"), "screen.step: expected a whole number, got 'fast'");
+    EXPECT_EQ(errorOf("screen.step", "1.5"), "screen.step: expected a whole number, got '1.5'");
+    EXPECT_EQ(errorOf("screen.step", "4px"), "screen.step: expected a whole number, got '4px'");
+    EXPECT_EQ(errorOf("screen.thickness", ""), "screen.thickness: expected a number, got ''");
+    EXPECT_EQ(errorOf("screen.smooth", "1"), "screen.smooth: expected true or false, got '1'");
+    EXPECT_EQ(errorOf("fade.border", "liner"), "fade.border: expected none, smooth or linear, got 'liner'");
+    EXPECT_EQ(errorOf("babylon:attenuateScreenBorders", "smooth"),
+              "babylon:attenuateScreenBorders: expected true or false, got 'smooth'");
+}
+
+TEST(SettingsNames, ValuesOutOfRangeSayTheRange) {
+    EXPECT_EQ(errorOf("screen.maxDistance", "0"), "screen.maxDistance = 0 is out of range (0, 1e6] m");
+    EXPECT_EQ(errorOf("screen.step", "99999999999999999999"), "screen.step = 1e+20 is out of range [1, 64] px");
+    EXPECT_EQ(errorOf("hdrp:minSmoothness", "-0.5"),
+              "reflect.maxRoughness = 1.5 is out of range [0, 1] perceptual roughness "
+              "(from hdrp:minSmoothness = -0.5)");
+}
+
+TEST(SettingsNames, HostileTextStaysOneShortLine) {
+    const std::string message = errorOf("a\nb\x1b[31m" + std::string(100000, 'x'), std::string(100000, 'y'));
+    EXPECT_LT(message.size(), 300u);
+    EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
+}
+
+} // namespace
+} // namespace glint

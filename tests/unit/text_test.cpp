@@ -1,0 +1,34 @@
+// Helpers on text for messages.
+#include "base/text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace glint {
+namespace {
+
+TEST(Text, ListsReadAsASentence) {
+    EXPECT_EQ(listText({}, " or "), "");
+    const std::vector<std::string> names = {"a", "b", "c"};
+    EXPECT_EQ(listText(std::span(names).first(1), " or "), "a");
+    EXPECT_EQ(listText(std::span(names).first(2), " or "), "a or b");
+    EXPECT_EQ(listText(names, " or "), "a, b or c");
+}
+
+TEST(Text, LikelyMeantIsNearOrNothing) {
+    const std::vector<std::string_view> names = {"sitting", "step"};
+    EXPECT_EQ(likelyMeant("Stp", names), "step");
+    EXPECT_EQ(likelyMeant("siting", names), "sitting");
+    EXPECT_EQ(likelyMeant("kitten", names), "");
+    EXPECT_EQ(likelyMeant("", names), "");
+    EXPECT_EQ(likelyMeant("step", {}), "");
+    EXPECT_EQ(likelyMeant(std::string(100000, 's'), names), "");
+}
+
+TEST(Text, PrintableIsOneLineAndShort) {
+    EXPECT_EQ(printable("plain"), "plain");
+    EXPECT_EQ(printable("a\nb\x7f\x1b"), "a?b??");
+    EXPECT_EQ(printable("0123456789", 4), "0123...");
+}
+
+} // namespace
+} // namespace glint
