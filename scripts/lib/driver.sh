@@ -69,3 +69,13 @@ choose_driver() {
     say "Vulkan device: $device"
     echo "$chosen $(driver_facts)" >"$deps/driver.new" && mv "$deps/driver.new" "$deps/driver"
 }
+
+# CMake arguments that link programs to the unpacked driver's loader and libraries, one a line; none where the system's
+# driver is used. A program started by that loader on the command line hides its own name from the sanitizers, which
+# then name no function in a report and no leak for certain. run-with-driver starts a program linked so as it is.
+linked_driver_arguments() {
+    local loader
+    [[ $(<"$deps/driver") == unpacked* ]] || return 0
+    loader=$(echo "$deps"/vulkan/usr/lib/*/ld-linux*.so.*)
+    echo "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--dynamic-linker=$loader,--disable-new-dtags,-rpath,${loader%/*}"
+}

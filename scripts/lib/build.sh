@@ -1,0 +1,40 @@
+# shellcheck shell=bash disable=SC2154 # $root comes from setup.sh
+# Sourced by the scripts that build: one CMake preset at a time, and its tests.
+
+# build PRESET [TARGET]: configures where needed and builds. Silent when everything is up to date; otherwise the
+# progress goes to standard error, for standard output belongs to the program that is run afterwards.
+build() {
+    local preset=$1 target=${2:-all} folder=$root/build/$1
+    mkdir -p "$folder"
+    exec 8>"$folder/lock"
+    flock 8
+    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/build.ninja ]]; then
+        (cd "$root" && cmake --preset "$preset" "${cmake_arguments[@]}") >&2 ||
+            fail "configuring the preset $preset failed: CMake says why above"
+    fi
+    if [[ $(ninja -C "$folder" -n "$target" 2>&1) != *"no work to do"* ]]; then
+        ninja -C "$folder" "$target" >&2 || fail "building the preset $preset failed: the first error above says why"
+    fi
+    exec 8>&-
+}
+cmake_arguments=() # what a script adds to the preset
+
+# run_tests PRESET [CTEST-ARGUMENTS...]: runs the tests in parallel and sets passed, failed and skipped; fails if one
+# does or if there are none.
+run_tests() {
+    local preset=$1 report=$root/build/$1/tests.xml status=0
+    shift
+    rm -f "$report"
+    (cd "$root" && ctest --preset "$preset" --parallel "$(nproc)" --output-junit "$report" "$@") || status=$?
+    count() { sed -n "s/.*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -n 1; }
+    skipped=0 passed=0 failed=1
+    [[ -f $report ]] || return "$status"
+    failed=$(count failures)
+    skipped=$(($(count skipped) + $(count disabled)))
+    passed=$(($(count tests) - failed - skipped))
+    return "$status"
+}
+
+summary() { # summary PASSED FAILED SKIPPED: the last line of every script that tests
+    echo "$1 passed, $2 failed$([[ $3 == 0 ]] || echo ", $3 skipped")"
+}
