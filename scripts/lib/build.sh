@@ -1,4 +1,4 @@
-# shellcheck shell=bash disable=SC2154 # $root comes from setup.sh
+# shellcheck shell=bash
 # Sourced by the scripts that build: one CMake preset at a time, and its tests.
 
 # build PRESET [TARGET]: configures where needed and builds. Silent when everything is up to date; otherwise the

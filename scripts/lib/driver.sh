@@ -1,4 +1,4 @@
-# shellcheck shell=bash disable=SC2154 # $deps and $lib_dir come from setup.sh
+# shellcheck shell=bash
 # Sourced by setup.sh. Decides which Vulkan driver programs run on and makes sure that it is there. The decision is
 # written to .deps/driver, which run-with-driver reads: `system` (a GPU, or a new enough Mesa), or `unpacked` (Debian
 # 13's lavapipe in .deps/vulkan). GLINT_DRIVER=system or GLINT_DRIVER=unpacked overrides it.

@@ -1,4 +1,4 @@
-# shellcheck shell=bash disable=SC2034 # the lists are read by those who source this
+# shellcheck shell=bash
 # Sourced by setup.sh. The packages that Glint is built and tested with, and how the missing ones get here.
 
 build_packages=(
@@ -8,8 +8,6 @@ build_packages=(
     libdraco-dev libmeshoptimizer-dev libwebp-dev libstb-dev libopenexr-dev libembree-dev
     libgtest-dev libbenchmark-dev
 )
-# One version everywhere, since each formats and warns differently. Not in Debian 13: scripts/check says so there.
-check_packages=(clang-format-14 clang-tidy-14 shellcheck)
 
 # Prints those of the named packages that are not installed.
 missing_packages() {

@@ -9,11 +9,8 @@ deps=$root/.deps
 say() { doing=$* && echo "glint: $*" >&2; }
 fail() { trap - EXIT; echo "glint: $*" >&2; exit 1; }
 
-# shellcheck source=scripts/lib/packages.sh
 . "$lib_dir/packages.sh"
-# shellcheck source=scripts/lib/debian13.sh
 . "$lib_dir/debian13.sh"
-# shellcheck source=scripts/lib/driver.sh
 . "$lib_dir/driver.sh"
 
 # with_debian13 FUNCTION: calls FUNCTION WORK, where WORK is a folder in .deps with Debian 13's apt, removed after.
