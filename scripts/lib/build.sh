@@ -32,6 +32,7 @@ run_tests() {
     failed=$(count failures)
     skipped=$(($(count skipped) + $(count disabled)))
     passed=$(($(count tests) - failed - skipped))
+    [[ $status == 0 || $failed != 0 ]] || failed=1 # a test that could not start
     return "$status"
 }
 
