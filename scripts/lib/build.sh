@@ -26,7 +26,7 @@ run_tests() {
     shift
     rm -f "$report"
     (cd "$root" && ctest --preset "$preset" --parallel "$(nproc)" --output-junit "$report" "$@") || status=$?
-    count() { sed -n "s/.*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -n 1; }
+    count() { sed -n "s/.*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p;T;q" "$report"; }
     skipped=0 passed=0 failed=1
     [[ -f $report ]] || return "$status"
     failed=$(count failures)

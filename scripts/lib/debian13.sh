@@ -9,7 +9,7 @@ debian_archive() {
     local found
     # shellcheck disable=SC2016 # the dollar is apt's
     found=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null |
-        grep -E '/debian/?$' | head -n 1) || true
+        awk '/\/debian\/?$/ && !found { found = 1; print }') || true
     echo "${found:-http://deb.debian.org/debian}"
 }
 

@@ -51,7 +51,7 @@ choose_driver() {
         chosen=system
         if ! device=$(probe_driver system); then
             # Ray query came to lavapipe in Mesa 24.1: from there on the distribution's own package will do.
-            mesa=$(apt-cache policy mesa-vulkan-drivers | awk '/Candidate:/ { print $2 }')
+            mesa=$(LC_ALL=C apt-cache policy mesa-vulkan-drivers | awk '/Candidate:/ { print $2 }')
             if dpkg --compare-versions "$mesa" ge 24.1; then install_packages mesa-vulkan-drivers; fi
             device=$(probe_driver system) || chosen=unpacked
         fi

@@ -16,7 +16,7 @@ missing_packages() {
     for name in "$@"; do [[ $installed == *" installed=$name "* ]] || echo "$name"; done
 }
 
-has_candidate() { LC_ALL=C apt-cache policy "$1" | grep -q 'Candidate: [^(]'; }
+has_candidate() { [[ $(LC_ALL=C apt-cache policy "$1") =~ Candidate:\ [^\(] ]]; }
 
 as_root() {
     if [[ $EUID == 0 ]]; then "$@"; else sudo -n "$@"; fi
