@@ -8,8 +8,10 @@ build() {
     mkdir -p "$folder"
     exec 8>"$folder/lock"
     flock 8
-    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/build.ninja ]]; then
-        (cd "$root" && cmake --preset "$preset" "${cmake_arguments[@]}") >&2 ||
+    # Anew after an edit of the presets, and after the repository was moved: CMake keeps absolute paths.
+    if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/build.ninja ]] ||
+        ! grep -q -x -F "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+        (cd "$root" && cmake --fresh --preset "$preset" "${cmake_arguments[@]}") >&2 ||
             fail "configuring the preset $preset failed: CMake says why above"
     fi
     if [[ $(ninja -C "$folder" -n "$target" 2>&1) != *"no work to do"* ]]; then

@@ -3,7 +3,7 @@
 # driver are there: silent and quick when they are, otherwise it says what it does, and it never asks.
 
 lib_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-root=$(cd "$lib_dir/../.." && pwd)
+root=$(cd "$lib_dir/../.." && pwd -P)
 deps=$root/.deps
 
 say() { doing=$* && echo "glint: $*" >&2; }
@@ -45,11 +45,11 @@ unpack_vma() {
 
 # setup [PACKAGES...]: everything that building and running takes, and the packages named.
 setup() {
-    local doing="looking for what is missing"
+    doing="looking for what is missing"
     mkdir -p "$deps"
     exec 9>"$deps/lock"
     flock 9 # two terminals may start at once
-    trap 'echo "glint: set-up failed (${doing:-}): the lines above say why; mend that and start again" >&2' EXIT
+    trap 'echo "glint: set-up failed ($doing): the lines above say why; mend that and start again" >&2' EXIT
     install_packages "${build_packages[@]}" "$@"
     ensure_vma
     choose_driver
