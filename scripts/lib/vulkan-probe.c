@@ -10,16 +10,19 @@ static int has_ray_query(VkPhysicalDevice device) {
     uint32_t count = 1024;
     vkEnumerateDeviceExtensionProperties(device, NULL, &count, list);
     for (uint32_t i = 0; i < count; ++i)
-        if (!strcmp(list[i].extensionName, VK_KHR_RAY_QUERY_EXTENSION_NAME)) return 1;
+        if (!strcmp(list[i].extensionName, VK_KHR_RAY_QUERY_EXTENSION_NAME))
+            return 1;
     return 0;
 }
 
 static int is_usable(VkPhysicalDevice device, const VkPhysicalDeviceProperties* properties) {
-    if (properties->apiVersion < VK_API_VERSION_1_3) return 0;
+    if (properties->apiVersion < VK_API_VERSION_1_3)
+        return 0;
     VkPhysicalDeviceVulkan12Features vulkan12 = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
     VkPhysicalDeviceFeatures2 features = {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &vulkan12};
     vkGetPhysicalDeviceFeatures2(device, &features);
-    if (!vulkan12.descriptorIndexing || !vulkan12.runtimeDescriptorArray || !vulkan12.bufferDeviceAddress) return 0;
+    if (!vulkan12.descriptorIndexing || !vulkan12.runtimeDescriptorArray || !vulkan12.bufferDeviceAddress)
+        return 0;
     return properties->deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU || has_ray_query(device);
 }
 
@@ -27,14 +30,17 @@ int main(void) {
     VkApplicationInfo application = {.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO, .apiVersion = VK_API_VERSION_1_3};
     VkInstanceCreateInfo info = {.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, .pApplicationInfo = &application};
     VkInstance instance;
-    if (vkCreateInstance(&info, NULL, &instance) != VK_SUCCESS) return 1;
+    if (vkCreateInstance(&info, NULL, &instance) != VK_SUCCESS)
+        return 1;
     VkPhysicalDevice devices[16];
     uint32_t count = 16;
-    if (vkEnumeratePhysicalDevices(instance, &count, devices) < 0) return 1;
+    if (vkEnumeratePhysicalDevices(instance, &count, devices) < 0)
+        return 1;
     for (uint32_t i = 0; i < count; ++i) {
         VkPhysicalDeviceProperties properties;
         vkGetPhysicalDeviceProperties(devices[i], &properties);
-        if (!is_usable(devices[i], &properties)) continue;
+        if (!is_usable(devices[i], &properties))
+            continue;
         puts(properties.deviceName);
         return 0;
     }
