@@ -134,8 +134,9 @@ struct MorphTarget { ///< differences; each array is empty or as long as the bas
 struct Primitive {
     Geometry geometry;
     int material = -1; ///< -1: glTF's default material
+    bool flatNormals = false; ///< the file gave none: every triangle owns its vertices, `pose` makes them anew
     std::vector<SkinSet> skinSets;
-    std::vector<MorphTarget> morphTargets;
+    std::vector<MorphTarget> morphTargets; ///< as many as the mesh's other primitives have
 };
 
 struct Mesh {
