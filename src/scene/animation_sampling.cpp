@@ -17,8 +17,8 @@ struct Segment {
 };
 
 Segment findSegment(const std::vector<float>& times, double time) {
-    const auto after = std::upper_bound(times.begin(), times.end(), time,
-                                        [](double t, float key) { return t < double(key); });
+    const auto after =
+        std::upper_bound(times.begin(), times.end(), time, [](double t, float key) { return t < double(key); });
     if (after == times.begin())
         return {};
     const size_t from = static_cast<size_t>(after - times.begin()) - 1;
@@ -83,9 +83,10 @@ std::vector<const Animation*> playedAnimations(const Scene& scene) {
     std::vector<const Animation*> played;
     std::set<std::pair<int, AnimationPath>> driven;
     for (const Animation& animation : scene.animations) {
-        const bool collides = std::any_of(animation.channels.begin(), animation.channels.end(), [&](const auto& channel) {
-            return driven.count({channel.node, channel.path}) != 0;
-        });
+        const bool collides =
+            std::any_of(animation.channels.begin(), animation.channels.end(), [&](const auto& channel) {
+                return driven.count({channel.node, channel.path}) != 0;
+            });
         if (collides)
             continue;
         for (const AnimationChannel& channel : animation.channels)

@@ -70,7 +70,8 @@ private:
     }
 
     void checkKeys() {
-        constexpr std::string_view kKeys[] = {"position", "target", "fovY", "orthoHeight", "width", "height", "near", "far"};
+        constexpr std::string_view kKeys[] = {"position", "target", "fovY", "orthoHeight",
+                                              "width",    "height", "near", "far"};
         for (const auto& item : root_.items())
             if (std::find(std::begin(kKeys), std::end(kKeys), item.key()) == std::end(kKeys))
                 fail(item.key(), "is not a key of camera files; known are position, target, fovY, orthoHeight, width, "
@@ -109,7 +110,8 @@ private:
             return;
         const size_t at = text_.find('"' + key + '"'); // absent keys have no line
         const std::string line =
-            at == std::string::npos ? "" : fmt::format("{}:", 1 + std::count(text_.begin(), text_.begin() + long(at), '\n'));
+            at == std::string::npos ? ""
+                                    : fmt::format("{}:", 1 + std::count(text_.begin(), text_.begin() + long(at), '\n'));
         error_ = invalidInput("{}:{} {} {}", name_, line, key, what);
     }
 

@@ -29,7 +29,8 @@ namespace {
 enum class Format { Unknown, Png, Jpeg, WebP, Ktx2 };
 
 bool beginsWith(std::span<const uint8_t> bytes, std::string_view signature, size_t at = 0) {
-    return bytes.size() >= at + signature.size() && std::memcmp(bytes.data() + at, signature.data(), signature.size()) == 0;
+    return bytes.size() >= at + signature.size() &&
+           std::memcmp(bytes.data() + at, signature.data(), signature.size()) == 0;
 }
 
 Format detectFormat(std::span<const uint8_t> bytes) {
@@ -52,18 +53,17 @@ struct Size {
 Result<Size> readSize(std::span<const uint8_t> bytes, Format format, const std::string& name) {
     Size size;
     int channels = 0;
-    const bool ok = format == Format::WebP
-                        ? WebPGetInfo(bytes.data(), bytes.size(), &size.width, &size.height) != 0
-                        : stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &size.width, &size.height,
-                                                &channels) != 0;
+    const bool ok = format == Format::WebP ? WebPGetInfo(bytes.data(), bytes.size(), &size.width, &size.height) != 0
+                                           : stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()),
+                                                                   &size.width, &size.height, &channels) != 0;
     if (!ok || size.width <= 0 || size.height <= 0)
         return invalidInput("{}: the image's header is damaged", name);
     return size;
 }
 
-/// Most pixels that honest files put into one byte: deflate repeats a byte at most 1032 times; a JPEG block of 64 pixels
-/// takes a bit or more in its first scan. A larger claim is refused before the decoder allocates for it. WebP codes a
-/// picture of one colour in no bits at all: there only the limit on pixels holds.
+/// Most pixels that honest files put into one byte: deflate repeats a byte at most 1032 times; a JPEG block of 64
+/// pixels takes a bit or more in its first scan. A larger claim is refused before the decoder allocates for it. WebP
+/// codes a picture of one colour in no bits at all: there only the limit on pixels holds.
 uint64_t mostPixels(std::span<const uint8_t> bytes, Format format) {
     switch (format) {
     case Format::Png: return bytes.size() * uint64_t(1032) * 8; // 1-bit grey

@@ -10,8 +10,8 @@
 
 namespace glint::scene {
 
-/// Decodes `bytes`; 16-bit channels become 8-bit, grey becomes RGB, missing alpha becomes 255. Colour profiles and gamma
-/// chunks are ignored, as glTF asks. The size in the header is checked before pixels are allocated.
+/// Decodes `bytes`; 16-bit channels become 8-bit, grey becomes RGB, missing alpha becomes 255. Colour profiles and
+/// gamma chunks are ignored, as glTF asks. The size in the header is checked before pixels are allocated.
 ///
 /// `name`       begins every message and becomes Image::name
 /// `maxPixels`  most pixels the image may have; a side has at most 16384

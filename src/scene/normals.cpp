@@ -13,8 +13,8 @@ void computeFlatNormals(Geometry& geometry) {
     geometry.normals.resize(geometry.positions.size());
     for (size_t i = 0; i + 2 < geometry.indices.size(); i += 3) {
         const uint32_t* corner = &geometry.indices[i];
-        const glm::vec3 normal = triangleNormal(geometry.positions[corner[0]], geometry.positions[corner[1]],
-                                                geometry.positions[corner[2]]);
+        const glm::vec3 normal =
+            triangleNormal(geometry.positions[corner[0]], geometry.positions[corner[1]], geometry.positions[corner[2]]);
         for (int k = 0; k < 3; ++k)
             geometry.normals[corner[k]] = normal;
     }

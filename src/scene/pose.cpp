@@ -48,9 +48,10 @@ std::vector<NodeState> animateNodes(const Scene& scene, double time) {
     for (size_t i = 0; i < nodes.size(); ++i) {
         const Node& node = *nodes[i];
         states[i].weights = node.weights;
-        states[i].localToParent = node.matrix ? *node.matrix
-                                              : glm::translate(glm::mat4(1), node.translation) *
-                                                    glm::mat4_cast(node.rotation) * glm::scale(glm::mat4(1), node.scale);
+        states[i].localToParent = node.matrix
+                                      ? *node.matrix
+                                      : glm::translate(glm::mat4(1), node.translation) * glm::mat4_cast(node.rotation) *
+                                            glm::scale(glm::mat4(1), node.scale);
     }
     return states;
 }

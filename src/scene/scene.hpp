@@ -133,7 +133,7 @@ struct MorphTarget { ///< differences; each array is empty or as long as the bas
 
 struct Primitive {
     Geometry geometry;
-    int material = -1; ///< -1: glTF's default material
+    int material = -1;        ///< -1: glTF's default material
     bool flatNormals = false; ///< the file gave none: every triangle owns its vertices, `pose` makes them anew
     std::vector<SkinSet> skinSets;
     std::vector<MorphTarget> morphTargets; ///< as many as the mesh's other primitives have
@@ -151,11 +151,11 @@ struct Mesh {
 struct Lens {
     std::string name;
     bool orthographic = false;
-    float fovY = 0.8f;                                      ///< radians
-    float orthoHeight = 2;                                  ///< metres, whole height
-    std::optional<float> aspectRatio;                       ///< width / height
-    float near = 0.05f;                                     ///< metres
-    float far = std::numeric_limits<float>::infinity();     ///< metres
+    float fovY = 0.8f;                                  ///< radians
+    float orthoHeight = 2;                              ///< metres, whole height
+    std::optional<float> aspectRatio;                   ///< width / height
+    float near = 0.05f;                                 ///< metres
+    float far = std::numeric_limits<float>::infinity(); ///< metres
 };
 
 enum class LightType : uint8_t { Directional, Point, Spot };

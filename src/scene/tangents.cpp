@@ -35,7 +35,8 @@ std::vector<uint32_t> weldVertices(const Geometry& geometry, const std::vector<g
         const glm::vec3 p = geometry.positions[i] + 0.0f; // -0 becomes 0
         const glm::vec3 n = geometry.normals[i] + 0.0f;
         const glm::vec2 uv = uvs[i] + 0.0f;
-        welded[i] = ids.try_emplace({{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y}}, static_cast<uint32_t>(i)).first->second;
+        welded[i] =
+            ids.try_emplace({{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y}}, static_cast<uint32_t>(i)).first->second;
     }
     return welded;
 }

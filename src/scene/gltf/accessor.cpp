@@ -29,10 +29,15 @@ constexpr std::array<ShapeName, 7> kShapes = {{
 ComponentType readComponentType(const JsonObject& object) {
     const uint64_t number = object.requiredCount("componentType");
     switch (number) {
-    case 5120: case 5121: case 5122: case 5123: case 5125: case 5126:
-        return static_cast<ComponentType>(number);
+    case 5120:
+    case 5121:
+    case 5122:
+    case 5123:
+    case 5125:
+    case 5126: return static_cast<ComponentType>(number);
     default:
-        object.diagnostics().fail("{} is {}, which is no component type of glTF", object.pathOf("componentType"), number);
+        object.diagnostics().fail("{} is {}, which is no component type of glTF", object.pathOf("componentType"),
+                                  number);
         return ComponentType::Float32;
     }
 }
@@ -86,7 +91,8 @@ Accessor readAccessor(Document& document, const JsonObject& object, size_t index
     accessor.normalized = object.boolean("normalized", false);
     accessor.count = object.requiredCount("count");
     if (accessor.count > kMaxCount)
-        document.diagnostics.fail("accessor {} has {} elements; at most {} can be indexed", index, accessor.count, kMaxCount);
+        document.diagnostics.fail("accessor {} has {} elements; at most {} can be indexed", index, accessor.count,
+                                  kMaxCount);
     const std::string type = object.string("type");
     const auto shape = std::find_if(kShapes.begin(), kShapes.end(), [&](const ShapeName& s) { return s.name == type; });
     if (shape == kShapes.end())
@@ -104,8 +110,8 @@ Accessor readAccessor(Document& document, const JsonObject& object, size_t index
         if (stride < size)
             document.diagnostics.fail("accessor {} has elements of {} bytes but bufferView {} has byteStride {}", index,
                                       size, accessor.bufferView, stride);
-        checkRange(document, fmt::format("accessor {}", index), accessor.bufferView, accessor.byteOffset, accessor.count,
-                   stride, size);
+        checkRange(document, fmt::format("accessor {}", index), accessor.bufferView, accessor.byteOffset,
+                   accessor.count, stride, size);
     }
     if (const JsonObject sparse = object.object("sparse"); sparse.exists())
         accessor.sparse = readSparse(document, sparse, accessor);
@@ -175,12 +181,14 @@ void applySparse(Document& document, const Accessor& accessor, std::vector<T>& v
     for (uint64_t i = 0; i < sparse.count; ++i) {
         const uint64_t target = loadInteger(indices + i * indexSize, sparse.indicesType);
         if (target >= accessor.count) {
-            document.diagnostics.fail("accessor {} replaces element {} but has {}", accessor.index, target, accessor.count);
+            document.diagnostics.fail("accessor {} replaces element {} but has {}", accessor.index, target,
+                                      accessor.count);
             return;
         }
-        forEachComponent(accessor, replacements + i * valueSize, 1, valueSize, [&](size_t position, const uint8_t* bytes) {
-            values[target * components + position] = loadComponent(bytes);
-        });
+        forEachComponent(accessor, replacements + i * valueSize, 1, valueSize,
+                         [&](size_t position, const uint8_t* bytes) {
+                             values[target * components + position] = loadComponent(bytes);
+                         });
     }
 }
 
@@ -209,7 +217,8 @@ std::vector<T> readComponents(Document& document, const Accessor& accessor, cons
     return document.failed() ? std::vector<T>() : values;
 }
 
-std::vector<float> readFloatsFrom(Document& document, const Accessor& accessor, const std::span<const uint8_t>* packed) {
+std::vector<float> readFloatsFrom(Document& document, const Accessor& accessor,
+                                  const std::span<const uint8_t>* packed) {
     return readComponents<float>(document, accessor, packed, [&](const uint8_t* bytes) {
         return loadFloat(bytes, accessor.componentType, accessor.normalized);
     });
@@ -219,7 +228,8 @@ std::vector<uint32_t> readIntegersFrom(Document& document, const Accessor& acces
                                        const std::span<const uint8_t>* packed) {
     const ComponentType type = accessor.componentType;
     if (type != ComponentType::UInt8 && type != ComponentType::UInt16 && type != ComponentType::UInt32) {
-        document.diagnostics.fail("accessor {} must hold unsigned integers to be used as indices or joints", accessor.index);
+        document.diagnostics.fail("accessor {} must hold unsigned integers to be used as indices or joints",
+                                  accessor.index);
         return {};
     }
     return readComponents<uint32_t>(document, accessor, packed,
@@ -246,7 +256,8 @@ uint32_t elementBytes(ComponentType type, const ElementShape& shape) {
 }
 
 std::string shapeName(const ElementShape& shape) {
-    const auto found = std::find_if(kShapes.begin(), kShapes.end(), [&](const ShapeName& s) { return s.shape == shape; });
+    const auto found =
+        std::find_if(kShapes.begin(), kShapes.end(), [&](const ShapeName& s) { return s.shape == shape; });
     return std::string(found->name);
 }
 

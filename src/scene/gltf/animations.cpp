@@ -77,8 +77,8 @@ void readSampler(Document& document, const JsonObject& sampler, size_t component
         document.diagnostics.fail("accessor {}: the times of an animation must rise", input->index);
 }
 
-void readChannel(Document& document, const JsonObject& object, const std::vector<JsonObject>& samplers, const Scene& scene,
-                 Animation& animation) {
+void readChannel(Document& document, const JsonObject& object, const std::vector<JsonObject>& samplers,
+                 const Scene& scene, Animation& animation) {
     const JsonObject target = object.object("target");
     AnimationChannel channel;
     channel.node = target.index("node", scene.nodes.size(), "nodes");
@@ -90,7 +90,8 @@ void readChannel(Document& document, const JsonObject& object, const std::vector
         return;
     channel.path = *path;
     if (scene.nodes[size_t(channel.node)].matrix && channel.path != AnimationPath::Weights) {
-        document.diagnostics.warn("{} animates node {}, which has a matrix and stays as it is", object.path(), channel.node);
+        document.diagnostics.warn("{} animates node {}, which has a matrix and stays as it is", object.path(),
+                                  channel.node);
         return;
     }
     const size_t components = componentsPerKey(scene, channel);

@@ -27,8 +27,8 @@ Accessor asNormalized(const Accessor& accessor) {
 const Accessor* Attributes::find(const char* name, std::initializer_list<ElementShape> shapes) {
     const Accessor* accessor = findAccessor(document_, object_, name, shapes);
     if (accessor && vertexCount_ && accessor->count != *vertexCount_) {
-        document_.diagnostics.fail("{} has {} elements (accessor {}) but the primitive has {} vertices", object_.pathOf(name),
-                                   accessor->count, accessor->index, *vertexCount_);
+        document_.diagnostics.fail("{} has {} elements (accessor {}) but the primitive has {} vertices",
+                                   object_.pathOf(name), accessor->count, accessor->index, *vertexCount_);
         return nullptr;
     }
     return accessor;

@@ -17,8 +17,8 @@ public:
     /// Every array must be this long; before it is called any length is taken.
     void setVertexCount(uint64_t count) { vertexCount_ = count; }
 
-    /// Empty if absent or after a mistake. NaN and infinities are a mistake in positions; elsewhere, where real exporters
-    /// let them slip in, they become 0.
+    /// Empty if absent or after a mistake. NaN and infinities are a mistake in positions; elsewhere, where real
+    /// exporters let them slip in, they become 0.
     std::vector<glm::vec3> positions(const char* name);
     std::vector<glm::vec2> vec2(const char* name);
     std::vector<glm::vec3> vec3(const char* name);

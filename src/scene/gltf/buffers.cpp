@@ -26,7 +26,8 @@ void readBuffer(Document& document, const JsonObject& buffer, size_t index) {
     }
     if (!document.failed() && !isMeshoptFallback(buffer)) {
         if (bytes.size() < length)
-            document.diagnostics.fail("buffer {} should have {} bytes but its data has {}", index, length, bytes.size());
+            document.diagnostics.fail("buffer {} should have {} bytes but its data has {}", index, length,
+                                      bytes.size());
         else
             bytes = bytes.first(length);
     }
@@ -42,8 +43,8 @@ std::span<const uint8_t> bufferRange(Document& document, const JsonObject& objec
         return {};
     const std::span<const uint8_t> bytes = document.buffers[size_t(buffer)];
     if (offset > bytes.size() || length > bytes.size() - offset) {
-        document.diagnostics.fail("bufferView {} ends at byte {} but buffer {} has {}", viewIndex, offset + length, buffer,
-                                  bytes.size());
+        document.diagnostics.fail("bufferView {} ends at byte {} but buffer {} has {}", viewIndex, offset + length,
+                                  buffer, bytes.size());
         return {};
     }
     return bytes.subspan(offset, length);
@@ -64,7 +65,8 @@ void readView(Document& document, const JsonObject& object, size_t index) {
             return;
         document.decompressedViews.push_back(decompressMeshopt(document, compressed, source, index));
         view.bytes = document.decompressedViews.back();
-        if (const uint64_t length = object.requiredCount("byteLength"); !document.failed() && length != view.bytes.size())
+        if (const uint64_t length = object.requiredCount("byteLength");
+            !document.failed() && length != view.bytes.size())
             document.diagnostics.fail("bufferView {} should have {} bytes but decompresses to {}", index, length,
                                       view.bytes.size());
     } else {

@@ -23,13 +23,14 @@ uint32_t readU32(std::span<const uint8_t> bytes, size_t at) {
 
 Result<Container> openBinary(std::span<const uint8_t> bytes, const std::string& fileName) {
     if (bytes.size() < kHeaderBytes)
-        return invalidInput("{}: is cut off: a binary glTF begins with {} bytes, the file has {}", fileName, kHeaderBytes,
-                            bytes.size());
+        return invalidInput("{}: is cut off: a binary glTF begins with {} bytes, the file has {}", fileName,
+                            kHeaderBytes, bytes.size());
     if (const uint32_t version = readU32(bytes, 4); version != 2)
         return invalidInput("{}: is binary glTF version {}, only version 2 can be read", fileName, version);
     const uint32_t length = readU32(bytes, 8);
     if (length > bytes.size())
-        return invalidInput("{}: is cut off: its header says {} bytes, the file has {}", fileName, length, bytes.size());
+        return invalidInput("{}: is cut off: its header says {} bytes, the file has {}", fileName, length,
+                            bytes.size());
 
     Container container;
     bool first = true;

@@ -1,5 +1,5 @@
-// The first mistake found in a file, and its warnings. Reading goes on with defaults after a mistake until someone looks,
-// which keeps forty `if (!ok) return` out of every function; whoever uses sizes or indices looks first.
+// The first mistake found in a file, and its warnings. Reading goes on with defaults after a mistake until someone
+// looks, which keeps forty `if (!ok) return` out of every function; whoever uses sizes or indices looks first.
 #pragma once
 
 #include "base/log.hpp"

@@ -78,15 +78,17 @@ DracoMesh decodeDraco(Document& document, const JsonObject& extension, const Jso
         if (document.failed())
             return result;
         const Accessor& accessor = document.accessors[size_t(accessorIndex)];
-        const draco::PointAttribute* attribute =
-            id <= std::numeric_limits<uint32_t>::max() ? mesh->GetAttributeByUniqueId(static_cast<uint32_t>(id)) : nullptr;
+        const draco::PointAttribute* attribute = id <= std::numeric_limits<uint32_t>::max()
+                                                     ? mesh->GetAttributeByUniqueId(static_cast<uint32_t>(id))
+                                                     : nullptr;
         if (!attribute) {
-            document.diagnostics.fail("{} is {}, but the Draco data has no such attribute", ids.pathOf(name.c_str()), id);
+            document.diagnostics.fail("{} is {}, but the Draco data has no such attribute", ids.pathOf(name.c_str()),
+                                      id);
             return result;
         }
         if (accessor.count != mesh->num_points()) {
-            document.diagnostics.fail("accessor {} has {} elements but its Draco data has {}", accessorIndex, accessor.count,
-                                      mesh->num_points());
+            document.diagnostics.fail("accessor {} has {} elements but its Draco data has {}", accessorIndex,
+                                      accessor.count, mesh->num_points());
             return result;
         }
         const uint64_t bytes = accessor.count * elementBytes(accessor.componentType, accessor.shape);

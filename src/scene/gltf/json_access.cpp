@@ -36,7 +36,8 @@ bool nestsTooDeep(std::span<const uint8_t> text) {
 std::string withoutPrefix(const std::string& message) {
     const size_t end = message.find("] ");
     std::string text = end == std::string::npos ? message : message.substr(end + 2);
-    std::replace_if(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
     constexpr size_t kLongest = 200; // a wrong token may be a whole embedded buffer
     return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
@@ -201,8 +202,8 @@ std::vector<int> JsonObject::indices(const char* key, size_t size, const char* w
     for (const Json& value : *array) {
         const std::optional<uint64_t> number = wholeNumber(value);
         if (!number || *number >= size) {
-            diagnostics_->fail("{}[{}] must be a whole number below {}, the file's {}", pathOf(key), result.size(), size,
-                               what);
+            diagnostics_->fail("{}[{}] must be a whole number below {}, the file's {}", pathOf(key), result.size(),
+                               size, what);
             return {};
         }
         result.push_back(static_cast<int>(*number));

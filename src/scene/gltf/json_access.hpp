@@ -1,6 +1,6 @@
 // Typed reading of JSON that may be anything. A JsonObject knows its own path ("materials[3].pbrMetallicRoughness"), so
-// that messages can say where. Getters never throw: a value of the wrong kind is recorded in Diagnostics and the fallback
-// is returned; an absent value is the fallback.
+// that messages can say where. Getters never throw: a value of the wrong kind is recorded in Diagnostics and the
+// fallback is returned; an absent value is the fallback.
 #pragma once
 
 #include "scene/gltf/diagnostics.hpp"
@@ -19,8 +19,8 @@ namespace glint::scene::gltf {
 
 using Json = nlohmann::json;
 
-/// Parses `text`. Errors: InvalidInput with line and column; nesting deeper than 128 is refused, since JSON that deep is
-/// no glTF and every later walk over it would have to guard its stack.
+/// Parses `text`. Errors: InvalidInput with line and column; nesting deeper than 128 is refused, since JSON that deep
+/// is no glTF and every later walk over it would have to guard its stack.
 Result<Json> parseJson(std::span<const uint8_t> text, const std::string& fileName);
 
 class JsonObject {

@@ -48,7 +48,8 @@ LightType readLightType(const JsonObject& object) {
     if (type == "spot")
         return LightType::Spot;
     if (type != "directional")
-        object.diagnostics().fail("{} is \"{}\", which is none of directional, point and spot", object.pathOf("type"), type);
+        object.diagnostics().fail("{} is \"{}\", which is none of directional, point and spot", object.pathOf("type"),
+                                  type);
     return LightType::Directional;
 }
 
@@ -64,8 +65,8 @@ void readCameras(Document& document, Scene& scene) {
         else if (type == "orthographic")
             readOrthographic(object.object("orthographic"), lens);
         else
-            document.diagnostics.fail("{} is \"{}\", which is neither perspective nor orthographic", object.pathOf("type"),
-                                      type);
+            document.diagnostics.fail("{} is \"{}\", which is neither perspective nor orthographic",
+                                      object.pathOf("type"), type);
         if (!(lens.far > lens.near))
             document.diagnostics.fail("{}: zfar {} must be beyond znear {}", object.path(), lens.far, lens.near);
         scene.cameras.push_back(std::move(lens));

@@ -35,8 +35,8 @@ TextureSlot readSlot(const JsonObject& parent, const char* key, const Scene& sce
         texCoord = transform.count("texCoord").value_or(texCoord);
     }
     if (texCoord >= kMaxTexCoords) {
-        object.diagnostics().warn("{} uses TEXCOORD_{}; Glint reads the first {} sets and uses TEXCOORD_0", object.path(),
-                                  texCoord, kMaxTexCoords);
+        object.diagnostics().warn("{} uses TEXCOORD_{}; Glint reads the first {} sets and uses TEXCOORD_0",
+                                  object.path(), texCoord, kMaxTexCoords);
         texCoord = 0;
     }
     slot.texCoord = static_cast<uint32_t>(texCoord);
@@ -50,7 +50,8 @@ AlphaMode readAlphaMode(const JsonObject& object) {
     if (name == "BLEND")
         return AlphaMode::Blend;
     if (!name.empty() && name != "OPAQUE")
-        object.diagnostics().fail("{} is \"{}\", which is none of OPAQUE, MASK and BLEND", object.pathOf("alphaMode"), name);
+        object.diagnostics().fail("{} is \"{}\", which is none of OPAQUE, MASK and BLEND", object.pathOf("alphaMode"),
+                                  name);
     return AlphaMode::Opaque;
 }
 
@@ -88,7 +89,8 @@ float readIor(const JsonObject& object) {
     return ior > 0 ? std::max(ior, 1.0f) : 0.0f;
 }
 
-void readTransmission(const JsonObject& transmission, const JsonObject& volume, const Scene& scene, Material& material) {
+void readTransmission(const JsonObject& transmission, const JsonObject& volume, const Scene& scene,
+                      Material& material) {
     material.transmissionFactor = transmission.number("transmissionFactor", 0, 0, 1);
     material.transmissionTexture = readSlot(transmission, "transmissionTexture", scene);
     material.thicknessFactor = volume.number("thicknessFactor", 0, 0);
@@ -125,11 +127,12 @@ void readMaterials(Document& document, Scene& scene) {
         Material material;
         readCore(object, scene, material);
         material.unlit = object.extension("KHR_materials_unlit").exists();
-        material.emissiveFactor *= object.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1, 0, 1e9f);
+        material.emissiveFactor *=
+            object.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1, 0, 1e9f);
         readSpecular(object.extension("KHR_materials_specular"), scene, material);
         material.ior = readIor(object.extension("KHR_materials_ior"));
-        readTransmission(object.extension("KHR_materials_transmission"), object.extension("KHR_materials_volume"), scene,
-                         material);
+        readTransmission(object.extension("KHR_materials_transmission"), object.extension("KHR_materials_volume"),
+                         scene, material);
         readClearcoat(object.extension("KHR_materials_clearcoat"), scene, material);
         readSpecularGlossiness(object.extension("KHR_materials_pbrSpecularGlossiness"), scene, material);
         scene.materials.push_back(std::move(material));

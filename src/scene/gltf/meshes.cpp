@@ -80,7 +80,8 @@ std::vector<uint32_t> readIndices(Document& document, const JsonObject& object, 
     return indices;
 }
 
-bool checkIndices(Document& document, const JsonObject& object, const std::vector<uint32_t>& indices, size_t vertexCount) {
+bool checkIndices(Document& document, const JsonObject& object, const std::vector<uint32_t>& indices,
+                  size_t vertexCount) {
     const auto bad = std::find_if(indices.begin(), indices.end(), [&](uint32_t index) { return index >= vertexCount; });
     if (bad == indices.end())
         return true;
@@ -131,8 +132,8 @@ Primitive readPrimitive(Document& document, const JsonObject& object, const Scen
         return primitive;
 
     Geometry& geometry = primitive.geometry;
-    std::vector<uint32_t> indices = compression.exists() ? std::move(draco.indices)
-                                                         : readIndices(document, object, geometry.positions.size());
+    std::vector<uint32_t> indices =
+        compression.exists() ? std::move(draco.indices) : readIndices(document, object, geometry.positions.size());
     if (document.failed() || !checkIndices(document, object, indices, geometry.positions.size()) ||
         !document.reserve(indices.size() * 3 * sizeof(uint32_t), object.path())) // a strip grows threefold
         return primitive;

@@ -14,7 +14,8 @@ namespace {
 
 glm::quat normalizedQuat(const glm::vec4& xyzw) {
     const double length = glm::length(glm::dvec4(xyzw));
-    const glm::vec4 unit = length > 1e-20 && std::isfinite(length) ? glm::vec4(glm::dvec4(xyzw) / length) : glm::vec4(0, 0, 0, 1);
+    const glm::vec4 unit =
+        length > 1e-20 && std::isfinite(length) ? glm::vec4(glm::dvec4(xyzw) / length) : glm::vec4(0, 0, 0, 1);
     return {unit.w, unit.x, unit.y, unit.z};
 }
 
@@ -149,7 +150,8 @@ void readScenes(Document& document, Scene& scene) {
 uint64_t geometryBytes(const Mesh& mesh) {
     uint64_t bytes = 0;
     for (const Primitive& primitive : mesh.primitives)
-        bytes += primitive.geometry.positions.size() * bytesPerVertex(primitive) + primitive.geometry.indices.size() * 4;
+        bytes +=
+            primitive.geometry.positions.size() * bytesPerVertex(primitive) + primitive.geometry.indices.size() * 4;
     return bytes;
 }
 

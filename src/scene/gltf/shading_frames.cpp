@@ -75,7 +75,8 @@ void repairShadingFrames(Geometry& geometry) {
 void makeFlatNormals(Document& document, Primitive& primitive) {
     Geometry& geometry = primitive.geometry;
     geometry.tangents.clear();
-    if (!document.reserve(geometry.indices.size() * (bytesPerVertex(primitive) + sizeof(glm::vec3)), "a mesh without normals"))
+    if (!document.reserve(geometry.indices.size() * (bytesPerVertex(primitive) + sizeof(glm::vec3)),
+                          "a mesh without normals"))
         return;
     gatherVertices(primitive, geometry.indices);
     std::iota(geometry.indices.begin(), geometry.indices.end(), 0u);

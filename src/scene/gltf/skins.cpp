@@ -14,8 +14,8 @@ std::vector<glm::mat4> readInverseBindMatrices(Document& document, const JsonObj
     if (!accessor)
         return matrices;
     if (accessor->count < jointCount) {
-        document.diagnostics.fail("{} has {} matrices (accessor {}) for {} joints", object.pathOf("inverseBindMatrices"),
-                                  accessor->count, accessor->index, jointCount);
+        document.diagnostics.fail("{} has {} matrices (accessor {}) for {} joints",
+                                  object.pathOf("inverseBindMatrices"), accessor->count, accessor->index, jointCount);
         return matrices;
     }
     const std::vector<float> values = readFloats(document, *accessor);

@@ -17,14 +17,9 @@ std::vector<uint32_t> expandToList(PrimitiveMode mode, std::vector<uint32_t> ind
     const size_t count = indices.size();
     std::vector<uint32_t> list;
     switch (mode) {
-    case PrimitiveMode::Points:
-        return indices;
-    case PrimitiveMode::Lines:
-        indices.resize(count / 2 * 2);
-        return indices;
-    case PrimitiveMode::Triangles:
-        indices.resize(count / 3 * 3);
-        return indices;
+    case PrimitiveMode::Points: return indices;
+    case PrimitiveMode::Lines: indices.resize(count / 2 * 2); return indices;
+    case PrimitiveMode::Triangles: indices.resize(count / 3 * 3); return indices;
     case PrimitiveMode::LineLoop:
     case PrimitiveMode::LineStrip:
         for (size_t i = 0; i + 1 < count; ++i)

@@ -52,7 +52,8 @@ Result<std::vector<uint8_t>> decodeBase64(std::string_view text) {
     for (const char c : text) {
         const int value = kValues[static_cast<uint8_t>(c)];
         if (value < 0)
-            return invalidInput("a data URI has the character 0x{:02x}, which base64 does not know", static_cast<uint8_t>(c));
+            return invalidInput("a data URI has the character 0x{:02x}, which base64 does not know",
+                                static_cast<uint8_t>(c));
         bits = (bits << 6) | static_cast<uint32_t>(value);
         bitCount += 6;
         if (bitCount >= 8) {
@@ -84,7 +85,8 @@ Result<std::string> decodeRelativeUri(std::string_view uri) {
     const size_t colon = uri.find(':');
     const size_t slash = uri.find_first_of("/\\");
     if (colon != std::string_view::npos && colon < slash)
-        return invalidInput("uri \"{}\" has a scheme; only files beside the model and data URIs are read", uri.substr(0, 80));
+        return invalidInput("uri \"{}\" has a scheme; only files beside the model and data URIs are read",
+                            uri.substr(0, 80));
     std::string path = percentDecode(uri);
     if (path.empty() || path.front() == '/' || path.front() == '\\')
         return invalidInput("uri \"{}\" is not a path relative to the model", uri.substr(0, 80));
