@@ -1,0 +1,144 @@
+#include "base/settings/settings_docs.hpp"
+
+#include "base/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace glint {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view typeName(SettingType type) {
+    switch (type) {
+    case SettingType::Bool: return "bool";
+    case SettingType::Int: return "int";
+    case SettingType::Float: return "float";
+    case SettingType::Enum: break;
+    }
+    return "enum";
+}
+
+/// As the list writes it behind the '=': empty where the alias means the same.
+std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
+    switch (alias.transform) {
+    case AliasTransform::Same: break;
+    case AliasTransform::OneMinus: return "1-x";
+    case AliasTransform::InverseOnePlus: return "1/(n+1)";
+    case AliasTransform::Choice:
+        return fmt::format("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
+    case AliasTransform::Always: return settingText(info, alias.whenTrue);
+    }
+    return {};
+}
+
+/// "`babylon:attenuateScreenBorders` (false: none, true: smooth)"
+std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
+    const std::string name = fmt::format("`{}:{}`", alias.system, alias.name);
+    switch (alias.transform) {
+    case AliasTransform::Same: break;
+    case AliasTransform::Choice:
+        return fmt::format("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
+                           settingText(info, alias.whenTrue));
+    case AliasTransform::Always: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
+    case AliasTransform::OneMinus:
+    case AliasTransform::InverseOnePlus: return fmt::format("{} ({})", name, transformText(info, alias));
+    }
+    return name;
+}
+
+/// "(0, 1e6] m", "true, false", "linear"
+std::string allowed(const SettingInfo& info) {
+    if (info.type == SettingType::Bool)
+        return "true, false";
+    if (info.type == SettingType::Enum)
+        return joinText(info.choices, ", ");
+    return info.unit.empty() ? info.range.text : info.range.text + " " + info.unit;
+}
+
+std::string defaultText(const SettingInfo& info) {
+    return settingText(info, info.defaultValue);
+}
+
+std::string_view groupOf(const SettingInfo& info) {
+    return std::string_view(info.key).substr(0, info.key.rfind('.'));
+}
+
+Json infoJson(const SettingInfo& info) {
+    const std::string value = defaultText(info);
+    Json json = {{"key", info.key}, {"type", typeName(info.type)}};
+    json["default"] = info.type == SettingType::Enum ? Json(value) : Json::parse(value);
+    if (!info.range.text.empty()) {
+        json["range"] = {{"text", info.range.text},
+                         {"min", info.range.min},
+                         {"max", info.range.max},
+                         {"minOpen", info.range.minOpen},
+                         {"maxOpen", info.range.maxOpen}};
+    }
+    if (!info.choices.empty())
+        json["choices"] = info.choices;
+    if (!info.unit.empty())
+        json["unit"] = info.unit;
+    json["meaning"] = info.meaning;
+    for (const SettingAlias& alias : info.aliases) {
+        Json entry = {{"name", alias.system + ":" + alias.name}};
+        if (alias.transform != AliasTransform::Same)
+            entry["transform"] = transformText(info, alias);
+        json["aliases"].push_back(std::move(entry));
+    }
+    return json;
+}
+
+} // namespace
+
+std::string settingsMarkdown(SettingsTables tables) {
+    std::string text;
+    std::string_view group;
+    for (const auto& table : tables) {
+        for (const SettingInfo& info : table) {
+            if (groupOf(info) != group) {
+                group = groupOf(info);
+                text += fmt::format("{}## {}\n\n| Key | Default | Range | Meaning | In other systems |\n"
+                                    "|---|---|---|---|---|\n",
+                                    text.empty() ? "" : "\n", group);
+            }
+            std::vector<std::string> aliases;
+            for (const SettingAlias& alias : info.aliases)
+                aliases.push_back(aliasMarkdown(info, alias));
+            text += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.key, defaultText(info), allowed(info),
+                                info.meaning, joinText(aliases, ", "));
+        }
+    }
+    return text;
+}
+
+std::string settingsTableJson(SettingsTables tables) {
+    Json all = Json::array();
+    for (const auto& table : tables) {
+        for (const SettingInfo& info : table)
+            all.push_back(infoJson(info));
+    }
+    return all.dump(2) + "\n";
+}
+
+std::string settingsText(SettingsTables tables) {
+    size_t keyWidth = 0, defaultWidth = 0, rangeWidth = 0;
+    for (const auto& table : tables) {
+        for (const SettingInfo& info : table) {
+            keyWidth = std::max(keyWidth, info.key.size());
+            defaultWidth = std::max(defaultWidth, defaultText(info).size());
+            rangeWidth = std::max(rangeWidth, allowed(info).size());
+        }
+    }
+    std::string text;
+    for (const auto& table : tables) {
+        for (const SettingInfo& info : table)
+            text += fmt::format("{:<{}}  {:<{}}  {:<{}}  {}\n", info.key, keyWidth, defaultText(info), defaultWidth,
+                                allowed(info), rangeWidth, info.meaning);
+    }
+    return text;
+}
+
+} // namespace glint

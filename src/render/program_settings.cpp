@@ -1,0 +1,63 @@
+#include "render/program_settings.hpp"
+
+#include "base/file.hpp"
+#include "base/settings/settings_docs.hpp"
+#include "base/settings/settings_json.hpp"
+#include "base/text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace glint::render {
+
+static constexpr size_t kLongestSettingsFile = 1 << 20; // bytes; all settings with their values take a few thousand
+
+Result<ProgramSettings> loadSettings(const SettingsRequest& request) {
+    ProgramSettings settings;
+    if (!request.preset.empty())
+        settings.preset = request.preset;
+    const auto targets = settings.targets();
+    GLINT_TRY(preset, presetJson(settings.preset));
+    GLINT_CHECK(readSettingsJson(targets, preset, fmt::format("presets/{}.json", settings.preset), settings.preset));
+    if (!request.file.empty()) {
+        GLINT_TRY(text, readFile(request.file, kLongestSettingsFile));
+        GLINT_CHECK(readSettingsJson(targets, text, request.file, settings.preset));
+    }
+    for (const std::string_view assignment : request.assignments) {
+        const size_t equals = assignment.find('=');
+        if (equals == assignment.npos)
+            return invalidArgument("--set {}: expected KEY=VALUE", printable(assignment));
+        auto done = setSetting(targets, assignment.substr(0, equals), assignment.substr(equals + 1), settings.preset);
+        if (!done)
+            return makeError(done.error().code, "--set {}: {}", printable(assignment), done.error().message);
+    }
+    return settings;
+}
+
+std::string settingsJson(const ProgramSettings& settings) {
+    ProgramSettings copy = settings;
+    return writeSettingsJson(copy.targets());
+}
+
+std::array<std::span<const SettingInfo>, 2> allSettings() {
+    return {settingsTable(), renderSettingsTable()};
+}
+
+std::string settingsPage() {
+    std::string page =
+        "# Settings\n\n"
+        "Written by `glint settings --markdown`; the lists are include/glint/settings_list.hpp and\n"
+        "src/render/render_settings.hpp.\n\n"
+        "Every setting can be given as `--set KEY=VALUE`, in a JSON file (`--settings FILE`, nested\n"
+        "`{\"screen\": {\"step\": 2}}` or flat `{\"screen.step\": 2}`) and by a preset (`--preset NAME`).\n"
+        "A preset is weaker than a file, a file is weaker than `--set`. In ranges, `(` and `)` leave the\n"
+        "end out. The last column holds names of other systems, which work wherever a key does. A name\n"
+        "without its system works where one system alone has it, or under that system's preset.\n\n"
+        "| Preset | |\n|---|---|\n";
+    for (const std::string_view name : presetNames()) {
+        const auto json = nlohmann::json::parse(*presetJson(name), nullptr, false);
+        page += fmt::format("| `{}` | {} |\n", name, json.value("description", ""));
+    }
+    return page + "\n" + settingsMarkdown(allSettings());
+}
+
+} // namespace glint::render

@@ -1,0 +1,84 @@
+// What a user can tune in our own renderer, beside the library's settings (glint/settings_list.hpp explains the rows).
+#pragma once
+
+#include "glint/setting_info.hpp"
+
+#include <span>
+
+// clang-format off
+
+#define GLINT_ENVIRONMENT_SETTINGS(SETTING)                                                                            \
+    SETTING(float, strength, 1, "[0, 1e4]", "",                                                                        \
+        "Multiplies the environment's radiance, as background, as light and in reflections",                           \
+        "")                                                                                                            \
+    SETTING(float, rotation, 0, "[-360, 360]", "degrees",                                                              \
+        "Turns the environment about +Y",                                                                              \
+        "")                                                                                                            \
+    SETTING(bool, visible, true, "", "",                                                                               \
+        "Draw the environment as the background; off: black, it still lights and reflects",                            \
+        "")
+
+#define GLINT_ANALYTIC_SKY_SETTINGS(SETTING)                                                                           \
+    SETTING(float, elevation, 35, "[-10, 90]", "degrees",                                                              \
+        "The sun above the horizon, with --env sky",                                                                   \
+        "")                                                                                                            \
+    SETTING(float, azimuth, 0, "[-360, 360]", "degrees",                                                               \
+        "The sun's heading from +X toward +Z, with --env sky",                                                         \
+        "")                                                                                                            \
+    SETTING(float, turbidity, 3, "[1.7, 10]", "",                                                                      \
+        "Haze of the air, with --env sky: 2 is clear, 10 is murky",                                                    \
+        "")
+
+#define GLINT_LIGHTS_SETTINGS(SETTING)                                                                                 \
+    SETTING(ShadowMode, shadows, ShadowMode::Maps, "", "",                                                             \
+        "How lights cast shadows: none, or maps drawn from each light",                                                \
+        "")
+
+#define GLINT_SHADOWS_SETTINGS(SETTING)                                                                                \
+    SETTING(int, resolution, 2048, "[256, 8192]", "texels",                                                            \
+        "Width and height of a shadow map",                                                                            \
+        "")
+
+#define GLINT_DISPLAY_SETTINGS(SETTING)                                                                                \
+    SETTING(Tonemap, tonemap, Tonemap::Neutral, "", "",                                                                \
+        "From scene-referred light to the screen: none (clamped), neutral (Khronos PBR Neutral) or agx",               \
+        "")                                                                                                            \
+    SETTING(float, exposure, 0, "[-20, 20]", "EV",                                                                     \
+        "Scales the picture by 2^exposure before the tone map",                                                        \
+        "")
+
+// clang-format on
+
+namespace glint::render {
+
+GLINT_SETTING_ENUM(ShadowMode, None, Maps)
+GLINT_SETTING_ENUM(Tonemap, None, Neutral, Agx)
+
+struct EnvironmentSettings {
+    GLINT_ENVIRONMENT_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct AnalyticSkySettings {
+    GLINT_ANALYTIC_SKY_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct LightsSettings {
+    GLINT_LIGHTS_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct ShadowsSettings {
+    GLINT_SHADOWS_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct DisplaySettings {
+    GLINT_DISPLAY_SETTINGS(GLINT_SETTING_MEMBER)
+};
+
+struct RenderSettings {
+    EnvironmentSettings environment;
+    AnalyticSkySettings analyticSky;
+    LightsSettings lights;
+    ShadowsSettings shadows;
+    DisplaySettings display;
+};
+
+/// Every setting of `RenderSettings`, in the list's order.
+std::span<const SettingInfo> renderSettingsTable();
+
+} // namespace glint::render
