@@ -231,7 +231,7 @@ Result<void> Context::createDevice() {
     const VkDeviceQueueCreateInfo queue = {
         VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, queueFamily_, 1, &priority};
     FeatureChain features;
-    requireFeatures(features);
+    requireFeatures(&features.base.features, &features.v12, &features.v13);
     VkPhysicalDeviceFeatures2 available = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
     api_.GetPhysicalDeviceFeatures2(physicalDevice_, &available);
     features.base.features.samplerAnisotropy = available.features.samplerAnisotropy;

@@ -7,19 +7,26 @@
 namespace glint::gpu {
 namespace {
 
-/// Calls `visit(name, flag)` for each feature that Glint needs.
+/// Calls `visit(name, flag)` for each feature that Glint needs, of the structs that are given.
 template <class Visit>
-void visitFeatures(FeatureChain& chain, Visit visit) {
-    visit("shaderStorageImageExtendedFormats", chain.base.features.shaderStorageImageExtendedFormats);
-    visit("independentBlend", chain.base.features.independentBlend);
-    visit("scalarBlockLayout", chain.v12.scalarBlockLayout);
-    visit("descriptorIndexing", chain.v12.descriptorIndexing);
-    visit("runtimeDescriptorArray", chain.v12.runtimeDescriptorArray);
-    visit("shaderSampledImageArrayNonUniformIndexing", chain.v12.shaderSampledImageArrayNonUniformIndexing);
-    visit("descriptorBindingPartiallyBound", chain.v12.descriptorBindingPartiallyBound);
-    visit("bufferDeviceAddress", chain.v12.bufferDeviceAddress);
-    visit("synchronization2", chain.v13.synchronization2);
-    visit("dynamicRendering", chain.v13.dynamicRendering);
+void visitFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+                   VkPhysicalDeviceVulkan13Features* v13, Visit visit) {
+    if (core) {
+        visit("shaderStorageImageExtendedFormats", core->shaderStorageImageExtendedFormats);
+        visit("independentBlend", core->independentBlend);
+    }
+    if (v12) {
+        visit("scalarBlockLayout", v12->scalarBlockLayout);
+        visit("descriptorIndexing", v12->descriptorIndexing);
+        visit("runtimeDescriptorArray", v12->runtimeDescriptorArray);
+        visit("shaderSampledImageArrayNonUniformIndexing", v12->shaderSampledImageArrayNonUniformIndexing);
+        visit("descriptorBindingPartiallyBound", v12->descriptorBindingPartiallyBound);
+        visit("bufferDeviceAddress", v12->bufferDeviceAddress);
+    }
+    if (v13) {
+        visit("synchronization2", v13->synchronization2);
+        visit("dynamicRendering", v13->dynamicRendering);
+    }
 }
 
 } // namespace
@@ -29,8 +36,9 @@ const std::vector<const char*>& requiredDeviceExtensions() {
     return names;
 }
 
-void requireFeatures(FeatureChain& enabled) {
-    visitFeatures(enabled, [](const char*, VkBool32& flag) { flag = VK_TRUE; });
+void requireFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+                     VkPhysicalDeviceVulkan13Features* v13) {
+    visitFeatures(core, v12, v13, [](const char*, VkBool32& flag) { flag = VK_TRUE; });
 }
 
 bool hasExtension(const Api& api, VkPhysicalDevice device, const char* name) {
@@ -58,7 +66,7 @@ std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice de
         available.v12.pNext = nullptr; // the 1.3 struct may not be asked of an older device
     }
     api.GetPhysicalDeviceFeatures2(device, &available.base);
-    visitFeatures(available, [&](const char* name, const VkBool32& flag) {
+    visitFeatures(&available.base.features, &available.v12, &available.v13, [&](const char* name, VkBool32& flag) {
         if (!flag)
             missing.emplace_back(name);
     });

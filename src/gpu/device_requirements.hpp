@@ -26,8 +26,9 @@ struct FeatureChain {
 /// The device extensions that every device must offer.
 const std::vector<const char*>& requiredDeviceExtensions();
 
-/// Sets in `enabled` every feature that Glint needs.
-void requireFeatures(FeatureChain& enabled);
+/// Switches on every feature that Glint needs in the structs that are given; null ones are skipped.
+void requireFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+                     VkPhysicalDeviceVulkan13Features* v13);
 
 /// In words, what this device lacks; empty if it can run Glint.
 std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device);

@@ -1,0 +1,62 @@
+// What a host hands over each frame: images that its renderer has anyway, and in which conventions they are.
+// `prepare` converts once; nothing behind it knows about conventions.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+
+namespace glint {
+
+/// One of the host's images as it stands when Reflections::record is called. Glint returns it in the same layout.
+struct HostImage {
+    VkImage image = VK_NULL_HANDLE; ///< null: absent
+    VkImageView view = VK_NULL_HANDLE; ///< all that is to be read; of depth images the depth aspect alone
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    uint32_t width = 0;
+    uint32_t height = 0;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT; ///< that last wrote it
+    VkAccessFlags2 access = VK_ACCESS_2_MEMORY_WRITE_BIT;                ///< with which they did
+    explicit operator bool() const { return image != VK_NULL_HANDLE; }
+};
+
+enum class DepthKind : uint8_t {
+    Device,      ///< as the rasterizer wrote it with View::viewToClip: reversed or not, finite or infinite is seen there
+    LinearViewZ, ///< metres along the view axis, 0 for the background
+};
+enum class NormalSpace : uint8_t { World, View };
+enum class NormalEncoding : uint8_t {
+    Signed,           ///< xyz in [-1, 1]
+    Unorm,            ///< xyz stored as n * 0.5 + 0.5
+    Octahedral,       ///< two channels in [-1, 1]
+    OctahedralUnorm,  ///< two channels stored as p * 0.5 + 0.5
+};
+enum class Handedness : uint8_t { Right, Left }; ///< of view space: looks down -Z or +Z
+
+/// Defaults are Glint's own conventions.
+struct Conventions {
+    DepthKind depth = DepthKind::Device;
+    bool depthMinusOneToOne = false; ///< the clip volume's z is [-1, 1] (OpenGL) and depth stores z * 0.5 + 0.5
+    bool clipYDown = false;          ///< +Y of clip space points down the picture (plain Vulkan viewports)
+    Handedness handedness = Handedness::Right;
+    NormalSpace normalSpace = NormalSpace::World;
+    NormalEncoding normalEncoding = NormalEncoding::Octahedral;
+    bool smoothness = false;       ///< the roughness channel holds 1 - perceptualRoughness
+    uint32_t roughnessChannel = 3; ///< of `material`, [0, 3]
+};
+
+/// All images have one size, one sample a pixel, and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT).
+struct GBuffer {
+    HostImage depth;
+    HostImage normal;   ///< shading normals; 16 bits a channel keep mirrors sharp, 8 do not
+    HostImage material; ///< F0 in rgb, linear; perceptual roughness in one channel
+    /// The host's whole lit picture, linear and scene-referred: where reflected colours come from.
+    HostImage litRadiance;
+    /// Optional: the part of litRadiance that stands in for reflections (environment or probe specular). Glint
+    /// replaces exactly that. Absent: reflections are added to what is there.
+    HostImage fallbackSpecular;
+    Conventions conventions;
+};
+
+} // namespace glint

@@ -1,0 +1,9 @@
+// Glint: reflections for any Vulkan renderer. Includes everything; docs/embedding.md shows a host of some 200 lines.
+#pragma once
+
+#include "glint/context.hpp"
+#include "glint/error.hpp"
+#include "glint/gbuffer.hpp"
+#include "glint/reflections.hpp"
+#include "glint/settings.hpp"
+#include "glint/view.hpp"

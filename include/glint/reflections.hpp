@@ -1,0 +1,94 @@
+// The library's main door: a G-buffer in, the same picture with reflections out.
+#pragma once
+
+#include "glint/context.hpp"
+#include "glint/gbuffer.hpp"
+#include "glint/settings.hpp"
+#include "glint/view.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint {
+
+/// A cube map, GGX-prefiltered: mip 0 for mirrors, the last mip for roughness 1, even steps of perceptual roughness
+/// between. Faces and axes as Vulkan's cube maps have them.
+struct EnvironmentMap {
+    HostImage cube;
+    uint32_t mips = 1;
+    float strength = 1; ///< factor on its radiance
+    float rotation = 0; ///< radians about world +Y, counter-clockwise seen from above
+};
+
+struct ReflectionsDesc {
+    uint32_t width = 0; ///< pixels, of every image of the G-buffer
+    uint32_t height = 0;
+    Settings settings;
+    bool statistics = false; ///< count outcomes and lookups each frame (a small pass more)
+    bool views = false;      ///< keep an image for debug views
+};
+
+struct PassTime {
+    std::string name; ///< "trace/linear"
+    double milliseconds = 0;
+};
+
+/// How the rays of one frame ended, and what they cost.
+struct Statistics {
+    struct Outcome {
+        std::string_view name; ///< "hit", "offScreen", ...
+        uint64_t count = 0;    ///< pixels
+    };
+    std::vector<Outcome> outcomes;
+    uint64_t rays = 0;
+    double lookupsMean = 0; ///< depth reads a traced ray
+    uint32_t lookups95 = 0; ///< 95th percentile
+};
+
+/// One picture size, one set of settings, any number of views in turn. Not thread-safe.
+class Reflections {
+public:
+    /// Makes every pipeline and image and rehearses the frame, so that `record` cannot fail.
+    /// Errors: InvalidArgument (size, settings), OutOfMemory, Unsupported.
+    static Result<Reflections> create(Context& context, const ReflectionsDesc& desc);
+    ~Reflections();
+    Reflections(Reflections&&) noexcept;
+    Reflections& operator=(Reflections&&) noexcept;
+
+    /// Errors: InvalidArgument names the setting; the old ones stay in force.
+    Result<void> setSettings(const Settings& settings);
+
+    /// States the host's images; call again when any of them changes. The environment may be absent.
+    /// Errors: InvalidArgument says which image is missing or of another size.
+    Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment = {});
+
+    /// Records the frame's passes. Never submits, waits or allocates. Call outside a render pass, after setInputs.
+    /// Returns the picture with reflections (RGBA16F, ready for sampling), valid until the next call; with every
+    /// source off no pass runs and that is litRadiance itself, bit for bit.
+    HostImage record(VkCommandBuffer commands, const View& view);
+
+    /// Records a debug view of the frame recorded last into an RGBA32F image (needs ReflectionsDesc::views): raw
+    /// values, metres and unit vectors, not scaled for display.
+    /// Errors: InvalidArgument lists the views.
+    Result<HostImage> recordView(VkCommandBuffer commands, std::string_view name);
+    static std::vector<std::string_view> viewNames();
+
+    /// GPU time of each pass of the newest frame that the GPU has finished. Never waits.
+    std::vector<PassTime> passTimes();
+
+    /// Of the frame recorded last; call when the GPU has finished it. Empty unless ReflectionsDesc::statistics.
+    Statistics statistics();
+
+    /// What the host should know once, e.g. that reflections cannot replace what it did not hand over.
+    const std::vector<std::string>& notes() const;
+
+private:
+    struct State;
+    explicit Reflections(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace glint

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""clang-tidy over every source file of a build folder, in parallel; a file that passed is not looked at again until it,
+a header that it includes, its compile command or .clang-tidy changes.    tidy.py CLANG-TIDY BUILD-FOLDER"""
+import concurrent.futures
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path.cwd().resolve()
+OURS = ("src/", "apps/", "examples/", "tests/", "bench/")
+
+
+def our_files(text: str) -> list[str]:
+    """The paths in `ninja -t deps` output that lie in the repository, built folders aside."""
+    found = []
+    for line in text.splitlines():
+        if line.startswith("    "):
+            path = Path(os.path.normpath(build / line.strip()))
+            if path.is_relative_to(ROOT) and not path.is_relative_to(build):
+                found.append(str(path))
+    return sorted(found)
+
+
+def fingerprint(entry: dict) -> str:
+    """Of everything of ours that the verdict on one file depends on."""
+    deps = subprocess.run(["ninja", "-C", str(build), "-t", "deps", entry["output"]], capture_output=True, text=True)
+    digest = hashlib.sha256((entry["command"] + tidy).encode())
+    for path in [str(ROOT / ".clang-tidy"), entry["file"], *our_files(deps.stdout)]:
+        digest.update(Path(path).read_bytes())
+    return digest.hexdigest()
+
+
+def check(entry: dict) -> tuple[str, str]:
+    """The file's name and what clang-tidy says against it: nothing if it is clean."""
+    name = os.path.relpath(entry["file"], ROOT)
+    stamp = build / "tidy" / fingerprint(entry)
+    if stamp.exists():
+        return name, ""
+    run = subprocess.run([tidy, "-p", str(build), "--quiet", "--extra-arg=-Wno-unknown-warning-option",
+                          "--extra-arg=-Wno-ignored-optimization-argument", entry["file"]], capture_output=True, text=True)
+    if run.returncode == 0:
+        stamp.touch()
+        return name, ""
+    return name, (run.stdout or run.stderr).strip()
+
+
+tidy, build = sys.argv[1], Path(sys.argv[2]).resolve()
+(build / "tidy").mkdir(exist_ok=True)
+entries = []
+for entry in json.loads((build / "compile_commands.json").read_text()):
+    entry["file"] = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
+    output = re.search(r" -o (\S+)", entry["command"])
+    entry["output"] = output.group(1) if output else ""
+    if os.path.relpath(entry["file"], ROOT).startswith(OURS):
+        entries.append(entry)
+entries = list({entry["file"]: entry for entry in entries}.values())
+bad = 0
+with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    for name, complaint in pool.map(check, entries):
+        if complaint:
+            bad += 1
+            print(complaint, flush=True)
+sys.exit(1 if bad else 0)

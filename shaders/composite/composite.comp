@@ -1,0 +1,88 @@
+// Puts the reflections into the host's picture: what they replace is taken out, never added to.
+//   physical  out = lit - w * fallbackSpecular + R, with R the reflected radiance under the material's specular response
+//   lerp      out = lit * (1 - m) + reflection * m, Babylon.js' model; what no source answered is the pixel's own colour
+// shared/SYSTEMS.md section A and docs/techniques/composite.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/brdf.glsl"
+#include "lib/camera.glsl"
+#include "lib/outcome_color.glsl"
+#include "lib/sanitize.glsl"
+#include "lib/surface.glsl"
+#include "shared/trace_constants.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(set = 0, binding = 3) uniform sampler2D material;
+layout(set = 0, binding = 4) uniform sampler2D litRadiance;
+layout(set = 0, binding = 5) uniform sampler2D fallbackSpecular;
+layout(set = 0, binding = 6) uniform sampler2D reflected;
+layout(set = 0, binding = 7) uniform usampler2D rayRecord;
+layout(set = 0, binding = 8) uniform sampler2D dfg;
+layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D composite;
+layout(push_constant, scalar) uniform PushBlock {
+    CompositeConstants settings;
+};
+
+vec3 falloff(vec3 response) {
+    return settings.falloffExponent == 1.0 ? response : pow(response, vec3(settings.falloffExponent));
+}
+
+/// The share of reflected light that this surface sends to the eye, before `strength`.
+vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
+    return settings.fresnel != 0u ? specularResponse(f0, texture(dfg, vec2(NoV, perceptualRoughness)).rg) : f0;
+}
+
+vec3 physical(vec3 lit, vec3 fallback, vec4 reflection, vec3 f0, float perceptualRoughness, float NoV) {
+    vec3 response = falloff(physicalResponse(f0, perceptualRoughness, NoV)) * settings.strength;
+    return max(lit - reflection.a * fallback + reflection.rgb * response, vec3(0.0));
+}
+
+vec3 lerped(vec3 lit, vec4 reflection, vec3 f0, float NoV) {
+    vec3 fresnel = fresnelSchlick(f0, vec3(1.0), NoV);
+    vec3 m = clamp(falloff((settings.fresnel != 0u ? fresnel : f0) * settings.strength), 0.0, 1.0);
+    vec3 color = reflection.rgb;
+    if (settings.fresnel == 0u) // as Babylon.js: without it in the factor, the colour itself takes the Fresnel term
+        color *= fresnel;
+    color = clamp(color, 0.0, 1000.0) + (1.0 - reflection.a) * lit;
+    return lit * (1.0 - m) + color * m;
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    vec4 lit = texelFetch(litRadiance, px, 0);
+    float z = texelFetch(viewZ, px, 0).r;
+    vec3 result = lit.rgb; // untouched where nothing is reflected
+    vec4 reflection = texelFetch(reflected, px, 0);
+    if (z < kBackgroundZ && reflection.a > 0.0) {
+        Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+        vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+        vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
+        float NoV = clamp(dot(here.normalVS, -toSurfaceVS), 0.0, 1.0);
+        vec3 f0 = clamp(sanitize(texelFetch(material, px, 0).rgb), 0.0, 1.0);
+        if (here.reflectivity > 0.0) {
+            if (settings.model == 0u) {
+                bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
+                vec3 fallback = hasFallback ? sanitize(texelFetch(fallbackSpecular, px, 0).rgb) : vec3(0.0);
+                result = physical(sanitize(lit.rgb), fallback, reflection, f0, here.perceptualRoughness, NoV);
+            } else {
+                result = lerped(sanitize(lit.rgb), reflection, f0, NoV);
+            }
+        }
+    }
+    if (settings.debugOutcome != 0u) {
+        RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
+        if (ray.outcome != kOutcomeNone)
+            result = outcomeColor(ray, settings.maxSteps);
+    }
+    imageStore(composite, px, vec4(result, lit.a));
+}

@@ -1,0 +1,24 @@
+// Counts how the frame's rays ended and how many depth lookups each took. Runs only where someone asked.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/ray_record.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 0) uniform usampler2D rayRecord;
+layout(scalar, set = 0, binding = 1) buffer StatisticsBlock {
+    RayStatistics counts;
+} statistics;
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, textureSize(rayRecord, 0))))
+        return;
+    RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
+    atomicAdd(statistics.counts.outcomes[ray.outcome], 1u);
+    bool traced = ray.outcome != kOutcomeNone && ray.outcome < kOutcomeBelowThreshold;
+    if (traced)
+        atomicAdd(statistics.counts.lookups[ray.lookups], 1u);
+}

@@ -1,0 +1,93 @@
+// Shows what the passes know as a picture: one view a number (kView*), unscaled values in full precision.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/camera.glsl"
+#include "lib/outcome_color.glsl"
+#include "lib/surface.glsl"
+#include "shared/trace_constants.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(set = 0, binding = 3) uniform sampler2D radianceWeight;
+layout(set = 0, binding = 4) uniform usampler2D rayRecord;
+layout(set = 0, binding = 5) uniform sampler2D reflected;
+layout(set = 0, binding = 6) uniform sampler2D weights;
+layout(set = 0, binding = 7, rgba32f) uniform writeonly image2D view;
+layout(push_constant, scalar) uniform PushBlock {
+    ViewConstants settings;
+};
+
+/// A colour a source; black where none answered.
+vec3 sourceColor(vec4 shares) {
+    if (max(shares.x, shares.y) <= 0.0)
+        return vec3(0.0);
+    return shares.x >= shares.y ? vec3(0.1, 0.8, 0.2) : vec3(0.25, 0.6, 0.9);
+}
+
+vec3 rayDirectionWS(ivec2 px, Surface here, float z) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
+    return mat3(frame.constants.viewToWorld) * reflect(toSurfaceVS, here.normalVS);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    float z = texelFetch(viewZ, px, 0).r;
+    bool background = z >= kBackgroundZ;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
+    bool hit = ray.outcome == kOutcomeHit;
+
+    vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
+    switch (settings.view) {
+    case kViewReflection:
+        value.rgb = texelFetch(reflected, px, 0).rgb;
+        break;
+    case kViewWeight:
+        value.rgb = vec3(texelFetch(radianceWeight, px, 0).a);
+        break;
+    case kViewWeights:
+        value.rgb = texelFetch(weights, px, 0).rgb;
+        break;
+    case kViewSource:
+        value.rgb = sourceColor(texelFetch(weights, px, 0));
+        break;
+    case kViewOutcome:
+        value.rgb = outcomeColor(ray, settings.maxSteps);
+        break;
+    case kViewNormal:
+        value.rgb = background ? vec3(0.0) : mat3(frame.constants.viewToWorld) * here.normalVS;
+        break;
+    case kViewDepth:
+        value.rgb = vec3(background ? 0.0 : z);
+        break;
+    case kViewRoughness:
+        value.rgb = vec3(background ? 0.0 : here.perceptualRoughness);
+        break;
+    case kViewReflectivity:
+        value.rgb = vec3(background ? 0.0 : here.reflectivity);
+        break;
+    case kViewHitUv:
+        value.rg = hit ? ray.hitUV : vec2(0.0);
+        break;
+    case kViewHitDistance:
+        value.rgb = vec3(hit ? ray.hitDistance : 0.0);
+        break;
+    case kViewLookups:
+        value.rgb = vec3(float(ray.lookups));
+        break;
+    case kViewRayDirection:
+        value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z);
+        break;
+    }
+    imageStore(view, px, value);
+}

@@ -1,0 +1,33 @@
+// Between pixels and view space, both projections. Pure functions of FrameConstants.
+#ifndef GLINT_LIB_CAMERA_GLSL
+#define GLINT_LIB_CAMERA_GLSL
+
+#include "shared/frame_constants.h"
+
+bool isOrthographic(FrameConstants frame) {
+    return (frame.flags & kInputOrthographic) != 0u;
+}
+
+/// View-space position of the point at `uv` whose distance along the view axis is `viewZ` metres.
+vec3 viewPosition(FrameConstants frame, vec2 uv, float viewZ) {
+    float scale = isOrthographic(frame) ? 1.0 : viewZ;
+    return vec3((uv * frame.uvToView.xy + frame.uvToView.zw) * scale, -viewZ);
+}
+
+/// Unit direction from the eye to `positionVS`.
+vec3 viewDirection(FrameConstants frame, vec3 positionVS) {
+    return isOrthographic(frame) ? vec3(0.0, 0.0, -1.0) : normalize(positionVS);
+}
+
+/// Device depth as the host stores it -> metres along the view axis, kBackgroundZ where nothing was drawn.
+float viewZFromDepth(FrameConstants frame, float depth) {
+    if ((frame.flags & kInputLinearDepth) != 0u)
+        return depth > 0.0 && depth < kBackgroundZ ? depth : kBackgroundZ;
+    bool reversed = (frame.flags & kInputReversedDepth) != 0u;
+    if (reversed ? depth <= frame.farDepth : depth >= frame.farDepth)
+        return kBackgroundZ;
+    float ndc = depth * frame.depthScale + frame.depthOffset;
+    return (ndc * frame.depthToViewZ.x + frame.depthToViewZ.y) / (ndc * frame.depthToViewZ.z + frame.depthToViewZ.w);
+}
+
+#endif

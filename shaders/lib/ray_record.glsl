@@ -1,0 +1,27 @@
+// What is kept of a traced ray, in two words: hit position on screen (2 x unorm16), its distance in metres (half),
+// the lookups that it took (12 bits) and why it ended (4 bits).
+#ifndef GLINT_LIB_RAY_RECORD_GLSL
+#define GLINT_LIB_RAY_RECORD_GLSL
+
+#include "shared/outcome.h"
+
+struct RayRecord {
+    vec2 hitUV;        // [0, 1]^2; where the ray ended if it hit nothing
+    float hitDistance; // metres from the surface; 0 without a ray
+    uint lookups;      // reads of any depth image
+    uint outcome;      // kOutcome*
+};
+
+uvec2 packRayRecord(RayRecord ray) {
+    const float kLargestHalf = 65504.0;
+    uint distance = packHalf2x16(vec2(min(ray.hitDistance, kLargestHalf), 0.0)) & 0xffffu;
+    return uvec2(packUnorm2x16(ray.hitUV),
+                 distance | (min(ray.lookups, kMaxLookups) << 16) | (ray.outcome << 28));
+}
+
+RayRecord unpackRayRecord(uvec2 packed) {
+    return RayRecord(unpackUnorm2x16(packed.x), unpackHalf2x16(packed.y & 0xffffu).x, (packed.y >> 16) & 0xfffu,
+                     packed.y >> 28);
+}
+
+#endif

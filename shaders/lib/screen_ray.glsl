@@ -1,0 +1,62 @@
+// A view-space ray as a line on screen, with depth that is right in perspective.
+// McGuire and Mara 2014, "Efficient GPU Screen-Space Ray Tracing", JCGT 3(4): 1/w and z/w are linear on screen.
+#ifndef GLINT_LIB_SCREEN_RAY_GLSL
+#define GLINT_LIB_SCREEN_RAY_GLSL
+
+#include "lib/camera.glsl"
+
+struct ScreenRay {
+    vec2 startPX;
+    vec2 deltaPX;       // from start to end
+    float startInvW;
+    float endInvW;
+    float startZOverW;  // viewZ / w
+    float endZOverW;
+    float length;       // metres
+    float screenEnd;    // share of the line that lies on screen, [0, 1]; 1 if all of it
+    bool clippedNear;   // the ray was cut at the near plane
+};
+
+/// Share of the segment from `start` along `delta` that stays in [low, high].
+float shareInside(float start, float delta, float low, float high) {
+    if (delta > 0.0)
+        return (high - start) / delta;
+    return delta < 0.0 ? (low - start) / delta : 1.0;
+}
+
+/// `maxDistance` in metres; the direction is a unit vector. The ray is cut before the near plane, where 1/w has a pole.
+ScreenRay makeScreenRay(FrameConstants frame, vec3 originVS, vec3 directionVS, float maxDistance) {
+    ScreenRay ray;
+    // directionVS.z > 0 comes toward the camera; the plane itself is left out, as its points project to infinity.
+    float toNear = (-frame.nearZ * 1.001 - originVS.z) / max(directionVS.z, 1e-9);
+    ray.clippedNear = directionVS.z > 0.0 && toNear < maxDistance;
+    ray.length = max(ray.clippedNear ? toNear : maxDistance, 0.0);
+
+    vec3 endVS = originVS + directionVS * ray.length;
+    vec4 startH = frame.viewToPixel * vec4(originVS, 1.0);
+    vec4 endH = frame.viewToPixel * vec4(endVS, 1.0);
+    ray.startInvW = 1.0 / startH.w;
+    ray.endInvW = 1.0 / endH.w;
+    ray.startZOverW = -originVS.z * ray.startInvW;
+    ray.endZOverW = -endVS.z * ray.endInvW;
+    ray.startPX = startH.xy * ray.startInvW;
+    ray.deltaPX = endH.xy * ray.endInvW - ray.startPX;
+
+    // Half a pixel inside: the last sample still has a texel of its own.
+    float share = min(shareInside(ray.startPX.x, ray.deltaPX.x, 0.5, frame.size.x - 0.5),
+                      shareInside(ray.startPX.y, ray.deltaPX.y, 0.5, frame.size.y - 0.5));
+    ray.screenEnd = clamp(share, 0.0, 1.0);
+    return ray;
+}
+
+/// At `share` of the line on screen: viewZ of the ray in metres.
+float rayViewZ(ScreenRay ray, float share) {
+    return mix(ray.startZOverW, ray.endZOverW, share) / mix(ray.startInvW, ray.endInvW, share);
+}
+
+/// At `share` of the line on screen: metres travelled from the origin.
+float rayDistance(ScreenRay ray, float share) {
+    return ray.length * share * ray.endInvW / mix(ray.startInvW, ray.endInvW, share);
+}
+
+#endif

@@ -1,0 +1,19 @@
+// Makes the split-sum table once: what of a GGX reflection's energy F0 scales (red) and what it adds (green), by the
+// angle to the eye (x) and perceptual roughness (y). Karis 2013, "Real Shading in Unreal Engine 4".
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/brdf.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 0, rg16f) uniform writeonly image2D dfg;
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(dfg);
+    if (any(greaterThanEqual(px, size)))
+        return;
+    vec2 uv = (vec2(px) + 0.5) / vec2(size);
+    imageStore(dfg, px, vec4(integrateDfg(uv.x, uv.y), 0.0, 0.0));
+}

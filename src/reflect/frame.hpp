@@ -1,0 +1,68 @@
+// The frame of the library: its pipelines, its images, and the passes in order.
+#pragma once
+
+#include "glint/reflections.hpp"
+#include "gpu/pass.hpp"
+#include "gpu/timers.hpp"
+#include "reflect/stages.hpp"
+#include "reflect/trace/technique.hpp"
+
+namespace glint::reflect {
+
+struct Pipelines {
+    gpu::Pipeline surface;
+    gpu::Pipeline dfg;
+    std::vector<gpu::Pipeline> trace; ///< in the order of techniques()
+    gpu::Pipeline combine;
+    gpu::Pipeline composite;
+    gpu::Pipeline view;
+    gpu::Pipeline statistics;
+
+    static Result<Pipelines> create(gpu::Context& context);
+};
+
+/// Everything that record() touches; made at creation, so that recording allocates nothing.
+struct FrameState {
+    gpu::Context* context = nullptr;
+    ReflectionsDesc desc;
+    Pipelines pipelines;
+    Inputs inputs;
+    float environmentStrength = 1;
+    float environmentRotation = 0;
+    uint32_t environmentMips = 1;
+    Conventions conventions;
+    bool inputsSet = false;
+
+    gpu::Buffer frameConstants;
+    Prepared prepared;
+    Traced traced;
+    Reflected reflected;
+    gpu::Image composite;
+    gpu::Image dfg;
+    gpu::Image view;
+    gpu::Image black;     ///< stands in for an absent image
+    gpu::Image blackCube; ///< stands in for an absent environment
+    gpu::Buffer statistics;
+    gpu::Buffer statisticsReadback;
+    bool tablesMade = false; ///< dfg and the stand-ins hold their content
+    std::unique_ptr<gpu::Timers> timers;
+
+    static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
+
+    bool anySource() const;
+    /// The frame, top to bottom.
+    void record(gpu::Frame& frame, const View& view);
+    void recordView(gpu::Frame& frame, uint32_t view);
+
+private:
+    Result<void> createImages();
+    Result<void> rehearse();
+    void makeTables(gpu::Frame& frame);
+    void prepare(gpu::Frame& frame, const View& view);
+    void trace(gpu::Frame& frame);
+    void combine(gpu::Frame& frame);
+    void compose(gpu::Frame& frame);
+    void countOutcomes(gpu::Frame& frame);
+};
+
+} // namespace glint::reflect

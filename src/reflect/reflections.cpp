@@ -1,0 +1,193 @@
+#include "glint/reflections.hpp"
+
+#include "base/assert.hpp"
+#include "base/text.hpp"
+#include "reflect/frame.hpp"
+#include "reflect/outcomes.hpp"
+#include "reflect/views.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace glint {
+namespace {
+
+constexpr uint32_t kMaxSize = 16384; ///< pixels a side: what every Vulkan 1.3 desktop device can hold
+
+/// The library's own images are handed out ready for sampling by whatever comes next.
+constexpr gpu::Use kHandedOut = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
+                                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+
+gpu::Image borrow(const HostImage& host, const char* name, uint32_t mips = 1, uint32_t layers = 1) {
+    if (!host)
+        return {};
+    gpu::ResourceState state;
+    state.writeStages = host.stages;
+    state.writeAccess = host.access;
+    state.layout = host.layout;
+    return gpu::Image::borrow(host.image, host.view,
+                              {name, host.format, host.width, host.height, mips, layers, gpu::ImageShape::Flat, 0},
+                              state);
+}
+
+HostImage handOut(const gpu::Image& image) {
+    return {image.handle(), image.view(),    image.desc().format,
+            image.width(),  image.height(),  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+            kHandedOut.stages, VK_ACCESS_2_NONE};
+}
+
+Result<void> checkImage(const HostImage& image, const char* name, const ReflectionsDesc& desc) {
+    if (!image.image || !image.view)
+        return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", name);
+    if (image.width != desc.width || image.height != desc.height)
+        return invalidArgument("the G-buffer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
+                               image.width, image.height, desc.width, desc.height);
+    return {};
+}
+
+} // namespace
+
+struct Reflections::State {
+    std::unique_ptr<reflect::FrameState> frame;
+    GBuffer gbuffer;
+    EnvironmentMap environment;
+    std::vector<std::string> notes;
+};
+
+Reflections::Reflections(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Reflections::~Reflections() = default;
+Reflections::Reflections(Reflections&&) noexcept = default;
+Reflections& Reflections::operator=(Reflections&&) noexcept = default;
+
+Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc& desc) {
+    if (desc.width < 1 || desc.height < 1 || desc.width > kMaxSize || desc.height > kMaxSize)
+        return invalidArgument("reflections of {}x{} pixels: each side must be 1 to {}", desc.width, desc.height,
+                               kMaxSize);
+    GLINT_CHECK(validate(desc.settings));
+    auto state = std::make_unique<State>();
+    GLINT_TRY(frame, reflect::FrameState::create(context.gpu(), desc));
+    state->frame = std::move(frame);
+    return Reflections(std::move(state));
+}
+
+Result<void> Reflections::setSettings(const Settings& settings) {
+    GLINT_CHECK(validate(settings));
+    state_->frame->desc.settings = settings;
+    return {};
+}
+
+Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
+    const ReflectionsDesc& desc = state_->frame->desc;
+    GLINT_CHECK(checkImage(gbuffer.depth, "depth", desc));
+    GLINT_CHECK(checkImage(gbuffer.normal, "normal", desc));
+    GLINT_CHECK(checkImage(gbuffer.material, "material", desc));
+    GLINT_CHECK(checkImage(gbuffer.litRadiance, "litRadiance", desc));
+    if (gbuffer.fallbackSpecular)
+        GLINT_CHECK(checkImage(gbuffer.fallbackSpecular, "fallbackSpecular", desc));
+    if (gbuffer.conventions.roughnessChannel > 3)
+        return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3",
+                               gbuffer.conventions.roughnessChannel);
+    if (environment.cube && (environment.mips < 1 || !environment.cube.view || !std::isfinite(environment.strength)))
+        return invalidArgument("the environment needs a cube view, at least one mip and a finite strength");
+
+    state_->gbuffer = gbuffer;
+    state_->environment = environment;
+    reflect::FrameState& frame = *state_->frame;
+    frame.conventions = gbuffer.conventions;
+    frame.environmentStrength = environment.strength;
+    frame.environmentRotation = environment.rotation;
+    frame.environmentMips = std::max(environment.mips, 1u);
+    frame.inputsSet = true;
+    state_->notes.clear();
+    if (!gbuffer.fallbackSpecular)
+        state_->notes.emplace_back("no fallbackSpecular: reflections are added to litRadiance, as nothing says which "
+                                   "part of it they replace");
+    return {};
+}
+
+HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
+    reflect::FrameState& state = *state_->frame;
+    GLINT_ASSERT(state.inputsSet, "call setInputs before record");
+    GBuffer& host = state_->gbuffer;
+    reflect::Inputs& inputs = state.inputs;
+    inputs = {borrow(host.depth, "depth"),
+              borrow(host.normal, "normal"),
+              borrow(host.material, "material"),
+              borrow(host.litRadiance, "litRadiance"),
+              borrow(host.fallbackSpecular, "fallbackSpecular"),
+              borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
+    if (!state.anySource() && !state.desc.settings.debug.outcome)
+        return host.litRadiance;
+
+    gpu::Frame frame(*state.context, commands, state.timers.get());
+    state.record(frame, view);
+    frame.hand(state.composite, kHandedOut);
+    // The host finds its images in the layouts in which it gave them.
+    const auto giveBack = [&](gpu::Image& image, const HostImage& original) {
+        if (image)
+            frame.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
+    };
+    giveBack(inputs.depth, host.depth);
+    giveBack(inputs.normal, host.normal);
+    giveBack(inputs.material, host.material);
+    giveBack(inputs.litRadiance, host.litRadiance);
+    giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
+    giveBack(inputs.environment, state_->environment.cube);
+    return handOut(state.composite);
+}
+
+Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_view name) {
+    reflect::FrameState& state = *state_->frame;
+    if (!state.desc.views)
+        return invalidArgument("these reflections were made without views: set ReflectionsDesc::views");
+    const auto found = std::find(reflect::kViewNames.begin(), reflect::kViewNames.end(), name);
+    if (found == reflect::kViewNames.end())
+        return invalidArgument("no view '{}'; did you mean '{}'?", name, nearestText(name, reflect::kViewNames));
+    gpu::Frame frame(*state.context, commands);
+    state.recordView(frame, static_cast<uint32_t>(found - reflect::kViewNames.begin()));
+    frame.hand(state.view, kHandedOut);
+    return handOut(state.view);
+}
+
+std::vector<std::string_view> Reflections::viewNames() {
+    return {reflect::kViewNames.begin(), reflect::kViewNames.end()};
+}
+
+std::vector<PassTime> Reflections::passTimes() {
+    std::vector<PassTime> times;
+    for (const gpu::PassTime& time : state_->frame->timers->latest())
+        times.push_back({time.name, time.milliseconds});
+    return times;
+}
+
+Statistics Reflections::statistics() {
+    const reflect::FrameState& state = *state_->frame;
+    Statistics result;
+    if (!state.desc.statistics || !state.desc.settings.screen.enabled)
+        return result;
+    shared::RayStatistics counts;
+    std::memcpy(&counts, state.statisticsReadback.mapped(), sizeof(counts));
+    for (uint32_t outcome = 0; outcome < shared::kOutcomeCount; ++outcome) {
+        result.outcomes.push_back({reflect::kOutcomeNames[outcome], counts.outcomes[outcome]});
+        if (reflect::isTraced(outcome))
+            result.rays += counts.outcomes[outcome];
+    }
+    uint64_t sum = 0;
+    for (uint64_t bin = 0; bin <= shared::kMaxLookups; ++bin)
+        sum += bin * counts.lookups[bin];
+    result.lookupsMean = result.rays ? static_cast<double>(sum) / static_cast<double>(result.rays) : 0;
+    uint64_t below = 0;
+    for (uint32_t bin = 0; bin <= shared::kMaxLookups && below * 100 < result.rays * 95; ++bin) {
+        below += counts.lookups[bin];
+        result.lookups95 = bin;
+    }
+    return result;
+}
+
+const std::vector<std::string>& Reflections::notes() const {
+    return state_->notes;
+}
+
+} // namespace glint

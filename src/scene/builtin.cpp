@@ -1,0 +1,53 @@
+#include "scene/builtin.hpp"
+
+#include "scene/builtin/scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+namespace glint::scene {
+
+namespace {
+
+struct Entry {
+    BuiltinInfo info;
+    Scene (*make)();
+};
+
+const std::array kEntries = {
+    Entry{{"hall", "an evening hall with a polished floor, columns, metals, glass and neon: the show piece",
+           "three-quarter", "sky", 0.06f},
+          builtin::makeHall},
+    Entry{{"exact", "emission and perfect mirrors only: every right program draws the same", "front", "none", 1},
+          builtin::makeExact},
+    Entry{{"mirror", "seven glowing boxes over a floor mirror, each reflected where it can be computed", "main", "none", 1},
+          builtin::makeMirror},
+    Entry{{"spheres", "roughness by metalness, and coloured dielectrics, under the sky", "main", "sky", 1},
+          builtin::makeSpheres},
+};
+
+} // namespace
+
+std::span<const BuiltinInfo> builtinScenes() {
+    static const auto infos = [] {
+        std::array<BuiltinInfo, kEntries.size()> list;
+        for (size_t i = 0; i < list.size(); ++i)
+            list[i] = kEntries[i].info;
+        return list;
+    }();
+    return infos;
+}
+
+Result<Scene> builtinScene(std::string_view name) {
+    std::string known;
+    for (const Entry& entry : kEntries) {
+        if (entry.info.name == name)
+            return entry.make();
+        known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.info.name);
+    }
+    return invalidArgument("builtin:{}: no such scene; there are {}", name, known);
+}
+
+} // namespace glint::scene

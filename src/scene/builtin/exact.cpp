@@ -1,0 +1,142 @@
+// builtin:exact: everything seen is emission and every mirror perfect, so the right picture does not depend on anybody's
+// light model (docs/truth.md, "The exact picture"). There is no environment: what the mirrors do not see is black.
+//
+// Most things stand on the floor mirror: of those, the mirror shows only what the camera sees as well, which is fair to
+// screen-space tracing. A few float or turn their back to the wall mirror, which is fair to rays.
+#include "scene/builtin/scene_builder.hpp"
+#include "scene/builtin/scenes.hpp"
+#include "scene/builtin/shapes.hpp"
+#include "scene/builtin/turned.hpp"
+
+#include <array>
+#include <string>
+
+namespace glint::scene::builtin {
+
+namespace {
+
+constexpr float kSink = 0.02f; ///< metres below the floor: no face lies in the mirror's plane
+
+// Flat colours, linear; any two differ by far more than the 24/255 in sRGB that count as wrong.
+constexpr glm::vec3 kRed(0.85f, 0.05f, 0.04f), kOrange(0.95f, 0.32f, 0.02f), kYellow(0.95f, 0.75f, 0.05f);
+constexpr glm::vec3 kLime(0.35f, 0.8f, 0.05f), kGreen(0.02f, 0.42f, 0.1f), kTeal(0.02f, 0.5f, 0.5f);
+constexpr glm::vec3 kSky(0.15f, 0.55f, 1.f), kBlue(0.04f, 0.1f, 0.85f), kViolet(0.35f, 0.08f, 0.8f);
+constexpr glm::vec3 kPink(1.f, 0.3f, 0.6f), kWhite(0.95f, 0.95f, 0.95f), kGrey(0.22f, 0.22f, 0.22f);
+constexpr std::array kPalette = {kRed, kSky, kYellow, kViolet, kLime, kPink, kBlue, kOrange, kTeal, kWhite, kGreen, kGrey};
+
+class ExactScene {
+public:
+    ExactScene() : b_("builtin:exact") {
+        for (size_t i = 0; i < kPalette.size(); ++i)
+            colors_[i] = b_.material(emission("colour " + std::to_string(i), kPalette[i]));
+        mirror_ = b_.material(perfectMirror("mirror"));
+    }
+
+    Scene make() {
+        cameras();
+        b_.add("floor", translated(plane({8, 7}), {0, 0, 0}), mirror_);
+        skyline();
+        boxes();
+        spheres();
+        silhouettes();
+        poles();
+        wallMirror();
+        return b_.take();
+    }
+
+private:
+    int color(size_t i) const { return colors_[i % colors_.size()]; }
+
+    void cameras() {
+        b_.camera("front", {0.2f, 1.3f, 6.4f}, {0, 0.62f, -2}, 45);
+        b_.camera("left", {-4.2f, 1.9f, 4.6f}, {0.9f, 0.5f, -1.6f}, 45);
+        b_.camera("low", {-0.9f, 0.3f, 5.6f}, {0.3f, 0.42f, -2}, 45);
+        b_.camera("high", {1.2f, 4.2f, 6.2f}, {0, 0, -1.2f}, 45);
+    }
+
+    /// Towers of different heights against the black: long straight silhouettes at the far end.
+    void skyline() {
+        constexpr std::array heights = {1.1f, 2.0f, 1.5f, 2.4f, 1.0f, 1.8f, 2.6f, 1.3f, 2.1f, 0.9f, 1.7f, 2.3f, 1.2f};
+        for (size_t i = 0; i < heights.size(); ++i) {
+            const float x = 0.72f * (static_cast<float>(i) - 6);
+            stand("tower", {0.36f, heights[i] / 2, 0.15f}, color(i * 5 + 1), {x, 0, -5.5f});
+        }
+    }
+
+    /// A box of one colour that stands on the floor.
+    void stand(const std::string& name, const glm::vec3& half, int material, const glm::vec3& foot, float degrees = 0) {
+        b_.add(name, box(half + glm::vec3(0, kSink / 2, 0)), material,
+               {foot + glm::vec3(0, half.y - kSink / 2, 0), turnedY(degrees)});
+    }
+
+    /// A box with a colour a face: which face a reflection shows matters.
+    int facedBox(const glm::vec3& half, size_t firstColor) {
+        std::vector<std::pair<Geometry, int>> sides;
+        for (const Side side : kAllSides)
+            sides.emplace_back(boxSide(half, side), color(firstColor + sides.size()));
+        return b_.mesh("faced box", std::move(sides));
+    }
+
+    void boxes() {
+        const auto standFaced = [&](const glm::vec3& half, size_t firstColor, const glm::vec3& foot, float degrees) {
+            const int mesh = facedBox(half + glm::vec3(0, kSink / 2, 0), firstColor);
+            b_.place(mesh, {foot + glm::vec3(0, half.y - kSink / 2, 0), turnedY(degrees)});
+        };
+        standFaced({0.4f, 0.4f, 0.4f}, 0, {-2.1f, 0, 1.2f}, 28);
+        standFaced({0.3f, 0.75f, 0.3f}, 3, {1.1f, 0, -1.2f}, -35);
+        standFaced({0.55f, 0.2f, 0.3f}, 6, {0.9f, 0, 1.9f}, 15);
+        b_.place(facedBox({0.25f, 0.25f, 0.25f}, 8), {{-0.9f, 1.35f, -1.5f}, turnedY(40)}); // floats
+    }
+
+    void spheres() {
+        const auto stand = [&](float radius, int material, const glm::vec2& xz) {
+            b_.add("sphere", sphere(radius, 64, 32), material, {{xz.x, radius - kSink / 4, xz.y}});
+        };
+        stand(0.45f, color(7), {-0.55f, 0.4f});
+        stand(0.3f, color(4), {2.2f, 1.0f});
+        stand(0.6f, color(8), {-2.3f, -2.2f});
+        b_.add("sphere", sphere(0.28f, 64, 32), color(5), {{2.0f, 1.5f, -2.6f}}); // floats
+        // A ball in eight sectors: the reflection is upside down, not turned, so the sectors must line up.
+        std::vector<std::pair<Geometry, int>> sectors;
+        for (int i = 0; i < 8; ++i)
+            sectors.emplace_back(sphereSector(0.4f, 64, 32, 8 * i, 8 * i + 8), i % 2 == 0 ? color(9) : color(0));
+        b_.place(b_.mesh("ball", std::move(sectors)), {{0.15f, 0.4f - kSink / 4, -3.4f}, turnedY(10)});
+    }
+
+    void silhouettes() {
+        b_.add("star", extrude(starOutline(5, 0.55f, 0.24f), 0.1f), color(2), {{-1.5f, 0.42f, -0.4f}, turnedY(12)});
+        b_.add("arch", extrude(archOutline(1.5f, 1.3f, 0.55f), 0.2f), color(1), {{-0.6f, -kSink, -4.3f}, turnedY(-8)});
+        b_.add("ring", torus(0.45f, 0.06f, 64, 16), color(3), {{2.7f, 0.5f, -1.4f}, turnedY(-20)});
+    }
+
+    /// Thin things: from about five pixels wide at 640x360 to less than one.
+    void poles() {
+        constexpr std::array radii = {0.04f, 0.03f, 0.02f, 0.015f, 0.01f, 0.006f};
+        for (size_t i = 0; i < radii.size(); ++i) {
+            const float t = static_cast<float>(i);
+            b_.add("pole", cylinder(radii[i], 1.2f + 0.12f * t, 16), color(9 + 4 * i),
+                   {{-2.9f + 1.05f * t, -kSink, i % 2 == 0 ? -2.6f : -0.2f}});
+        }
+    }
+
+    /// A mirror that stands at the right and shows the floor, which shows the things: two bounces.
+    void wallMirror() {
+        const glm::vec2 half(1.6f, 0.85f);
+        const Place place{{3.75f, half.y + 0.06f, -1.6f}, turnedY(-68)};
+        std::vector<std::pair<Geometry, int>> sides;
+        for (const Side side : kAllSides)
+            sides.emplace_back(boxSide({half.x, half.y, 0.03f}, side), side == Side::PlusZ ? mirror_ : color(11));
+        b_.place(b_.mesh("wall mirror", std::move(sides)), place);
+        b_.add("mirror frame", frame(half, 0.06f, 0.1f), color(9), place);
+    }
+
+    SceneBuilder b_;
+    std::array<int, kPalette.size()> colors_{};
+    int mirror_ = -1;
+};
+
+} // namespace
+
+Scene makeExact() { return ExactScene().make(); }
+
+} // namespace glint::scene::builtin

@@ -1,0 +1,261 @@
+// builtin:hall, the show piece: a hall at nightfall. A nave between two arcades runs to a wall with the sign; its floor
+// is dark polished stone, and everything else is there to be seen twice.
+//
+// Light: what glows (sign, ring, strips) is drawn as emission, and each has a punctual light of its colour beside it,
+// because emission alone lights nothing in a rasteriser. Warm light stands on the right and at the far end, cool light
+// on the left, the moon falls in from above. Radiance is scaled so that 1 is white at exposure 0.
+#include "scene/builtin/scene_builder.hpp"
+#include "scene/builtin/scenes.hpp"
+#include "scene/builtin/shapes.hpp"
+#include "scene/builtin/sign.hpp"
+#include "scene/builtin/sweep.hpp"
+#include "scene/builtin/textures.hpp"
+#include "scene/builtin/turned.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+#include <array>
+
+namespace glint::scene::builtin {
+
+namespace {
+
+// The plan, in metres. x: across, -z: along the nave.
+constexpr float kBay = 4;               ///< from column to column
+constexpr int kBays = 6;
+constexpr float kFrontZ = 8;            ///< the first column pair, behind the default camera
+constexpr float kBackZ = kFrontZ - kBays * kBay + 1; ///< inner face of the wall with the sign
+constexpr float kEntranceZ = kFrontZ + 3;
+constexpr float kColumnX = 3.3f;
+constexpr float kWallX = 6.2f;
+constexpr float kColumnHeight = 3.7f;
+constexpr float kArcadeHeight = 2.5f;
+constexpr float kCeiling = kColumnHeight + kArcadeHeight;
+constexpr float kMiddleZ = (kBackZ + kEntranceZ) / 2, kHalfLength = (kEntranceZ - kBackZ) / 2;
+
+// Colours of light, linear.
+constexpr glm::vec3 kAmber(1.f, 0.5f, 0.16f), kWarmWhite(1.f, 0.72f, 0.45f), kIce(0.55f, 0.85f, 1.f);
+constexpr glm::vec3 kCyan(0.05f, 0.62f, 1.f), kMagenta(1.f, 0.08f, 0.42f), kMoon(0.62f, 0.75f, 1.f);
+
+class Hall {
+public:
+    Hall() : b_("builtin:hall") {}
+
+    Scene make() {
+        cameras();
+        materials();
+        building();
+        arcades();
+        signWall();
+        strips();
+        metals();
+        showPieces();
+        wallMirror();
+        lights();
+        return b_.take();
+    }
+
+private:
+    void cameras() {
+        b_.camera("three-quarter", {1.9f, 1.55f, 8.2f}, {-0.75f, 1.45f, -4}, 46);
+        b_.camera("nave", {0, 1.5f, 9.5f}, {0, 1.7f, -8}, 42);
+        b_.camera("metals", {0.6f, 1.35f, 5.4f}, {-2.1f, 0.6f, 0.6f}, 46);
+        b_.camera("mirror", {-1.6f, 1.5f, 2.6f}, {6, 1.3f, -2.6f}, 46);
+    }
+
+    void materials() {
+        StoneFloor tiles;
+        tiles.dark = {glm::vec3(0.008f, 0.009f, 0.011f), glm::vec3(0.022f, 0.024f, 0.028f), glm::vec3(0.32f, 0.31f, 0.29f)};
+        tiles.light = {glm::vec3(0.030f, 0.026f, 0.023f), glm::vec3(0.07f, 0.058f, 0.048f), glm::vec3(0.42f, 0.36f, 0.28f)};
+        SurfaceImages images = stoneFloor("floor", tiles);
+        Material floor = dielectric("polished stone", glm::vec3(1), 1);
+        const glm::vec2 perMetre(0.25f); // four tiles of one metre
+        floor.baseColorTexture = b_.texture(std::move(images.baseColor), perMetre);
+        floor.metallicRoughnessTexture = b_.texture(std::move(images.metallicRoughness), perMetre);
+        floor_ = b_.material(floor);
+
+        Material marbleColumn = dielectric("column stone", glm::vec3(1), 0.42f);
+        marbleColumn.baseColorTexture = b_.texture(
+            marble("column marble", 512, {glm::vec3(0.42f, 0.38f, 0.33f), glm::vec3(0.6f, 0.55f, 0.48f), glm::vec3(0.3f, 0.25f, 0.2f)}, 5),
+            glm::vec2(1, 0.5f));
+        column_ = b_.material(marbleColumn);
+
+        constexpr int kBlockSize = 512;
+        const auto heights = blockHeights(kBlockSize, 2, 4, 21);
+        Material wall = dielectric("dressed stone", glm::vec3(1), 0.7f);
+        wall.baseColorTexture = b_.texture(blockColors("blocks", heights, kBlockSize, glm::vec3(0.2f, 0.18f, 0.165f), 21), glm::vec2(0.4f));
+        wall.normalTexture = b_.texture(normalMap("block normals", heights, kBlockSize, 0.006f), glm::vec2(0.4f));
+        wall_ = b_.material(wall);
+
+        dark_ = b_.material(dielectric("dark timber", glm::vec3(0.035f, 0.028f, 0.024f), 0.5f));
+        black_ = b_.material(dielectric("black granite", glm::vec3(0.012f), 0.12f));
+        gold_ = b_.material(metal("brushed brass", {0.91f, 0.72f, 0.36f}, 0.28f));
+    }
+
+    /// Floor, walls, roof. The nave is open to the sky between the beams; the aisles are covered.
+    void building() {
+        b_.add("floor", translated(plane({kWallX, kHalfLength}, 12, 24), {0, 0, kMiddleZ}), floor_);
+        const int side = b_.mesh("side wall", box({0.2f, kCeiling / 2, kHalfLength}), wall_);
+        const int roof = b_.mesh("aisle roof", box({(kWallX - kColumnX + 0.45f) / 2, 0.15f, kHalfLength}), dark_);
+        for (const float s : {-1.f, 1.f}) {
+            b_.place(side, {{s * (kWallX + 0.2f), kCeiling / 2, kMiddleZ}});
+            b_.place(roof, {{s * (kWallX + kColumnX - 0.45f) / 2, kCeiling + 0.15f, kMiddleZ}});
+        }
+        const int end = b_.mesh("end wall", box({kWallX, kCeiling / 2 + 0.15f, 0.2f}), wall_);
+        b_.place(end, {{0, kCeiling / 2 + 0.15f, kBackZ - 0.2f}});
+        b_.place(end, {{0, kCeiling / 2 + 0.15f, kEntranceZ + 0.2f}});
+        const int beam = b_.mesh("beam", roundedBox({kColumnX - 0.4f, 0.22f, 0.13f}, 0.02f, 1), dark_);
+        for (int i = 0; i <= 2 * kBays; ++i)
+            b_.place(beam, {{0, kCeiling - 0.1f, kFrontZ - 0.5f * kBay * static_cast<float>(i)}});
+    }
+
+    void arcades() {
+        ColumnShape shape;
+        shape.height = kColumnHeight;
+        const int column = b_.mesh("column", flutedColumn(shape), column_);
+        const int arch = b_.mesh("arch", extrude(archOutline(kBay, kArcadeHeight, kBay / 2 - 0.42f), 0.7f), wall_);
+        const int moulding = b_.mesh("moulding", roundedBox({0.42f, 0.06f, kHalfLength}, 0.02f, 1), column_);
+        for (const float s : {-1.f, 1.f}) {
+            for (int i = 0; i < kBays; ++i) {
+                const float z = kFrontZ - kBay * static_cast<float>(i);
+                b_.place(column, {{s * kColumnX, 0, z}});
+                b_.place(arch, {{s * kColumnX, kColumnHeight, z - kBay / 2}, turnedY(90)});
+            }
+            b_.place(arch, {{s * kColumnX, kColumnHeight, kFrontZ + kBay / 2}, turnedY(90)});
+            b_.place(moulding, {{s * kColumnX, kCeiling - 0.12f, kMiddleZ}});
+        }
+    }
+
+    /// The far end: the word in ice white inside a ring of amber, hung a hand's breadth before the wall.
+    void signWall() {
+        const float y = 2.75f, z = kBackZ + 0.25f;
+        const int ice = b_.material(emission("ice neon", kIce * 7.f));
+        const int amber = b_.material(emission("amber neon", kAmber * 7.f));
+        b_.add("sign", neonText("GLINT", 0.95f, 0.045f), ice, {{0, y - 0.475f, z}});
+        b_.add("ring", torus(2.25f, 0.05f, 128, 12), amber, {{0, y, z}});
+        b_.add("inner ring", torus(2.08f, 0.014f, 128, 8), ice, {{0, y, z}});
+        b_.add("backing", translated(cylinder(2.0f, 0.06f, 96), {0, -0.03f, 0}), black_,
+               {{0, y, kBackZ + 0.06f}, glm::angleAxis(glm::half_pi<float>(), glm::vec3(1, 0, 0))});
+    }
+
+    /// Upright strips of light on the aisle walls, one a bay: cool on the left, warm on the right; and two thin lines
+    /// along the floor that run to the sign.
+    void strips() {
+        const int cyan = b_.material(emission("cyan neon", kCyan * 6.f));
+        const int magenta = b_.material(emission("magenta neon", kMagenta * 6.f));
+        const int line = b_.material(emission("floor line", kWarmWhite * 2.2f));
+        const Geometry upright = roundedBox({0.035f, 1.45f, 0.035f}, 0.02f, 2);
+        const int left = b_.mesh("cyan strip", upright, cyan), right = b_.mesh("magenta strip", upright, magenta);
+        for (int i = 0; i < kBays; ++i) {
+            const float z = kFrontZ - kBay * (static_cast<float>(i) + 0.5f);
+            b_.place(left, {{-(kWallX - 0.08f), 1.85f, z}});
+            b_.place(right, {{kWallX - 0.08f, 1.85f, z}});
+        }
+        const int edge = b_.mesh("floor line", roundedBox({0.02f, 0.02f, kHalfLength - 0.6f}, 0.008f, 1), line);
+        for (const float s : {-1.f, 1.f})
+            b_.place(edge, {{s * (kColumnX - 0.72f), 0.02f, kMiddleZ}});
+    }
+
+    /// Six spheres in a row, smoother to rougher, chrome and gold by turns with copper and steel.
+    void metals() {
+        struct Kind {
+            const char* name;
+            glm::vec3 f0;
+            float roughness;
+        };
+        // F0 of the metals as commonly tabulated (Akenine-Moeller et al. 2018, "Real-Time Rendering", table 9.2).
+        constexpr std::array kinds = {Kind{"chrome", {0.55f, 0.556f, 0.554f}, 0.f},  Kind{"gold", {1.022f, 0.782f, 0.344f}, 0.1f},
+                                      Kind{"copper", {0.955f, 0.638f, 0.538f}, 0.2f}, Kind{"steel", {0.562f, 0.565f, 0.578f}, 0.35f},
+                                      Kind{"gold", {1.022f, 0.782f, 0.344f}, 0.6f},   Kind{"chrome", {0.55f, 0.556f, 0.554f}, 1.f}};
+        constexpr float radius = 0.42f, plinth = 0.3f;
+        const int foot = b_.mesh("plinth", roundedBox({0.4f, plinth / 2, 0.4f}, 0.015f), black_);
+        for (size_t i = 0; i < kinds.size(); ++i) {
+            const glm::vec3 base(-1.75f, 0, 3.6f - 1.7f * static_cast<float>(i));
+            b_.place(foot, {base + glm::vec3(0, plinth / 2, 0)});
+            b_.add(kinds[i].name, sphere(radius, 64, 32), b_.material(metal(kinds[i].name, glm::min(kinds[i].f0, 1.f), kinds[i].roughness)),
+                   {base + glm::vec3(0, plinth + radius, 0)});
+        }
+    }
+
+    void showPieces() {
+        const int pedestal = b_.mesh("pedestal", roundedBox({0.34f, 0.45f, 0.34f}, 0.02f), column_);
+        const auto onPedestal = [&](const glm::vec2& xz, float degrees) {
+            b_.place(pedestal, {{xz.x, 0.45f, xz.y}, turnedY(degrees)});
+            return glm::vec3(xz.x, 0.9f, xz.y);
+        };
+        const int lacquer = b_.material(dielectric("red lacquer", glm::vec3(0.55f, 0.008f, 0.012f), 0.04f));
+        b_.add("red sphere", sphere(0.36f, 64, 32), lacquer, {onPedestal({1.75f, 1.4f}, 20) + glm::vec3(0, 0.36f, 0)});
+        b_.add("knot", torusKnot(2, 3, 0.4f, 0.085f), gold_, {onPedestal({1.9f, -3.2f}, -15) + glm::vec3(0, 0.3f, 0)});
+
+        Material glass = dielectric("sea glass", glm::vec3(0.82f, 0.93f, 0.92f), 0);
+        glass.transmissionFactor = 1;
+        glass.ior = 1.5f;
+        glass.thicknessFactor = 0.6f;
+        glass.attenuationColor = {0.45f, 0.85f, 0.8f};
+        glass.attenuationDistance = 0.8f;
+        const int glassMaterial = b_.material(glass);
+        b_.add("glass sphere", sphere(0.32f, 64, 32), glassMaterial, {{0.55f, 0.32f, 3.4f}});
+        b_.add("glass block", roundedBox({0.16f, 0.4f, 0.16f}, 0.015f), glassMaterial, {{1.15f, 0.4f, 2.9f}, turnedY(35)});
+    }
+
+    void wallMirror() {
+        const glm::vec2 half(1.25f, 1.35f);
+        const Place place{{kWallX - 0.06f, 1.75f, -2 - 0.f}, turnedY(-90)};
+        b_.add("wall mirror", box({half.x, half.y, 0.02f}), b_.material(perfectMirror("mirror glass")), place);
+        b_.add("mirror frame", frame(half, 0.12f, 0.1f), gold_, place);
+    }
+
+    void lights() {
+        directional("moon", kMoon, 0.9f, {-5.5f, 9, 3.5f}, {0, 0, 0});
+        // Uplights at the feet of the columns: the arches glow, the shafts stand out.
+        for (int i = 1; i < kBays - 1; ++i) {
+            const float z = kFrontZ - kBay * static_cast<float>(i);
+            for (const float s : {-1.f, 1.f})
+                spot("uplight", kWarmWhite, 26, {s * (kColumnX - 0.75f), 0.1f, z}, {s * (kColumnX + 0.35f), 3.6f, z}, 20, 50);
+        }
+        spot("metals spot", kWarmWhite, 60, {0.2f, 5.6f, 2.5f}, {-1.75f, 0.5f, 1.2f}, 12, 34);
+        spot("pieces spot", kWarmWhite, 45, {0.3f, 5.6f, 3.5f}, {1.7f, 0.8f, 0.8f}, 10, 30);
+        point("ring glow", kAmber, 14, {0, 2.75f, kBackZ + 1.3f});
+        point("cyan glow", kCyan, 7, {-5.2f, 1.9f, 0});
+        point("magenta glow", kMagenta, 7, {5.2f, 1.9f, -2});
+    }
+
+    void directional(const char* name, const glm::vec3& color, float lux, const glm::vec3& from, const glm::vec3& to) {
+        Light light;
+        light.name = name;
+        light.color = color;
+        light.intensity = lux;
+        b_.light(light, from, to);
+    }
+
+    void point(const char* name, const glm::vec3& color, float candela, const glm::vec3& at) {
+        Light light;
+        light.name = name;
+        light.type = LightType::Point;
+        light.color = color;
+        light.intensity = candela;
+        b_.light(light, at, at - glm::vec3(0, 1, 0));
+    }
+
+    /// Cone angles in degrees from the axis.
+    void spot(const char* name, const glm::vec3& color, float candela, const glm::vec3& from, const glm::vec3& to, float inner,
+              float outer) {
+        Light light;
+        light.name = name;
+        light.type = LightType::Spot;
+        light.color = color;
+        light.intensity = candela;
+        light.innerConeAngle = glm::radians(inner);
+        light.outerConeAngle = glm::radians(outer);
+        b_.light(light, from, to);
+    }
+
+    SceneBuilder b_;
+    int floor_ = -1, column_ = -1, wall_ = -1, dark_ = -1, black_ = -1, gold_ = -1;
+};
+
+} // namespace
+
+Scene makeHall() { return Hall().make(); }
+
+} // namespace glint::scene::builtin

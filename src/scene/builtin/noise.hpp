@@ -1,0 +1,21 @@
+// Noise that is the same on every machine: an integer hash, and gradient noise that repeats after a period.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace glint::scene::builtin {
+
+/// A well-mixed 32-bit hash (Jarzynski, Olano 2020, "Hash Functions for GPU Rendering": PCG).
+uint32_t hash(uint32_t value);
+/// [0, 1).
+float hashUnit(uint32_t x, uint32_t y, uint32_t seed);
+
+/// Gradient noise in about [-1, 1], repeating every `period` units in both directions (Perlin 2002, "Improving Noise").
+float noise(const glm::vec2& p, int period, uint32_t seed);
+
+/// Octaves of `noise`, each twice as fine and `gain` as strong; about [-1, 1], with the period of the first octave.
+float fractalNoise(const glm::vec2& p, int period, uint32_t seed, int octaves, float gain = 0.5f);
+
+} // namespace glint::scene::builtin

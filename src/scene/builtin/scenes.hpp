@@ -1,0 +1,13 @@
+// The makers of the built-in scenes, one file each; scene/builtin.cpp lists them.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace glint::scene::builtin {
+
+Scene makeHall();
+Scene makeMirror();
+Scene makeExact();
+Scene makeSpheres();
+
+} // namespace glint::scene::builtin
