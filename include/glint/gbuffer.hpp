@@ -10,7 +10,7 @@ namespace glint {
 
 /// One of the host's images as it stands when Reflections::record is called. Glint returns it in the same layout.
 struct HostImage {
-    VkImage image = VK_NULL_HANDLE; ///< null: absent
+    VkImage image = VK_NULL_HANDLE;    ///< null: absent
     VkImageView view = VK_NULL_HANDLE; ///< all that is to be read; of depth images the depth aspect alone
     VkFormat format = VK_FORMAT_UNDEFINED;
     uint32_t width = 0;
@@ -22,15 +22,15 @@ struct HostImage {
 };
 
 enum class DepthKind : uint8_t {
-    Device,      ///< as the rasterizer wrote it with View::viewToClip: reversed or not, finite or infinite is seen there
+    Device, ///< as the rasterizer wrote it with View::viewToClip: reversed or not, finite or infinite is seen there
     LinearViewZ, ///< metres along the view axis, 0 for the background
 };
 enum class NormalSpace : uint8_t { World, View };
 enum class NormalEncoding : uint8_t {
-    Signed,           ///< xyz in [-1, 1]
-    Unorm,            ///< xyz stored as n * 0.5 + 0.5
-    Octahedral,       ///< two channels in [-1, 1]
-    OctahedralUnorm,  ///< two channels stored as p * 0.5 + 0.5
+    Signed,          ///< xyz in [-1, 1]
+    Unorm,           ///< xyz stored as n * 0.5 + 0.5
+    Octahedral,      ///< two channels in [-1, 1]
+    OctahedralUnorm, ///< two channels stored as p * 0.5 + 0.5
 };
 enum class Handedness : uint8_t { Right, Left }; ///< of view space: looks down -Z or +Z
 

@@ -63,4 +63,6 @@ struct SettingInfo {
 /// An enum that settings may have as their type. Its values' names in files begin in lower case: Linear is "linear".
 #define GLINT_SETTING_ENUM(Name, ...)                                                                                  \
     enum class Name : int { __VA_ARGS__ };                                                                             \
-    constexpr std::string_view settingChoices(Name) { return #__VA_ARGS__; }
+    constexpr std::string_view settingChoices(Name) {                                                                  \
+        return #__VA_ARGS__;                                                                                           \
+    }

@@ -37,7 +37,7 @@ vec3 falloff(vec3 response) {
 
 /// The share of reflected light that this surface sends to the eye, before `strength`.
 vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
-    return settings.fresnel != 0u ? specularResponse(f0, texture(dfg, vec2(NoV, perceptualRoughness)).rg) : f0;
+    return settings.fresnel != 0u ? specularResponse(f0, 1.0, texture(dfg, vec2(NoV, perceptualRoughness)).rg) : f0;
 }
 
 vec3 physical(vec3 lit, vec3 fallback, vec4 reflection, vec3 f0, float perceptualRoughness, float NoV) {
@@ -46,7 +46,7 @@ vec3 physical(vec3 lit, vec3 fallback, vec4 reflection, vec3 f0, float perceptua
 }
 
 vec3 lerped(vec3 lit, vec4 reflection, vec3 f0, float NoV) {
-    vec3 fresnel = fresnelSchlick(f0, vec3(1.0), NoV);
+    vec3 fresnel = F_Schlick(f0, 1.0, NoV);
     vec3 m = clamp(falloff((settings.fresnel != 0u ? fresnel : f0) * settings.strength), 0.0, 1.0);
     vec3 color = reflection.rgb;
     if (settings.fresnel == 0u) // as Babylon.js: without it in the factor, the colour itself takes the Fresnel term

@@ -12,7 +12,7 @@ struct ScreenRay {
     float endInvW;
     float startZOverW;  // viewZ / w
     float endZOverW;
-    float length;       // metres
+    float lengthVS;     // metres
     float screenEnd;    // share of the line that lies on screen, [0, 1]; 1 if all of it
     bool clippedNear;   // the ray was cut at the near plane
 };
@@ -30,9 +30,9 @@ ScreenRay makeScreenRay(FrameConstants frame, vec3 originVS, vec3 directionVS, f
     // directionVS.z > 0 comes toward the camera; the plane itself is left out, as its points project to infinity.
     float toNear = (-frame.nearZ * 1.001 - originVS.z) / max(directionVS.z, 1e-9);
     ray.clippedNear = directionVS.z > 0.0 && toNear < maxDistance;
-    ray.length = max(ray.clippedNear ? toNear : maxDistance, 0.0);
+    ray.lengthVS = max(ray.clippedNear ? toNear : maxDistance, 0.0);
 
-    vec3 endVS = originVS + directionVS * ray.length;
+    vec3 endVS = originVS + directionVS * ray.lengthVS;
     vec4 startH = frame.viewToPixel * vec4(originVS, 1.0);
     vec4 endH = frame.viewToPixel * vec4(endVS, 1.0);
     ray.startInvW = 1.0 / startH.w;
@@ -56,7 +56,7 @@ float rayViewZ(ScreenRay ray, float share) {
 
 /// At `share` of the line on screen: metres travelled from the origin.
 float rayDistance(ScreenRay ray, float share) {
-    return ray.length * share * ray.endInvW / mix(ray.startInvW, ray.endInvW, share);
+    return ray.lengthVS * share * ray.endInvW / mix(ray.startInvW, ray.endInvW, share);
 }
 
 #endif

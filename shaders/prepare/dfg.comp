@@ -3,7 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
-#include "lib/brdf.glsl"
+#include "lib/dfg.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

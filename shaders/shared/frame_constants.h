@@ -8,39 +8,39 @@
 GLINT_SHARED_BEGIN
 
 struct FrameConstants {
-    float4x4 viewToPixel;       // homogeneous: (x, y, *, w) / w are pixels from the top left
-    float4x4 worldToView;       // rigid
-    float4x4 viewToWorld;       // rigid
+    float4x4 viewToPixel;        // homogeneous: (x, y, *, w) / w are pixels from the top left
+    float4x4 worldToView;        // rigid
+    float4x4 viewToWorld;        // rigid
     float4x4 worldToEnvironment; // turns a direction into the environment cube's axes
-    float4 uvToView;            // positionVS.xy = (uv * xy + zw) * (perspective ? viewZ : 1)
-    float4 depthToViewZ;        // viewZ = (ndc * x + y) / (ndc * z + w), ndc = depth * depthScale + depthOffset
-    float2 size;                // pixels
+    float4 uvToView;             // positionVS.xy = (uv * xy + zw) * (perspective ? viewZ : 1)
+    float4 depthToViewZ;         // viewZ = (ndc * x + y) / (ndc * z + w), ndc = depth * depthScale + depthOffset
+    float2 size;                 // pixels
     float2 invSize;
     float depthScale;
     float depthOffset;
-    float farDepth;             // device depth of the background
-    float nearZ;                // metres: nothing nearer is drawn
-    uint flags;                 // kInput*
-    uint roughnessChannel;      // of the material image
+    float farDepth;        // device depth of the background
+    float nearZ;           // metres: nothing nearer is drawn
+    uint flags;            // kInput*
+    uint roughnessChannel; // of the material image
     float environmentStrength;
-    float environmentMips;      // mips that roughness 0..1 spreads over
+    float environmentMips; // mips that roughness 0..1 spreads over
     uint frameIndex;
     uint seed;
     float2 padding;
 };
 
 GLINT_CONSTANT(uint, kInputOrthographic, 1);
-GLINT_CONSTANT(uint, kInputLinearDepth, 2);    // depth is viewZ in metres already, 0 is background
-GLINT_CONSTANT(uint, kInputReversedDepth, 4);  // the background is at the small end
-GLINT_CONSTANT(uint, kInputNormalView, 8);     // normals are in the host's view space
+GLINT_CONSTANT(uint, kInputLinearDepth, 2);   // depth is viewZ in metres already, 0 is background
+GLINT_CONSTANT(uint, kInputReversedDepth, 4); // the background is at the small end
+GLINT_CONSTANT(uint, kInputNormalView, 8);    // normals are in the host's view space
 GLINT_CONSTANT(uint, kInputNormalOctahedral, 16);
-GLINT_CONSTANT(uint, kInputNormalUnorm, 32);   // stored as n * 0.5 + 0.5
-GLINT_CONSTANT(uint, kInputSmoothness, 64);    // the roughness channel holds 1 - perceptualRoughness
-GLINT_CONSTANT(uint, kInputLeftHanded, 128);   // the host's view space looks down +Z
-GLINT_CONSTANT(uint, kInputEnvironment, 256);  // an environment cube is there
-GLINT_CONSTANT(uint, kInputFallback, 512);     // a fallbackSpecular image is there
+GLINT_CONSTANT(uint, kInputNormalUnorm, 32);  // stored as n * 0.5 + 0.5
+GLINT_CONSTANT(uint, kInputSmoothness, 64);   // the roughness channel holds 1 - perceptualRoughness
+GLINT_CONSTANT(uint, kInputLeftHanded, 128);  // the host's view space looks down +Z
+GLINT_CONSTANT(uint, kInputEnvironment, 256); // an environment cube is there
+GLINT_CONSTANT(uint, kInputFallback, 512);    // a fallbackSpecular image is there
 
-GLINT_CONSTANT(float, kBackgroundZ, 1.0e30); // viewZ of pixels that show no surface
+GLINT_CONSTANT(float, kBackgroundZ, 1.0e30f); // viewZ of pixels that show no surface
 
 GLINT_SHARED_END
 

@@ -6,19 +6,19 @@
 
 GLINT_SHARED_BEGIN
 
-GLINT_CONSTANT(uint, kOutcomeNone, 0);           // no ray: background
-GLINT_CONSTANT(uint, kOutcomeHit, 1);            // met a visible surface
-GLINT_CONSTANT(uint, kOutcomeSky, 2);            // ended over the background
-GLINT_CONSTANT(uint, kOutcomeOffScreen, 3);      // left the picture
-GLINT_CONSTANT(uint, kOutcomeBehindCamera, 4);   // reached the near plane
-GLINT_CONSTANT(uint, kOutcomeMaxDistance, 5);    // reached screen.maxDistance in front of everything
-GLINT_CONSTANT(uint, kOutcomeOutOfSteps, 6);     // screen.maxSteps were not enough; never a hit
-GLINT_CONSTANT(uint, kOutcomeHidden, 7);         // ended behind what the picture shows there
-GLINT_CONSTANT(uint, kOutcomeTooThick, 8);       // the same, but a slab of twice the thickness would have been met
-GLINT_CONSTANT(uint, kOutcomeBackFace, 9);       // met a surface from its unseen side
+GLINT_CONSTANT(uint, kOutcomeNone, 0);            // no ray: background
+GLINT_CONSTANT(uint, kOutcomeHit, 1);             // met a visible surface
+GLINT_CONSTANT(uint, kOutcomeSky, 2);             // ended over the background
+GLINT_CONSTANT(uint, kOutcomeOffScreen, 3);       // left the picture
+GLINT_CONSTANT(uint, kOutcomeBehindCamera, 4);    // reached the near plane
+GLINT_CONSTANT(uint, kOutcomeMaxDistance, 5);     // reached screen.maxDistance in front of everything
+GLINT_CONSTANT(uint, kOutcomeOutOfSteps, 6);      // screen.maxSteps were not enough; never a hit
+GLINT_CONSTANT(uint, kOutcomeHidden, 7);          // ended behind what the picture shows there
+GLINT_CONSTANT(uint, kOutcomeTooThick, 8);        // the same, but a slab of twice the thickness would have been met
+GLINT_CONSTANT(uint, kOutcomeBackFace, 9);        // met a surface from its unseen side
 GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 10); // not traced: reflects too little
-GLINT_CONSTANT(uint, kOutcomeTooRough, 11);      // not traced: rougher than reflect.maxRoughness
-GLINT_CONSTANT(uint, kOutcomeFacingCamera, 12);  // not traced: fade.facingCamera leaves nothing of it
+GLINT_CONSTANT(uint, kOutcomeTooRough, 11);       // not traced: rougher than reflect.maxRoughness
+GLINT_CONSTANT(uint, kOutcomeFacingCamera, 12);   // not traced: fade.facingCamera leaves nothing of it
 GLINT_CONSTANT(uint, kOutcomeCount, 13);
 
 GLINT_CONSTANT(uint, kMaxLookups, 4095); // as a ray record stores them: more reads count as this many

@@ -14,7 +14,7 @@ struct TraceConstants {
     uint maxSteps;
     uint step;
     uint selfCollisionSkip;
-    uint flags; // kTrace*
+    uint flags;      // kTrace*
     float threshold; // already with strength and the half step of an 8-bit F0
     float roughnessFadeStart;
     float maxRoughness;
@@ -36,7 +36,7 @@ struct HierarchyConstants {
 };
 
 struct CompositeConstants {
-    uint model;     // CompositeModel: 0 physical, 1 lerp
+    uint model; // CompositeModel: 0 physical, 1 lerp
     uint fresnel;
     uint debugOutcome;
     float strength;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <optional>
 
 namespace glint::gpu {
 namespace {
@@ -149,8 +150,9 @@ Result<void> Context::createInstance(const ContextDesc& desc) {
         return makeError(ErrorCode::Unsupported, "{} is not installed (package vulkan-validationlayers)",
                          kValidationLayer);
     if (result != VK_SUCCESS)
-        return makeError(ErrorCode::Unsupported, "no Vulkan driver answers (vkCreateInstance: VkResult {}); "
-                                                 "start the program with scripts/glint",
+        return makeError(ErrorCode::Unsupported,
+                         "no Vulkan driver answers (vkCreateInstance: VkResult {}); "
+                         "start the program with scripts/glint",
                          static_cast<int>(result));
     api_.loadInstance(getInstanceProcAddr, instance_);
     if (desc.validation) {
@@ -254,7 +256,8 @@ Result<void> Context::finish() {
     }
     if (const char* missing = api_.firstMissing())
         return makeError(ErrorCode::Unsupported,
-                         "the device does not offer {}: it needs Vulkan 1.3 and VK_KHR_push_descriptor enabled", missing);
+                         "the device does not offer {}: it needs Vulkan 1.3 and VK_KHR_push_descriptor enabled",
+                         missing);
 
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);

@@ -19,10 +19,10 @@ namespace glint::gpu {
 /// What a physical device is and what it can do for Glint.
 struct DeviceInfo {
     std::string name;
-    std::string driver;      ///< name and version as the driver says them
-    std::string apiVersion;  ///< "1.4.305"
-    bool software = false;   ///< runs on the CPU
-    bool rayQuery = false;   ///< VK_KHR_acceleration_structure + VK_KHR_ray_query
+    std::string driver;               ///< name and version as the driver says them
+    std::string apiVersion;           ///< "1.4.305"
+    bool software = false;            ///< runs on the CPU
+    bool rayQuery = false;            ///< VK_KHR_acceleration_structure + VK_KHR_ray_query
     std::vector<std::string> missing; ///< what Glint needs and this device lacks; empty: usable
     bool usable() const { return missing.empty(); }
 };

@@ -24,6 +24,22 @@ std::string bindingNames(const Pipeline& pipeline) {
     return joinText(names, ", ");
 }
 
+/// May this format be filtered on every device that runs Glint? (Vulkan 1.3, "Required Format Support")
+bool filterable(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R32_SFLOAT:
+    case VK_FORMAT_R32G32_SFLOAT:
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+    case VK_FORMAT_D32_SFLOAT:
+    case VK_FORMAT_R8_UINT:
+    case VK_FORMAT_R16_UINT:
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32G32_UINT:
+    case VK_FORMAT_R32G32B32A32_UINT: return false;
+    default: return true;
+    }
+}
+
 } // namespace
 
 // ---------------------------------------------------------------- what the shader reads and writes
@@ -78,9 +94,11 @@ void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes)
 
 Pass& Pass::read(std::string_view name, Image& image, SamplerKind sampler) {
     if (const ShaderBinding* binding = find(name, true, false, true)) {
-        frame_.use(image, 0, image.desc().mips,
-                   {shaderStages(pipeline_), VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
-                    VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        frame_.use(
+            image, 0, image.desc().mips,
+            {shaderStages(pipeline_), VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+        if (sampler == SamplerKind::LinearClamp && !filterable(image.desc().format))
+            sampler = SamplerKind::NearestClamp;
         bindImage(*binding, image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, frame_.context_.sampler(sampler));
     }
     return *this;
@@ -94,9 +112,9 @@ Pass& Pass::read(std::string_view name, Buffer& buffer) {
 
 Pass& Pass::write(std::string_view name, Image& image, uint32_t mip, bool keep) {
     if (const ShaderBinding* binding = find(name, false, true, true)) {
-        frame_.use(image, mip, 1,
-                   {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true,
-                    !keep});
+        frame_.use(
+            image, mip, 1,
+            {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true, !keep});
         bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
         if (frame_.written_)
             frame_.written_->push_back({&pipeline_.name(), binding->name, &image});
@@ -113,8 +131,7 @@ Pass& Pass::write(std::string_view name, Buffer& buffer) {
 Pass& Pass::readWrite(std::string_view name, Image& image, uint32_t mip) {
     if (const ShaderBinding* binding = find(name, true, true, true)) {
         frame_.use(image, mip, 1,
-                   {shaderStages(pipeline_),
-                    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                   {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                     VK_IMAGE_LAYOUT_GENERAL, true});
         bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
         if (frame_.written_)
@@ -136,7 +153,8 @@ Pass& Pass::table(VkDescriptorSet set) {
 
 Pass& Pass::pushBytes(const void* data, size_t size) {
     if (size != pipeline_.pushSize())
-        frame_.fail(fmt::format("{}: {} bytes pushed, the shader takes {}", pipeline_.name(), size, pipeline_.pushSize()));
+        frame_.fail(
+            fmt::format("{}: {} bytes pushed, the shader takes {}", pipeline_.name(), size, pipeline_.pushSize()));
     std::memcpy(pushed_.data(), data, size);
     pushedSize_ = size;
     return *this;
@@ -267,8 +285,12 @@ Draws& Draws::indexBuffer(const Buffer& buffer) {
 
 Draws& Draws::viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
     // A negative height turns Vulkan's downward clip space upward, so matrices keep +Y up.
-    const VkViewport viewport = {static_cast<float>(x), static_cast<float>(y + height), static_cast<float>(width),
-                                 -static_cast<float>(height), 0, 1};
+    const VkViewport viewport = {static_cast<float>(x),
+                                 static_cast<float>(y + height),
+                                 static_cast<float>(width),
+                                 -static_cast<float>(height),
+                                 0,
+                                 1};
     const VkRect2D scissor = {{static_cast<int32_t>(x), static_cast<int32_t>(y)}, {width, height}};
     api_.CmdSetViewport(commands_, 0, 1, &viewport);
     api_.CmdSetScissor(commands_, 0, 1, &scissor);

@@ -32,8 +32,8 @@ public:
     Draws& indexBuffer(const Buffer& buffer);
     Draws& viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height); ///< pixels; +Y of the clip space is up
     void draw(uint32_t vertexCount, uint32_t instanceCount = 1, uint32_t firstVertex = 0, uint32_t firstInstance = 0);
-    void drawIndexed(uint32_t indexCount, uint32_t firstIndex = 0, int32_t vertexOffset = 0,
-                     uint32_t instanceCount = 1, uint32_t firstInstance = 0);
+    void drawIndexed(uint32_t indexCount, uint32_t firstIndex = 0, int32_t vertexOffset = 0, uint32_t instanceCount = 1,
+                     uint32_t firstInstance = 0);
 
 private:
     Draws& pushBytes(const void* data, size_t size);
@@ -45,7 +45,8 @@ private:
 
 class Pass {
 public:
-    /// A sampled image (all mips), through `sampler`.
+    /// A sampled image (all mips), through `sampler`; integer and 32-bit float images, which Vulkan need not filter,
+    /// are read with nearest filtering instead of linear.
     Pass& read(std::string_view name, Image& image, SamplerKind sampler = SamplerKind::LinearClamp);
     /// A uniform buffer or a readonly storage buffer.
     Pass& read(std::string_view name, Buffer& buffer);

@@ -71,8 +71,8 @@ Result<void> Pipeline::makeLayout(std::span<const EmbeddedShader* const> shaders
             if (same == bindings_.end())
                 bindings_.push_back(binding);
             else if (same->binding != binding.binding || same->name != binding.name || same->kind != binding.kind)
-                return invalidArgument("{}: '{}' and '{}' meet at binding {}: both stages must agree", name_, same->name,
-                                       binding.name, binding.binding);
+                return invalidArgument("{}: '{}' and '{}' meet at binding {}: both stages must agree", name_,
+                                       same->name, binding.name, binding.binding);
         }
     }
     if (shaderPushSize != pushSize)

@@ -36,7 +36,7 @@ struct RasterDesc {
     bool depthWrite = true;
     float depthBiasConstant = 0;
     float depthBiasSlope = 0;
-    Blend blend = Blend::None; ///< of every colour attachment
+    Blend blend = Blend::None;                          ///< of every colour attachment
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shaders use a TextureTable
 };
 

@@ -42,8 +42,8 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
     info.usage = desc.usage;
     VmaAllocationCreateInfo allocation = {};
     allocation.usage = VMA_MEMORY_USAGE_AUTO;
-    if (const VkResult result = vmaCreateImage(context.allocator(), &info, &allocation, &image.image_,
-                                               &image.allocation_, nullptr);
+    if (const VkResult result =
+            vmaCreateImage(context.allocator(), &info, &allocation, &image.image_, &image.allocation_, nullptr);
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "image '{}' ({}x{}, {} mips) cannot be created: VkResult {}",
                          desc.name, desc.width, desc.height, desc.mips, static_cast<int>(result));
@@ -118,15 +118,14 @@ Result<Buffer> Buffer::create(Context& context, const BufferDesc& desc) {
     VmaAllocationCreateInfo allocation = {};
     allocation.usage = VMA_MEMORY_USAGE_AUTO;
     if (desc.home == BufferHome::Upload)
-        allocation.flags =
-            VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
+        allocation.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
     if (desc.home == BufferHome::Readback)
         allocation.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
     if (desc.home != BufferHome::Device)
         allocation.requiredFlags = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
     VmaAllocationInfo allocated = {};
-    if (const VkResult result = vmaCreateBuffer(context.allocator(), &info, &allocation, &buffer.buffer_,
-                                                &buffer.allocation_, &allocated);
+    if (const VkResult result =
+            vmaCreateBuffer(context.allocator(), &info, &allocation, &buffer.buffer_, &buffer.allocation_, &allocated);
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "buffer '{}' ({} bytes) cannot be created: VkResult {}", desc.name,
                          desc.size, static_cast<int>(result));

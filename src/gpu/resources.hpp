@@ -42,8 +42,8 @@ public:
     uint32_t width() const { return desc_.width; }
     uint32_t height() const { return desc_.height; }
     VkImage handle() const { return image_; }
-    VkImageView view() const { return view_; }              ///< all mips and layers, for sampling
-    VkImageView mipView(uint32_t mip) const;                ///< one mip, all layers: as an array for cubes, for storing
+    VkImageView view() const { return view_; } ///< all mips and layers, for sampling
+    VkImageView mipView(uint32_t mip) const;   ///< one mip, all layers: as an array for cubes, for storing
     VkImageAspectFlags aspect() const;
     std::vector<ResourceState>& states() { return states_; } ///< one a mip
 

@@ -5,8 +5,7 @@ namespace glint::gpu {
 std::optional<Barrier> transition(ResourceState& state, const Use& use) {
     const bool changesLayout = use.layout != state.layout;
     if (!use.writes && !changesLayout) {
-        const bool alreadyVisible =
-            (use.stages & ~state.readStages) == 0 && (use.access & ~state.readAccess) == 0;
+        const bool alreadyVisible = (use.stages & ~state.readStages) == 0 && (use.access & ~state.readAccess) == 0;
         const bool everWritten = state.writeStages != 0;
         if (!everWritten || alreadyVisible) {
             state.readStages |= use.stages;
@@ -17,7 +16,8 @@ std::optional<Barrier> transition(ResourceState& state, const Use& use) {
         // test of `alreadyVisible` may then trust every combination.
         state.readStages |= use.stages;
         state.readAccess |= use.access;
-        return Barrier{state.writeStages, state.writeAccess, state.readStages, state.readAccess, use.layout, use.layout};
+        return Barrier{state.writeStages, state.writeAccess, state.readStages,
+                       state.readAccess,  use.layout,        use.layout};
     }
 
     std::optional<Barrier> barrier;

@@ -85,8 +85,8 @@ Result<Buffer> uploadBuffer(Context& context, std::string name, std::span<const 
                             VkBufferUsageFlags usage) {
     // An empty buffer cannot exist; a shader that is told "0 elements" never reads the spare one.
     const size_t size = std::max<size_t>(content.size(), 16);
-    GLINT_TRY(staging, Buffer::create(context, {name + "/staging", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                                BufferHome::Upload}));
+    GLINT_TRY(staging,
+              Buffer::create(context, {name + "/staging", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::Upload}));
     std::memcpy(staging.mapped(), content.data(), content.size());
     GLINT_TRY(buffer, Buffer::create(context, {std::move(name), size, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                                BufferHome::Device}));
@@ -94,7 +94,8 @@ Result<Buffer> uploadBuffer(Context& context, std::string name, std::span<const 
         const VkBufferCopy region = {0, 0, size};
         context.api().CmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
     }));
-    // submitAndWait has waited, but later submissions still need the copy made visible: the tracker knows it as a write.
+    // submitAndWait has waited, but later submissions still need the copy made visible: the tracker knows it as a
+    // write.
     buffer.state().writeStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
     buffer.state().writeAccess = VK_ACCESS_2_TRANSFER_WRITE_BIT;
     return buffer;
@@ -118,8 +119,8 @@ Result<void> uploadImage(Context& context, Image& image, std::span<const std::by
 }
 
 Result<std::vector<std::byte>> downloadImage(Context& context, Image& image, uint32_t mip, uint32_t layer) {
-    const size_t size = bytesPerTexel(image.desc().format) * std::max(image.width() >> mip, 1u) *
-                        std::max(image.height() >> mip, 1u);
+    const size_t size =
+        bytesPerTexel(image.desc().format) * std::max(image.width() >> mip, 1u) * std::max(image.height() >> mip, 1u);
     if (size == 0)
         return invalidArgument("image '{}': its format {} cannot be read back", image.desc().name,
                                static_cast<int>(image.desc().format));

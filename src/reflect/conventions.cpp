@@ -38,7 +38,8 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
     frame.size = {static_cast<float>(width), static_cast<float>(height)};
     frame.invSize = {static_cast<float>(1 / w), static_cast<float>(1 / h)};
     // +Y up in NDC, but pixel rows count from the top.
-    const dmat4 clipToPixel(dvec4(w / 2, 0, 0, 0), dvec4(0, -h / 2, 0, 0), dvec4(0, 0, 1, 0), dvec4(w / 2, h / 2, 0, 1));
+    const dmat4 clipToPixel(dvec4(w / 2, 0, 0, 0), dvec4(0, -h / 2, 0, 0), dvec4(0, 0, 1, 0),
+                            dvec4(w / 2, h / 2, 0, 1));
     frame.viewToPixel = glm::mat4(clipToPixel * viewToClip);
     frame.worldToView = glm::mat4(worldToView);
     frame.viewToWorld = glm::mat4(glm::inverse(worldToView));

@@ -53,8 +53,8 @@ void FrameState::makeTables(gpu::Frame& frame) {
 
 void FrameState::prepare(gpu::Frame& frame, const View& view) {
     shared::FrameConstants constants = makeFrameConstants(view, conventions, desc.width, desc.height);
-    constants.flags |= (inputs.environment ? shared::kInputEnvironment : 0) |
-                       (inputs.fallbackSpecular ? shared::kInputFallback : 0);
+    constants.flags |=
+        (inputs.environment ? shared::kInputEnvironment : 0) | (inputs.fallbackSpecular ? shared::kInputFallback : 0);
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
     constants.worldToEnvironment = glm::rotate(glm::mat4(1), -environmentRotation, glm::vec3(0, 1, 0));
@@ -71,7 +71,8 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
 
 void FrameState::trace(gpu::Frame& frame) {
     const size_t index = indexOf(desc.settings.screen.march);
-    techniques()[index].record(frame, pipelines.trace[index], desc.settings, {frameConstants, inputs, prepared}, traced);
+    techniques()[index].record(frame, pipelines.trace[index], desc.settings, {frameConstants, inputs, prepared},
+                               traced);
 }
 
 void FrameState::combine(gpu::Frame& frame) {
@@ -90,10 +91,12 @@ void FrameState::combine(gpu::Frame& frame) {
 
 void FrameState::compose(gpu::Frame& frame) {
     const Settings& settings = desc.settings;
-    const shared::CompositeConstants constants = {
-        static_cast<uint32_t>(settings.composite.model), settings.reflect.fresnel,          settings.debug.outcome,
-        settings.reflect.strength,                       settings.reflect.falloffExponent,
-        static_cast<uint32_t>(settings.screen.maxSteps)};
+    const shared::CompositeConstants constants = {static_cast<uint32_t>(settings.composite.model),
+                                                  settings.reflect.fresnel,
+                                                  settings.debug.outcome,
+                                                  settings.reflect.strength,
+                                                  settings.reflect.falloffExponent,
+                                                  static_cast<uint32_t>(settings.screen.maxSteps)};
     frame.pass(pipelines.composite)
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
@@ -128,7 +131,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("rayRecord", traced.rayRecord)
         .read("reflected", reflected.reflected)
         .read("weights", reflected.weights)
-        .write("view", view)
+        .write("view", viewImage)
         .push(constants)
         .dispatch(desc.width, desc.height);
 }
@@ -192,27 +195,27 @@ Result<void> FrameState::createImages() {
     };
     if (desc.views)
         images.push_back(
-            {&view, "glint/view", VK_FORMAT_R32G32B32A32_SFLOAT, w, h, VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+            {&viewImage, "glint/view", VK_FORMAT_R32G32B32A32_SFLOAT, w, h, VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     for (const Wanted& wanted : images) {
-        GLINT_TRY(image, gpu::Image::create(*context, {wanted.name, wanted.format, wanted.width, wanted.height, 1,
-                                                       wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
-                                                       VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
-                                                           wanted.more}));
+        GLINT_TRY(image, gpu::Image::create(*context,
+                                            {wanted.name, wanted.format, wanted.width, wanted.height, 1,
+                                             wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
+                                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
         *wanted.image = std::move(image);
     }
 
-    GLINT_TRY(constants, gpu::Buffer::create(*context, {"glint/frame", sizeof(shared::FrameConstants),
-                                                        VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
-                                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                        gpu::BufferHome::Device}));
+    GLINT_TRY(constants,
+              gpu::Buffer::create(*context, {"glint/frame", sizeof(shared::FrameConstants),
+                                             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                             gpu::BufferHome::Device}));
     frameConstants = std::move(constants);
     if (!desc.statistics)
         return {};
-    GLINT_TRY(counts, gpu::Buffer::create(*context, {"glint/statistics", sizeof(shared::RayStatistics),
-                                                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                         VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                                         VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                                     gpu::BufferHome::Device}));
+    GLINT_TRY(counts,
+              gpu::Buffer::create(*context, {"glint/statistics", sizeof(shared::RayStatistics),
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                                 VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                             gpu::BufferHome::Device}));
     statistics = std::move(counts);
     GLINT_TRY(readback, gpu::Buffer::create(*context, {"glint/statisticsReadback", sizeof(shared::RayStatistics),
                                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferHome::Readback}));

@@ -39,7 +39,7 @@ struct FrameState {
     Reflected reflected;
     gpu::Image composite;
     gpu::Image dfg;
-    gpu::Image view;
+    gpu::Image viewImage;
     gpu::Image black;     ///< stands in for an absent image
     gpu::Image blackCube; ///< stands in for an absent environment
     gpu::Buffer statistics;

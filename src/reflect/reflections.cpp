@@ -33,8 +33,8 @@ gpu::Image borrow(const HostImage& host, const char* name, uint32_t mips = 1, ui
 }
 
 HostImage handOut(const gpu::Image& image) {
-    return {image.handle(), image.view(),    image.desc().format,
-            image.width(),  image.height(),  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+    return {image.handle(),    image.view(),    image.desc().format,
+            image.width(),     image.height(),  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
             kHandedOut.stages, VK_ACCESS_2_NONE};
 }
 
@@ -147,8 +147,8 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
         return invalidArgument("no view '{}'; did you mean '{}'?", name, nearestText(name, reflect::kViewNames));
     gpu::Frame frame(*state.context, commands);
     state.recordView(frame, static_cast<uint32_t>(found - reflect::kViewNames.begin()));
-    frame.hand(state.view, kHandedOut);
-    return handOut(state.view);
+    frame.hand(state.viewImage, kHandedOut);
+    return handOut(state.viewImage);
 }
 
 std::vector<std::string_view> Reflections::viewNames() {

@@ -12,10 +12,10 @@ namespace glint::scene {
 
 /// One line of the list that `builtin:NAME` chooses from.
 struct BuiltinInfo {
-    std::string_view name;        ///< without "builtin:"
-    std::string_view description; ///< one line for `--help`
-    std::string_view camera;      ///< the default view; always the scene's first camera node
-    std::string_view environment; ///< what `--env` should default to: "sky" or "none"
+    std::string_view name;         ///< without "builtin:"
+    std::string_view description;  ///< one line for `--help`
+    std::string_view camera;       ///< the default view; always the scene's first camera node
+    std::string_view environment;  ///< what `--env` should default to: "sky" or "none"
     float environmentStrength = 1; ///< what `environment.strength` should default to
 };
 

@@ -16,12 +16,12 @@ struct Camera {
     std::string name;
     glm::mat4 viewToWorld = glm::mat4(1); ///< rigid; looks down -Z, +Y up
     bool orthographic = false;
-    float fovY = 0.7f;       ///< radians, (0, pi)
-    float orthoHeight = 2;   ///< metres, whole height
-    float aspectRatio = 0;   ///< width / height the camera was made for; 0: any
-    float near = 0.05f;      ///< metres, > 0
+    float fovY = 0.7f;                                  ///< radians, (0, pi)
+    float orthoHeight = 2;                              ///< metres, whole height
+    float aspectRatio = 0;                              ///< width / height the camera was made for; 0: any
+    float near = 0.05f;                                 ///< metres, > 0
     float far = std::numeric_limits<float>::infinity(); ///< metres; used by orthographic cameras, which need it finite
-    int width = 0;           ///< suggested picture size, 0: none
+    int width = 0;                                      ///< suggested picture size, 0: none
     int height = 0;
 };
 

@@ -133,9 +133,10 @@ struct MorphTarget { ///< differences; each array is empty or as long as the bas
 
 struct Primitive {
     Geometry geometry;
-    int material = -1; ///< -1: glTF's default material
+    int material = -1;        ///< -1: glTF's default material
+    bool flatNormals = false; ///< the file gave none: every triangle owns its vertices, `pose` makes them anew
     std::vector<SkinSet> skinSets;
-    std::vector<MorphTarget> morphTargets;
+    std::vector<MorphTarget> morphTargets; ///< as many as the mesh's other primitives have
 };
 
 struct Mesh {
@@ -150,11 +151,11 @@ struct Mesh {
 struct Lens {
     std::string name;
     bool orthographic = false;
-    float fovY = 0.8f;                                      ///< radians
-    float orthoHeight = 2;                                  ///< metres, whole height
-    std::optional<float> aspectRatio;                       ///< width / height
-    float near = 0.05f;                                     ///< metres
-    float far = std::numeric_limits<float>::infinity();     ///< metres
+    float fovY = 0.8f;                                  ///< radians
+    float orthoHeight = 2;                              ///< metres, whole height
+    std::optional<float> aspectRatio;                   ///< width / height
+    float near = 0.05f;                                 ///< metres
+    float far = std::numeric_limits<float>::infinity(); ///< metres
 };
 
 enum class LightType : uint8_t { Directional, Point, Spot };

@@ -69,7 +69,8 @@ TEST(SettingsJson, BrokenJsonIsOneLineWithItsNumber) {
 
 TEST(SettingsJson, DeepNestingIsAnErrorNotACrash) {
     std::string text;
-    for (int i = 0; i < 100000; ++i) text += "{\"a\":";
+    for (int i = 0; i < 100000; ++i)
+        text += "{\"a\":";
     EXPECT_LT(errorOf(text + "1").size(), 300u);
 }
 

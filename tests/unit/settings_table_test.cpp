@@ -23,14 +23,19 @@ std::string otherValue(const SettingInfo& info) {
     return info.choices.back();
 }
 
-double valueIn(const Settings& settings, const SettingInfo& info) { return settingValue(info, &settings); }
+double valueIn(const Settings& settings, const SettingInfo& info) {
+    return settingValue(info, &settings);
+}
 
 TEST(SettingsTable, StructHoldsTheDefaultsOfTheTable) {
     const Settings settings;
-    for (const SettingInfo& info : settingsTable()) EXPECT_EQ(valueIn(settings, info), info.defaultValue) << info.key;
+    for (const SettingInfo& info : settingsTable())
+        EXPECT_EQ(valueIn(settings, info), info.defaultValue) << info.key;
 }
 
-TEST(SettingsTable, DefaultsAreInRange) { EXPECT_TRUE(validate(Settings{}).ok()); }
+TEST(SettingsTable, DefaultsAreInRange) {
+    EXPECT_TRUE(validate(Settings{}).ok());
+}
 
 TEST(SettingsTable, KeysAreUniqueAndMeaningsAreOneLine) {
     std::set<std::string> keys;
@@ -52,7 +57,8 @@ TEST(SettingsTable, EveryKeyTakesAValueFromText) {
         const double value = valueIn(settings, info);
         EXPECT_EQ(number ? fmt::format("{}", value) : settingText(info, value), text);
         for (const SettingInfo& other : settingsTable()) {
-            if (other.key == info.key) continue;
+            if (other.key == info.key)
+                continue;
             EXPECT_EQ(valueIn(settings, other), other.defaultValue) << info.key << " changed " << other.key;
         }
     }
@@ -82,7 +88,8 @@ TEST(SettingsTable, FloatsRoundTripToTheSameBits) {
 
 TEST(SettingsTable, RangesHoldAtBothEnds) {
     for (const SettingInfo& info : settingsTable()) {
-        if (info.range.text.empty()) continue;
+        if (info.range.text.empty())
+            continue;
         for (const bool upper : {false, true}) {
             const double end = upper ? info.range.max : info.range.min;
             const bool open = upper ? info.range.maxOpen : info.range.minOpen;
@@ -98,7 +105,8 @@ TEST(SettingsTable, RangesHoldAtBothEnds) {
 
 TEST(SettingsTable, ValidateFindsWhatAHostWroteIntoTheStruct) {
     for (const SettingInfo& info : settingsTable()) {
-        if (info.type != SettingType::Float) continue;
+        if (info.type != SettingType::Float)
+            continue;
         Settings settings;
         auto* const member = reinterpret_cast<float*>(reinterpret_cast<std::byte*>(&settings) + info.offset);
         *member = std::numeric_limits<float>::quiet_NaN();

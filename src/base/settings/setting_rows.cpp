@@ -19,7 +19,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     while (!text.empty()) {
         const size_t end = std::min(text.find(separator), text.size());
-        if (end > 0) parts.push_back(text.substr(0, end));
+        if (end > 0)
+            parts.push_back(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return parts;
@@ -40,14 +41,16 @@ double readNumber(std::string_view key, std::string_view text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) malformed(key, text);
+    if (error != std::errc() || end != text.data() + text.size())
+        malformed(key, text);
     return value;
 }
 
 /// "(0, 1e6]"
 SettingRange readRange(std::string_view key, std::string_view text) {
     const size_t comma = text.find(',');
-    if (text.size() < 5 || comma == text.npos || (text.front() != '[' && text.front() != '(')) malformed(key, text);
+    if (text.size() < 5 || comma == text.npos || (text.front() != '[' && text.front() != '('))
+        malformed(key, text);
     SettingRange range;
     range.min = readNumber(key, text.substr(1, comma - 1));
     range.max = readNumber(key, text.substr(comma + 1, text.size() - comma - 2));
@@ -59,7 +62,8 @@ SettingRange readRange(std::string_view key, std::string_view text) {
 
 int choiceIndex(const SettingInfo& info, std::string_view choice) {
     const auto found = std::ranges::find(info.choices, choice);
-    if (found == info.choices.end()) malformed(info.key, choice);
+    if (found == info.choices.end())
+        malformed(info.key, choice);
     return static_cast<int>(found - info.choices.begin());
 }
 
@@ -67,11 +71,13 @@ int choiceIndex(const SettingInfo& info, std::string_view choice) {
 SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
     const size_t colon = text.find(':');
     const size_t equals = std::min(text.find('='), text.size());
-    if (colon == text.npos || colon == 0 || equals <= colon + 1) malformed(info.key, text);
+    if (colon == text.npos || colon == 0 || equals <= colon + 1)
+        malformed(info.key, text);
     SettingAlias alias;
     alias.system = text.substr(0, colon);
     alias.name = text.substr(colon + 1, equals - colon - 1);
-    if (equals == text.size()) return alias;
+    if (equals == text.size())
+        return alias;
 
     const std::string_view transform = text.substr(equals + 1);
     if (transform == "1-x") {
@@ -105,7 +111,8 @@ SettingInfo makeSettingInfo(std::string key, SettingType type, double defaultVal
         info.range = readRange(info.key, texts.range);
     else if (!texts.range.empty())
         malformed(info.key, texts.range);
-    for (std::string_view alias : split(texts.aliases, ' ')) info.aliases.push_back(readAlias(info, alias));
+    for (std::string_view alias : split(texts.aliases, ' '))
+        info.aliases.push_back(readAlias(info, alias));
     return info;
 }
 

@@ -17,7 +17,8 @@ struct SettingTexts {
 SettingInfo makeSettingInfo(std::string key, SettingType type, double defaultValue, size_t offset,
                             std::string_view choices, const SettingTexts& texts);
 
-template <class T> SettingInfo makeSetting(std::string key, size_t offset, T defaultValue, const SettingTexts& texts) {
+template <class T>
+SettingInfo makeSetting(std::string key, size_t offset, T defaultValue, const SettingTexts& texts) {
     if constexpr (std::is_enum_v<T>) {
         return makeSettingInfo(std::move(key), SettingType::Enum, static_cast<int>(defaultValue), offset,
                                settingChoices(defaultValue), texts);

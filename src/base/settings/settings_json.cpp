@@ -51,7 +51,8 @@ public:
     Result<std::vector<SettingAssignment>> read() {
         const char* const end = text_.data() + text_.size();
         Json::sax_parse(TrackingIterator(text_.data(), &at_), TrackingIterator(end, &at_), this);
-        if (error_) return *std::move(error_);
+        if (error_)
+            return *std::move(error_);
         return std::move(assignments_);
     }
 
@@ -65,7 +66,8 @@ public:
     bool binary(const Json::binary_t&) { return false; } // never comes from text
 
     bool start_object(size_t) {
-        if (inside_) groups_.push_back(key_);
+        if (inside_)
+            groups_.push_back(key_);
         inside_ = true;
         return true;
     }
@@ -75,7 +77,8 @@ public:
         return true;
     }
     bool end_object() {
-        if (!groups_.empty()) groups_.pop_back();
+        if (!groups_.empty())
+            groups_.pop_back();
         return true;
     }
     bool start_array(size_t) { return fail(at_, "settings hold no lists: expected an object of names and values"); }
@@ -97,17 +100,22 @@ private:
     }
 
     bool value(const SettingInput& input) {
-        if (!inside_) return fail(at_, "expected an object of settings: {\"screen\": {\"step\": 1}}");
-        if (groups_.empty() && key_ == "description" && input.kind == Kind::String) return true;
+        if (!inside_)
+            return fail(at_, "expected an object of settings: {\"screen\": {\"step\": 1}}");
+        if (groups_.empty() && key_ == "description" && input.kind == Kind::String)
+            return true;
         std::string path;
-        for (const std::string& group : groups_) path += group + ".";
+        for (const std::string& group : groups_)
+            path += group + ".";
         auto resolved = resolveSetting(targets_, path + key_, input, system_);
-        if (!resolved) return fail(keyAt_, resolved.error().message);
+        if (!resolved)
+            return fail(keyAt_, resolved.error().message);
         for (const SettingAssignment& assignment : *resolved) {
             const auto same = [&](const SettingAssignment& other) {
                 return other.info == assignment.info && !other.implied && !assignment.implied;
             };
-            if (std::ranges::any_of(assignments_, same)) return fail(keyAt_, assignment.info->key + " is set twice");
+            if (std::ranges::any_of(assignments_, same))
+                return fail(keyAt_, assignment.info->key + " is set twice");
             assignments_.push_back(assignment);
         }
         return true;

@@ -23,20 +23,25 @@ struct Match {
 std::vector<Match> matchKey(SettingsTargets targets, std::string_view name) {
     for (const SettingsTarget& target : targets) {
         for (const SettingInfo& info : target.table) {
-            if (info.key == name) return {{&info, nullptr, target.object}};
+            if (info.key == name)
+                return {{&info, nullptr, target.object}};
         }
     }
     return {};
 }
 
-std::string fullName(const SettingAlias& alias) { return alias.system + ":" + alias.name; }
+std::string fullName(const SettingAlias& alias) {
+    return alias.system + ":" + alias.name;
+}
 
-template <class Wanted> std::vector<Match> matchAliases(SettingsTargets targets, Wanted wanted) {
+template <class Wanted>
+std::vector<Match> matchAliases(SettingsTargets targets, Wanted wanted) {
     std::vector<Match> matches;
     for (const SettingsTarget& target : targets) {
         for (const SettingInfo& info : target.table) {
             for (const SettingAlias& alias : info.aliases) {
-                if (wanted(alias)) matches.push_back({&info, &alias, target.object});
+                if (wanted(alias))
+                    matches.push_back({&info, &alias, target.object});
             }
         }
     }
@@ -61,22 +66,27 @@ Error unknownName(SettingsTargets targets, std::string_view name) {
 }
 
 Result<std::vector<Match>> findSettings(SettingsTargets targets, std::string_view name, std::string_view system) {
-    if (auto matches = matchKey(targets, name); !matches.empty()) return matches;
+    if (auto matches = matchKey(targets, name); !matches.empty())
+        return matches;
     if (auto matches = matchAliases(targets, [&](const SettingAlias& a) { return fullName(a) == name; });
         !matches.empty())
         return matches;
 
     auto matches = matchAliases(targets, [&](const SettingAlias& a) { return a.name == name; });
-    if (matches.empty()) return unknownName(targets, name);
+    if (matches.empty())
+        return unknownName(targets, name);
     std::set<std::string> systems;
-    for (const Match& match : matches) systems.insert(match.alias->system);
-    if (systems.size() == 1) return matches;
+    for (const Match& match : matches)
+        systems.insert(match.alias->system);
+    if (systems.size() == 1)
+        return matches;
     if (systems.contains(std::string(system))) {
         std::erase_if(matches, [&](const Match& match) { return match.alias->system != system; });
         return matches;
     }
     std::vector<std::string> candidates;
-    for (const std::string& candidate : systems) candidates.push_back(fmt::format("'{}:{}'", candidate, name));
+    for (const std::string& candidate : systems)
+        candidates.push_back(fmt::format("'{}:{}'", candidate, name));
     return invalidArgument("'{}' is a name in several systems: write {}", printable(name),
                            listText(candidates, " or "));
 }
@@ -101,7 +111,9 @@ Error wrongType(std::string_view name, std::string_view expected, const SettingI
                            quote);
 }
 
-bool kindIs(const SettingInput& input, Kind kind) { return input.kind == Kind::Any || input.kind == kind; }
+bool kindIs(const SettingInput& input, Kind kind) {
+    return input.kind == Kind::Any || input.kind == kind;
+}
 
 Result<double> readBool(std::string_view name, const SettingInput& input) {
     const bool isTrue = input.text == "true";
@@ -115,8 +127,10 @@ Result<double> readNumber(std::string_view name, const SettingInput& input, bool
     double value = 0;
     const char* const textEnd = input.text.data() + input.text.size();
     const auto [end, error] = std::from_chars(input.text.data(), textEnd, value);
-    if (!kindIs(input, Kind::Number) || error != std::errc() || end != textEnd) return wrongType(name, expected, input);
-    if (whole && std::isfinite(value) && value != std::floor(value)) return wrongType(name, expected, input);
+    if (!kindIs(input, Kind::Number) || error != std::errc() || end != textEnd)
+        return wrongType(name, expected, input);
+    if (whole && std::isfinite(value) && value != std::floor(value))
+        return wrongType(name, expected, input);
     return value;
 }
 
@@ -175,7 +189,8 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
     assignment.value = narrowed(info, value);
     if (!info.range.text.empty() && !inRange(info.range, value, assignment.value)) {
         Error error = outOfRange(info, fmt::format("{}", value));
-        if (match.alias) error.message += fmt::format(" (from {} = {})", fullName(*match.alias), printable(input.text));
+        if (match.alias)
+            error.message += fmt::format(" (from {} = {})", fullName(*match.alias), printable(input.text));
         return error;
     }
     return assignment;
@@ -185,8 +200,10 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
 
 double settingValue(const SettingInfo& info, const void* object) {
     const std::byte* const at = static_cast<const std::byte*>(object) + info.offset;
-    if (info.type == SettingType::Bool) return *reinterpret_cast<const bool*>(at) ? 1 : 0;
-    if (info.type == SettingType::Float) return static_cast<double>(*reinterpret_cast<const float*>(at));
+    if (info.type == SettingType::Bool)
+        return *reinterpret_cast<const bool*>(at) ? 1 : 0;
+    if (info.type == SettingType::Float)
+        return static_cast<double>(*reinterpret_cast<const float*>(at));
     int value = 0; // int or an enum over int, which memcpy may read as int
     std::memcpy(&value, at, sizeof value);
     return value;
@@ -244,7 +261,8 @@ Result<void> validateSettings(SettingsTargets targets) {
             SettingRange range = info.range; // as floats see it: 0.3f is above 0.3, and still the range's end
             range.min = narrowed(info, range.min);
             range.max = narrowed(info, range.max);
-            if (!range.text.empty() && !range.contains(value)) return outOfRange(info, settingText(info, value));
+            if (!range.text.empty() && !range.contains(value))
+                return outOfRange(info, settingText(info, value));
         }
     }
     return {};

@@ -77,9 +77,12 @@ std::string describeBindings(spvc_compiler compiler, spvc_resources resources, c
         for (size_t i = 0; i < count; ++i) {
             const std::string name = spvc_compiler_get_name(compiler, list[i].id);
             if (name.empty())
-                fail(file + ": a binding has no name (was the shader stripped, or a block left without instance name?)");
-            const bool readOnly = !kind.storage || hasDecoration(compiler, list[i], kind.buffer, SpvDecorationNonWritable);
-            const bool writeOnly = kind.storage && hasDecoration(compiler, list[i], kind.buffer, SpvDecorationNonReadable);
+                fail(file +
+                     ": a binding has no name (was the shader stripped, or a block left without instance name?)");
+            const bool readOnly =
+                !kind.storage || hasDecoration(compiler, list[i], kind.buffer, SpvDecorationNonWritable);
+            const bool writeOnly =
+                kind.storage && hasDecoration(compiler, list[i], kind.buffer, SpvDecorationNonReadable);
             const spvc_type type = spvc_compiler_get_type_handle(compiler, list[i].type_id);
             const unsigned arrayLength =
                 spvc_type_get_num_array_dimensions(type) ? spvc_type_get_array_dimension(type, 0) : 1;

@@ -51,7 +51,8 @@ Result<void> validate(const Settings& settings) {
 
 std::vector<std::string_view> presetNames() {
     std::vector<std::string_view> names;
-    for (const EmbeddedPreset& preset : embeddedPresets()) names.push_back(preset.name);
+    for (const EmbeddedPreset& preset : embeddedPresets())
+        names.push_back(preset.name);
     return names;
 }
 

@@ -19,8 +19,11 @@ void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& se
 
 } // namespace
 
-const Technique kLinearTechnique = {"linear", March::Linear, "trace/linear",
-                                    "every pixel along the ray, one depth lookup each", sizeof(shared::TraceConstants),
+const Technique kLinearTechnique = {"linear",
+                                    March::Linear,
+                                    "trace/linear",
+                                    "every pixel along the ray, one depth lookup each",
+                                    sizeof(shared::TraceConstants),
                                     record};
 
 } // namespace glint::reflect

@@ -1,5 +1,6 @@
-// builtin:exact: everything seen is emission and every mirror perfect, so the right picture does not depend on anybody's
-// light model (docs/truth.md, "The exact picture"). There is no environment: what the mirrors do not see is black.
+// builtin:exact: everything seen is emission and every mirror perfect, so the right picture does not depend on
+// anybody's light model (docs/truth.md, "The exact picture"). There is no environment: what the mirrors do not see is
+// black.
 //
 // Most things stand on the floor mirror: of those, the mirror shows only what the camera sees as well, which is fair to
 // screen-space tracing. A few float or turn their back to the wall mirror, which is fair to rays.
@@ -22,7 +23,8 @@ constexpr glm::vec3 kRed(0.85f, 0.05f, 0.04f), kOrange(0.95f, 0.32f, 0.02f), kYe
 constexpr glm::vec3 kLime(0.35f, 0.8f, 0.05f), kGreen(0.02f, 0.42f, 0.1f), kTeal(0.02f, 0.5f, 0.5f);
 constexpr glm::vec3 kSky(0.15f, 0.55f, 1.f), kBlue(0.04f, 0.1f, 0.85f), kViolet(0.35f, 0.08f, 0.8f);
 constexpr glm::vec3 kPink(1.f, 0.3f, 0.6f), kWhite(0.95f, 0.95f, 0.95f), kGrey(0.22f, 0.22f, 0.22f);
-constexpr std::array kPalette = {kRed, kSky, kYellow, kViolet, kLime, kPink, kBlue, kOrange, kTeal, kWhite, kGreen, kGrey};
+constexpr std::array kPalette = {kRed,  kSky,    kYellow, kViolet, kLime,  kPink,
+                                 kBlue, kOrange, kTeal,   kWhite,  kGreen, kGrey};
 
 class ExactScene {
 public:
@@ -137,6 +139,8 @@ private:
 
 } // namespace
 
-Scene makeExact() { return ExactScene().make(); }
+Scene makeExact() {
+    return ExactScene().make();
+}
 
 } // namespace glint::scene::builtin

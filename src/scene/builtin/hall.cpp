@@ -21,9 +21,9 @@ namespace glint::scene::builtin {
 namespace {
 
 // The plan, in metres. x: across, -z: along the nave.
-constexpr float kBay = 4;               ///< from column to column
+constexpr float kBay = 4; ///< from column to column
 constexpr int kBays = 6;
-constexpr float kFrontZ = 8;            ///< the first column pair, behind the default camera
+constexpr float kFrontZ = 8;                         ///< the first column pair, behind the default camera
 constexpr float kBackZ = kFrontZ - kBays * kBay + 1; ///< inner face of the wall with the sign
 constexpr float kEntranceZ = kFrontZ + 3;
 constexpr float kColumnX = 3.3f;
@@ -65,8 +65,10 @@ private:
 
     void materials() {
         StoneFloor tiles;
-        tiles.dark = {glm::vec3(0.008f, 0.009f, 0.011f), glm::vec3(0.022f, 0.024f, 0.028f), glm::vec3(0.32f, 0.31f, 0.29f)};
-        tiles.light = {glm::vec3(0.030f, 0.026f, 0.023f), glm::vec3(0.07f, 0.058f, 0.048f), glm::vec3(0.42f, 0.36f, 0.28f)};
+        tiles.dark = {glm::vec3(0.008f, 0.009f, 0.011f), glm::vec3(0.022f, 0.024f, 0.028f),
+                      glm::vec3(0.32f, 0.31f, 0.29f)};
+        tiles.light = {glm::vec3(0.030f, 0.026f, 0.023f), glm::vec3(0.07f, 0.058f, 0.048f),
+                       glm::vec3(0.42f, 0.36f, 0.28f)};
         SurfaceImages images = stoneFloor("floor", tiles);
         Material floor = dielectric("polished stone", glm::vec3(1), 1);
         const glm::vec2 perMetre(0.25f); // four tiles of one metre
@@ -76,14 +78,16 @@ private:
 
         Material marbleColumn = dielectric("column stone", glm::vec3(1), 0.42f);
         marbleColumn.baseColorTexture = b_.texture(
-            marble("column marble", 512, {glm::vec3(0.42f, 0.38f, 0.33f), glm::vec3(0.6f, 0.55f, 0.48f), glm::vec3(0.3f, 0.25f, 0.2f)}, 5),
+            marble("column marble", 512,
+                   {glm::vec3(0.42f, 0.38f, 0.33f), glm::vec3(0.6f, 0.55f, 0.48f), glm::vec3(0.3f, 0.25f, 0.2f)}, 5),
             glm::vec2(1, 0.5f));
         column_ = b_.material(marbleColumn);
 
         constexpr int kBlockSize = 512;
         const auto heights = blockHeights(kBlockSize, 2, 4, 21);
         Material wall = dielectric("dressed stone", glm::vec3(1), 0.7f);
-        wall.baseColorTexture = b_.texture(blockColors("blocks", heights, kBlockSize, glm::vec3(0.2f, 0.18f, 0.165f), 21), glm::vec2(0.4f));
+        wall.baseColorTexture =
+            b_.texture(blockColors("blocks", heights, kBlockSize, glm::vec3(0.2f, 0.18f, 0.165f), 21), glm::vec2(0.4f));
         wall.normalTexture = b_.texture(normalMap("block normals", heights, kBlockSize, 0.006f), glm::vec2(0.4f));
         wall_ = b_.material(wall);
 
@@ -164,15 +168,17 @@ private:
             float roughness;
         };
         // F0 of the metals as commonly tabulated (Akenine-Moeller et al. 2018, "Real-Time Rendering", table 9.2).
-        constexpr std::array kinds = {Kind{"chrome", {0.55f, 0.556f, 0.554f}, 0.f},  Kind{"gold", {1.022f, 0.782f, 0.344f}, 0.1f},
-                                      Kind{"copper", {0.955f, 0.638f, 0.538f}, 0.2f}, Kind{"steel", {0.562f, 0.565f, 0.578f}, 0.35f},
-                                      Kind{"gold", {1.022f, 0.782f, 0.344f}, 0.6f},   Kind{"chrome", {0.55f, 0.556f, 0.554f}, 1.f}};
+        constexpr std::array kinds = {
+            Kind{"chrome", {0.55f, 0.556f, 0.554f}, 0.f},   Kind{"gold", {1.022f, 0.782f, 0.344f}, 0.1f},
+            Kind{"copper", {0.955f, 0.638f, 0.538f}, 0.2f}, Kind{"steel", {0.562f, 0.565f, 0.578f}, 0.35f},
+            Kind{"gold", {1.022f, 0.782f, 0.344f}, 0.6f},   Kind{"chrome", {0.55f, 0.556f, 0.554f}, 1.f}};
         constexpr float radius = 0.42f, plinth = 0.3f;
         const int foot = b_.mesh("plinth", roundedBox({0.4f, plinth / 2, 0.4f}, 0.015f), black_);
         for (size_t i = 0; i < kinds.size(); ++i) {
             const glm::vec3 base(-1.75f, 0, 3.6f - 1.7f * static_cast<float>(i));
             b_.place(foot, {base + glm::vec3(0, plinth / 2, 0)});
-            b_.add(kinds[i].name, sphere(radius, 64, 32), b_.material(metal(kinds[i].name, glm::min(kinds[i].f0, 1.f), kinds[i].roughness)),
+            b_.add(kinds[i].name, sphere(radius, 64, 32),
+                   b_.material(metal(kinds[i].name, glm::min(kinds[i].f0, 1.f), kinds[i].roughness)),
                    {base + glm::vec3(0, plinth + radius, 0)});
         }
     }
@@ -195,7 +201,8 @@ private:
         glass.attenuationDistance = 0.8f;
         const int glassMaterial = b_.material(glass);
         b_.add("glass sphere", sphere(0.32f, 64, 32), glassMaterial, {{0.55f, 0.32f, 3.4f}});
-        b_.add("glass block", roundedBox({0.16f, 0.4f, 0.16f}, 0.015f), glassMaterial, {{1.15f, 0.4f, 2.9f}, turnedY(35)});
+        b_.add("glass block", roundedBox({0.16f, 0.4f, 0.16f}, 0.015f), glassMaterial,
+               {{1.15f, 0.4f, 2.9f}, turnedY(35)});
     }
 
     void wallMirror() {
@@ -211,7 +218,8 @@ private:
         for (int i = 1; i < kBays - 1; ++i) {
             const float z = kFrontZ - kBay * static_cast<float>(i);
             for (const float s : {-1.f, 1.f})
-                spot("uplight", kWarmWhite, 26, {s * (kColumnX - 0.75f), 0.1f, z}, {s * (kColumnX + 0.35f), 3.6f, z}, 20, 50);
+                spot("uplight", kWarmWhite, 26, {s * (kColumnX - 0.75f), 0.1f, z}, {s * (kColumnX + 0.35f), 3.6f, z},
+                     20, 50);
         }
         spot("metals spot", kWarmWhite, 60, {0.2f, 5.6f, 2.5f}, {-1.75f, 0.5f, 1.2f}, 12, 34);
         spot("pieces spot", kWarmWhite, 45, {0.3f, 5.6f, 3.5f}, {1.7f, 0.8f, 0.8f}, 10, 30);
@@ -238,8 +246,8 @@ private:
     }
 
     /// Cone angles in degrees from the axis.
-    void spot(const char* name, const glm::vec3& color, float candela, const glm::vec3& from, const glm::vec3& to, float inner,
-              float outer) {
+    void spot(const char* name, const glm::vec3& color, float candela, const glm::vec3& from, const glm::vec3& to,
+              float inner, float outer) {
         Light light;
         light.name = name;
         light.type = LightType::Spot;
@@ -256,6 +264,8 @@ private:
 
 } // namespace
 
-Scene makeHall() { return Hall().make(); }
+Scene makeHall() {
+    return Hall().make();
+}
 
 } // namespace glint::scene::builtin

@@ -106,7 +106,8 @@ void computeTangents(Geometry& geometry) {
         const glm::vec3& normal = geometry.normals[i];
         const glm::vec3 projected = alongU[i] - normal * glm::dot(normal, alongU[i]);
         const float length = glm::length(projected);
-        const glm::vec3 tangent = length > 1e-6f * glm::length(alongU[i]) && length > 0 ? projected / length : anyTangent(normal);
+        const glm::vec3 tangent =
+            length > 1e-6f * glm::length(alongU[i]) && length > 0 ? projected / length : anyTangent(normal);
         // In glTF the picture's rows run down, but a normal map's green points up: the bitangent is against v.
         const float w = glm::dot(glm::cross(normal, tangent), alongV[i]) > 0 ? -1.f : 1.f;
         geometry.tangents[i] = glm::vec4(tangent, w);

@@ -11,9 +11,9 @@ namespace glint::scene::builtin {
 
 /// A point of a surface, as a shape's formula gives it.
 struct SurfacePoint {
-    glm::vec3 position = glm::vec3(0);      ///< metres
-    glm::vec3 normal = glm::vec3(0, 0, 1);  ///< unit, outward
-    glm::vec2 uv = glm::vec2(0);            ///< v grows downward in the picture, as in glTF
+    glm::vec3 position = glm::vec3(0);     ///< metres
+    glm::vec3 normal = glm::vec3(0, 0, 1); ///< unit, outward
+    glm::vec2 uv = glm::vec2(0);           ///< v grows downward in the picture, as in glTF
 };
 
 /// Joins (columns + 1) x (rows + 1) points into triangles. The side on which columns run to the right and rows run up

@@ -25,7 +25,9 @@ constexpr std::array kBoxes = {
 
 } // namespace
 
-std::span<const MirrorBox> mirrorBoxes() { return kBoxes; }
+std::span<const MirrorBox> mirrorBoxes() {
+    return kBoxes;
+}
 
 Scene builtin::makeMirror() {
     SceneBuilder b("builtin:mirror");

@@ -23,7 +23,9 @@ const std::array<glm::vec2, 64>& gradients() {
 }
 
 /// Like %, but never negative.
-int wrapped(int value, int period) { return ((value % period) + period) % period; }
+int wrapped(int value, int period) {
+    return ((value % period) + period) % period;
+}
 
 } // namespace
 

@@ -4,7 +4,9 @@
 
 namespace glint::scene::builtin {
 
-glm::quat turnedY(float degrees) { return glm::angleAxis(glm::radians(degrees), glm::vec3(0, 1, 0)); }
+glm::quat turnedY(float degrees) {
+    return glm::angleAxis(glm::radians(degrees), glm::vec3(0, 1, 0));
+}
 
 glm::quat facing(const glm::vec3& position, const glm::vec3& target) {
     const glm::vec3 direction = glm::normalize(target - position);
@@ -92,7 +94,9 @@ Material emission(std::string name, const glm::vec3& radiance) {
     return m;
 }
 
-Material perfectMirror(std::string name) { return metal(std::move(name), glm::vec3(1), 0); }
+Material perfectMirror(std::string name) {
+    return metal(std::move(name), glm::vec3(1), 0);
+}
 
 Material metal(std::string name, const glm::vec3& f0, float roughness) {
     Material m;

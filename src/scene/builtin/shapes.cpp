@@ -49,7 +49,9 @@ glm::vec3 spherePoint(int column, int columns, int row, int rows) {
     return {std::sin(around) * std::cos(up), std::sin(up), std::cos(around) * std::cos(up)};
 }
 
-float cross2(const glm::vec2& a, const glm::vec2& b) { return a.x * b.y - a.y * b.x; }
+float cross2(const glm::vec2& a, const glm::vec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
 
 bool insideTriangle(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) {
     return cross2(b - a, p - a) >= 0 && cross2(c - b, p - b) >= 0 && cross2(a - c, p - c) >= 0;
@@ -152,13 +154,16 @@ Geometry plane(const glm::vec2& halfExtent, int columns, int rows) {
     return out;
 }
 
-Geometry sphere(float radius, int columns, int rows) { return sphereSector(radius, columns, rows, 0, columns); }
+Geometry sphere(float radius, int columns, int rows) {
+    return sphereSector(radius, columns, rows, 0, columns);
+}
 
 Geometry sphereSector(float radius, int columns, int rows, int firstColumn, int endColumn) {
     Geometry out = lattice(endColumn - firstColumn, rows, [&](int column, int row) {
         const int c = firstColumn + column;
         const glm::vec3 normal = spherePoint(c, columns, row, rows);
-        return SurfacePoint{radius * normal, normal,
+        return SurfacePoint{radius * normal,
+                            normal,
                             {static_cast<float>(c) / static_cast<float>(columns),
                              1 - static_cast<float>(row) / static_cast<float>(rows)}};
     });
@@ -202,8 +207,8 @@ Geometry extrude(std::span<const glm::vec2> outline, float depth) {
                    const glm::vec2 p = outline[row == 0 ? i : (i + 1) % n];
                    // Columns run from the front to the back, rows along the outline: the front side looks outward.
                    const float z = column == 0 ? half : -half;
-                   return SurfacePoint{{p, z}, {row == 0 ? startNormal : endNormal, 0},
-                                       {-z, -(along + (row == 0 ? 0 : length))}};
+                   return SurfacePoint{
+                       {p, z}, {row == 0 ? startNormal : endNormal, 0}, {-z, -(along + (row == 0 ? 0 : length))}};
                }));
         along += length;
     }
@@ -224,7 +229,8 @@ std::vector<glm::vec2> archOutline(float width, float height, float openingRadiu
 std::vector<glm::vec2> starOutline(int points, float outerRadius, float innerRadius) {
     std::vector<glm::vec2> outline;
     for (int i = 0; i < 2 * points; ++i) {
-        const float angle = glm::half_pi<float>() + glm::pi<float>() * static_cast<float>(i) / static_cast<float>(points);
+        const float angle =
+            glm::half_pi<float>() + glm::pi<float>() * static_cast<float>(i) / static_cast<float>(points);
         outline.push_back((i % 2 == 0 ? outerRadius : innerRadius) * glm::vec2(std::cos(angle), std::sin(angle)));
     }
     return outline;
@@ -241,9 +247,11 @@ Geometry frame(const glm::vec2& innerHalfExtent, float border, float depth) {
         const auto face = [&](bool outerA, bool frontA, bool outerB, bool frontB) {
             const float length = glm::distance(from * innerHalfExtent, to * innerHalfExtent) / 2 + border;
             const float width = outerA != outerB ? border : depth;
-            appendQuad(out, {corner(from, outerA, frontA), corner(from, outerB, frontB), corner(to, outerB, frontB),
-                             corner(to, outerA, frontA)},
-                       {glm::vec2(0, length), glm::vec2(width, length), glm::vec2(width, -length), glm::vec2(0, -length)});
+            appendQuad(
+                out,
+                {corner(from, outerA, frontA), corner(from, outerB, frontB), corner(to, outerB, frontB),
+                 corner(to, outerA, frontA)},
+                {glm::vec2(0, length), glm::vec2(width, length), glm::vec2(width, -length), glm::vec2(0, -length)});
         };
         face(false, true, true, true);   // front
         face(true, true, true, false);   // outside

@@ -17,13 +17,18 @@ constexpr int kColumns = 9, kRows = 5;
 constexpr float kRadius = 0.22f, kSpacing = 0.56f; // metres
 constexpr float kStepHeight = 0.3f, kStepDepth = 0.62f;
 
-Geometry ball() { return sphere(kRadius, 48, 24); }
+Geometry ball() {
+    return sphere(kRadius, 48, 24);
+}
 
-float columnX(int column, int columns) { return kSpacing * (static_cast<float>(column) - static_cast<float>(columns - 1) / 2); }
+float columnX(int column, int columns) {
+    return kSpacing * (static_cast<float>(column) - static_cast<float>(columns - 1) / 2);
+}
 
 void addFloor(SceneBuilder& b) {
     Material floor = dielectric("floor", glm::vec3(1), 0.22f);
-    floor.baseColorTexture = b.texture(checker("floor tiles", 512, 4, glm::vec3(0.2f), glm::vec3(0.15f)), glm::vec2(0.5f));
+    floor.baseColorTexture =
+        b.texture(checker("floor tiles", 512, 4, glm::vec3(0.2f), glm::vec3(0.15f)), glm::vec2(0.5f));
     b.add("floor", plane({10, 10}), b.material(floor));
 }
 
@@ -35,7 +40,8 @@ void addChart(SceneBuilder& b) {
         b.add("step", roundedBox({2.75f, top / 2, kStepDepth / 2}, 0.012f), step, {{0, top / 2, z}});
         for (int column = 0; column < kColumns; ++column) {
             const float roughness = static_cast<float>(column) / (kColumns - 1);
-            Material m = dielectric(fmt::format("roughness {:.3f} metallic {:.2f}", roughness, row * 0.25), color, roughness);
+            Material m =
+                dielectric(fmt::format("roughness {:.3f} metallic {:.2f}", roughness, row * 0.25), color, roughness);
             m.metallicFactor = static_cast<float>(row) / (kRows - 1);
             const std::string name = m.name;
             b.add(name, ball(), b.material(std::move(m)), {{columnX(column, kColumns), top + kRadius, z}});
@@ -44,9 +50,9 @@ void addChart(SceneBuilder& b) {
 }
 
 void addDielectrics(SceneBuilder& b) {
-    constexpr std::array<glm::vec3, 7> colors = {glm::vec3(0.6f, 0.02f, 0.02f), {0.75f, 0.25f, 0.02f}, {0.7f, 0.6f, 0.05f},
-                                                 {0.04f, 0.35f, 0.06f},         {0.02f, 0.3f, 0.35f},  {0.02f, 0.05f, 0.45f},
-                                                 {0.3f, 0.03f, 0.35f}};
+    constexpr std::array<glm::vec3, 7> colors = {
+        glm::vec3(0.6f, 0.02f, 0.02f), {0.75f, 0.25f, 0.02f}, {0.7f, 0.6f, 0.05f}, {0.04f, 0.35f, 0.06f},
+        {0.02f, 0.3f, 0.35f},          {0.02f, 0.05f, 0.45f}, {0.3f, 0.03f, 0.35f}};
     for (int i = 0; i < 7; ++i) {
         const std::string name = fmt::format("lacquer {}", i);
         const int material = b.material(dielectric(name, colors[static_cast<size_t>(i)], 0.05f));

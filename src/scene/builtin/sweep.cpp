@@ -60,7 +60,8 @@ std::vector<Ring> capRings(const Ring& end, bool atStart, int segments) {
     std::vector<Ring> rings;
     for (int i = segments; i > 0; --i) {
         Ring ring = end;
-        ring.tilt = (atStart ? -1.f : 1.f) * glm::half_pi<float>() * static_cast<float>(i) / static_cast<float>(segments);
+        ring.tilt =
+            (atStart ? -1.f : 1.f) * glm::half_pi<float>() * static_cast<float>(i) / static_cast<float>(segments);
         ring.center += end.along * end.radius * std::sin(ring.tilt);
         ring.radius = i == segments ? 0 : end.radius * std::cos(ring.tilt);
         rings.push_back(ring);
@@ -99,8 +100,8 @@ std::vector<glm::vec3> roundedPolyline(std::span<const glm::vec3> corners, float
         const glm::vec3 toBefore = corners[i - 1] - corners[i], toAfter = corners[i + 1] - corners[i];
         const glm::vec3 a = glm::normalize(toBefore), b = glm::normalize(toAfter);
         const float halfAngle = 0.5f * std::acos(std::clamp(glm::dot(a, b), -1.f, 1.f));
-        const float leg = std::min(radius / std::tan(halfAngle),
-                                   0.45f * std::min(glm::length(toBefore), glm::length(toAfter)));
+        const float leg =
+            std::min(radius / std::tan(halfAngle), 0.45f * std::min(glm::length(toBefore), glm::length(toAfter)));
         const float fitted = leg * std::tan(halfAngle);
         const glm::vec3 inward = glm::normalize(a + b);
         const glm::vec3 center = corners[i] + inward * (fitted / std::sin(halfAngle));
@@ -121,7 +122,8 @@ Geometry torusKnot(int p, int q, float radius, float tubeRadius, int rows, int c
     for (int i = 0; i < rows; ++i) {
         const float t = glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(rows);
         const float wide = radius * (0.7f + 0.3f * std::cos(static_cast<float>(q) * t));
-        path.emplace_back(wide * std::sin(static_cast<float>(p) * t), 0.45f * radius * std::sin(static_cast<float>(q) * t),
+        path.emplace_back(wide * std::sin(static_cast<float>(p) * t),
+                          0.45f * radius * std::sin(static_cast<float>(q) * t),
                           wide * std::cos(static_cast<float>(p) * t));
     }
     return tube(path, tubeRadius, columns, true);

@@ -10,7 +10,9 @@ namespace glint::scene::builtin {
 
 namespace {
 
-uint8_t toByte(float value) { return static_cast<uint8_t>(std::clamp(value, 0.f, 1.f) * 255.f + 0.5f); }
+uint8_t toByte(float value) {
+    return static_cast<uint8_t>(std::clamp(value, 0.f, 1.f) * 255.f + 0.5f);
+}
 
 /// IEC 61966-2-1.
 float toSrgb(float linear) {
@@ -43,16 +45,16 @@ glm::vec3 stone(const glm::vec2& p, const StoneColors& colors, int period, uint3
     const float cloud = 0.5f + 0.5f * fractalNoise(q, period, seed + 31, 4, 0.6f);
     const float broad = 1 - std::abs(noise(q, period, seed + 47));
     const float fine = 1 - std::abs(noise(2.f * q + 0.5f, 2 * period, seed + 59));
-    const float vein = 0.8f * std::pow(broad, 28.f) * glm::smoothstep(0.35f, 0.65f, cloud) +
-                       0.35f * std::pow(fine, 40.f);
+    const float vein =
+        0.8f * std::pow(broad, 28.f) * glm::smoothstep(0.35f, 0.65f, cloud) + 0.35f * std::pow(fine, 40.f);
     return glm::mix(glm::mix(colors.ground, colors.cloud, cloud * cloud), colors.vein, std::min(vein, 1.f));
 }
 
 /// Where a point of a tiled picture lies.
 struct TilePoint {
-    uint32_t x, y;      ///< which tile
-    glm::vec2 inside;   ///< [0, 1) within it
-    float edge;         ///< distance to the nearest edge, of a tile
+    uint32_t x, y;    ///< which tile
+    glm::vec2 inside; ///< [0, 1) within it
+    float edge;       ///< distance to the nearest edge, of a tile
 };
 
 TilePoint tileAt(const glm::vec2& uv, int tiles) {
@@ -77,7 +79,8 @@ SurfaceImages stoneFloor(const std::string& name, const StoneFloor& floor) {
         const TilePoint tile = tileAt(uv, floor.tiles);
         const StoneColors& colors = (tile.x + tile.y) % 2 == 0 ? floor.dark : floor.light;
         const glm::vec2 cutFrom(100 * hashUnit(tile.x, tile.y, 1), 100 * hashUnit(tile.x, tile.y, 2));
-        const glm::vec2 turned = hashUnit(tile.x, tile.y, 3) < 0.5f ? tile.inside : glm::vec2(tile.inside.y, -tile.inside.x);
+        const glm::vec2 turned =
+            hashUnit(tile.x, tile.y, 3) < 0.5f ? tile.inside : glm::vec2(tile.inside.y, -tile.inside.x);
         const float tone = 0.8f + 0.4f * hashUnit(tile.x, tile.y, 4);
         return tone * stone(cutFrom + 1.6f * turned, colors, kNoPeriod, kSeed) * (1 - 0.7f * jointAt(tile));
     });

@@ -22,12 +22,12 @@ struct StoneColors {
 };
 
 struct StoneFloor {
-    int size = 1024;             ///< pixels a side
-    int tiles = 4;               ///< along each side of the picture
-    StoneColors dark, light;     ///< tiles alternate
-    float jointWidth = 0.006f;   ///< of a tile
-    float roughness = 0.08f;     ///< perceptual, where the polish is clean
-    float smudge = 0.08f;        ///< how much rougher it gets where it is worn
+    int size = 1024;           ///< pixels a side
+    int tiles = 4;             ///< along each side of the picture
+    StoneColors dark, light;   ///< tiles alternate
+    float jointWidth = 0.006f; ///< of a tile
+    float roughness = 0.08f;   ///< perceptual, where the polish is clean
+    float smudge = 0.08f;      ///< how much rougher it gets where it is worn
 };
 
 /// Polished stone tiles: each cut from its own place of the block, so veins break at the joints; the polish is a little

@@ -82,9 +82,10 @@ struct Shaft {
         const float above = std::min(t + kStep, 1.f), below = std::max(t - kStep, 0.f);
         const float slopeUp = (radius(angle, above) - radius(angle, below)) / ((above - below) * height);
         const glm::vec2 d = around(column, columns);
-        const glm::vec3 normal = glm::normalize(
-            glm::vec3(d.x, 0, d.y) - slopeAround * glm::vec3(d.y, 0, -d.x) - slopeUp * glm::vec3(0, 1, 0));
-        return {{r * d.x, bottom + t * height, r * d.y}, normal,
+        const glm::vec3 normal = glm::normalize(glm::vec3(d.x, 0, d.y) - slopeAround * glm::vec3(d.y, 0, -d.x) -
+                                                slopeUp * glm::vec3(0, 1, 0));
+        return {{r * d.x, bottom + t * height, r * d.y},
+                normal,
                 {static_cast<float>(column) / static_cast<float>(columns), -t * height}};
     }
 };
@@ -126,9 +127,10 @@ Geometry lathe(std::span<const glm::vec2> profile, int columns) {
         const float length = glm::distance(ends[0], ends[1]);
         append(out, lattice(columns, 1, [&](int column, int row) {
                    const glm::vec2 d = around(column, columns), p = ends[row], n = normals[row];
-                   return SurfacePoint{{p.x * d.x, p.y, p.x * d.y}, {n.x * d.x, n.y, n.x * d.y},
-                                       {static_cast<float>(column) / static_cast<float>(columns),
-                                        -(along + (row == 0 ? 0 : length))}};
+                   return SurfacePoint{
+                       {p.x * d.x, p.y, p.x * d.y},
+                       {n.x * d.x, n.y, n.x * d.y},
+                       {static_cast<float>(column) / static_cast<float>(columns), -(along + (row == 0 ? 0 : length))}};
                }));
         along += length;
     }
@@ -152,8 +154,10 @@ Geometry flutedColumn(const ColumnShape& shape) {
     computeTangents(out);
     append(out, columnBase(shape.radius, plinth - overlap, base + overlap));
     append(out, columnCapital(shape.radius * kHeadRadius, top, capital + overlap, abacusHalf * 0.97f));
-    append(out, translated(roundedBox({shape.radius * 1.5f, plinth / 2, shape.radius * 1.5f}, 0.012f), {0, plinth / 2, 0}));
-    append(out, translated(roundedBox({abacusHalf, abacus / 2, abacusHalf}, 0.012f), {0, shape.height - abacus / 2, 0}));
+    append(out,
+           translated(roundedBox({shape.radius * 1.5f, plinth / 2, shape.radius * 1.5f}, 0.012f), {0, plinth / 2, 0}));
+    append(out,
+           translated(roundedBox({abacusHalf, abacus / 2, abacusHalf}, 0.012f), {0, shape.height - abacus / 2, 0}));
     return out;
 }
 

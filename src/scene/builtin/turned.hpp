@@ -16,10 +16,10 @@ Geometry lathe(std::span<const glm::vec2> profile, int columns = 48);
 Geometry cylinder(float radius, float height, int columns = 48);
 
 struct ColumnShape {
-    float height = 4;         ///< metres, with base and capital
-    float radius = 0.36f;     ///< metres, of the shaft at its foot
+    float height = 4;     ///< metres, with base and capital
+    float radius = 0.36f; ///< metres, of the shaft at its foot
     int flutes = 20;
-    float fluteDepth = 0.1f;  ///< of the radius
+    float fluteDepth = 0.1f; ///< of the radius
     int columnsPerFlute = 4;
     int rows = 16;
 };

@@ -1,0 +1,40 @@
+// Accessors: typed arrays over buffer views, in any of glTF's component types, strided, normalized, sparse or absent.
+// Based on: glTF 2.0 specification, section 3.6.2, "Accessors".
+#pragma once
+
+#include "scene/gltf/document.hpp"
+
+#include <span>
+#include <vector>
+
+namespace glint::scene::gltf {
+
+/// Checks the header of every accessor and that its bytes lie inside its view.
+void readAccessors(Document& document);
+
+uint32_t componentBytes(ComponentType type);
+/// Bytes of one tightly packed element; columns of matrices begin at multiples of four bytes.
+uint32_t elementBytes(ComponentType type, const ElementShape& shape);
+std::string shapeName(const ElementShape& shape);
+
+/// All components as floats, element after element; normalized integers become [0, 1] or [-1, 1].
+/// Empty after a mistake; otherwise count * components long.
+std::vector<float> readFloats(Document& document, const Accessor& accessor);
+/// The same for data from elsewhere (Draco): tightly packed elements in the accessor's component type.
+std::vector<float> readFloats(Document& document, const Accessor& accessor, std::span<const uint8_t> packed);
+
+/// Components as unsigned integers: indices and joints. Other component types are a mistake.
+std::vector<uint32_t> readIntegers(Document& document, const Accessor& accessor);
+std::vector<uint32_t> readIntegers(Document& document, const Accessor& accessor, std::span<const uint8_t> packed);
+
+/// The accessor at `key`, which must have one of `shapes`; null if absent or after a mistake.
+const Accessor* findAccessor(Document& document, const JsonObject& object, const char* key,
+                             std::initializer_list<ElementShape> shapes);
+
+inline constexpr ElementShape kScalar{1, 1};
+inline constexpr ElementShape kVec2{2, 1};
+inline constexpr ElementShape kVec3{3, 1};
+inline constexpr ElementShape kVec4{4, 1};
+inline constexpr ElementShape kMat4{4, 4};
+
+} // namespace glint::scene::gltf

@@ -1,0 +1,12 @@
+// Keyframe animations of nodes and morph weights.
+#pragma once
+
+#include "scene/gltf/document.hpp"
+
+namespace glint::scene::gltf {
+
+/// Needs Scene::nodes and Scene::meshes. Channels without a node, or for properties that Glint does not know, are left
+/// out; a channel's values always fit its times and its property.
+void readAnimations(Document& document, Scene& scene);
+
+} // namespace glint::scene::gltf

@@ -1,0 +1,17 @@
+// Rearranging all the arrays of a primitive together.
+#pragma once
+
+#include "scene/scene.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace glint::scene::gltf {
+
+/// Bytes that one vertex of this primitive takes, all arrays together.
+uint64_t bytesPerVertex(const Primitive& primitive);
+
+/// New vertex i becomes a copy of old vertex `sources[i]`, in every array. The caller sets new indices.
+void gatherVertices(Primitive& primitive, std::span<const uint32_t> sources);
+
+} // namespace glint::scene::gltf

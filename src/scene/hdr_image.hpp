@@ -1,0 +1,25 @@
+// A picture of radiance: what an environment file holds.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace glint::scene {
+
+struct HdrImage {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<glm::vec3> rgb; ///< linear, finite, [0, 65504]; width * height, rows from the top
+};
+
+/// The largest finite half: what the GPU's images hold. Suns in files go beyond it, or to infinity.
+constexpr float kMaxRadiance = 65504;
+
+/// Makes a value from a file fit for HdrImage: NaN and negative numbers become 0.
+inline float asRadiance(float value) {
+    return value > 0 ? glm::min(value, kMaxRadiance) : 0.0f;
+}
+
+} // namespace glint::scene

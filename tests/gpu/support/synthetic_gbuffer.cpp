@@ -1,0 +1,124 @@
+#include "gpu/support/synthetic_gbuffer.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace glint::test {
+namespace {
+
+glm::vec2 encodeOctahedral(const glm::dvec3& n) {
+    const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    glm::dvec2 p(n.x / sum, n.y / sum);
+    if (n.z < 0)
+        p = glm::dvec2((1 - std::abs(p.y)) * (p.x >= 0 ? 1 : -1), (1 - std::abs(p.x)) * (p.y >= 0 ? 1 : -1));
+    return glm::vec2(p);
+}
+
+template <class T>
+std::span<const std::byte> bytes(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+Matrix4 toMatrix4(const glm::dmat4& m) {
+    const glm::mat4 single(m);
+    Matrix4 out;
+    std::copy_n(glm::value_ptr(single), 16, out.begin());
+    return out;
+}
+
+} // namespace
+
+glm::dmat4 SyntheticCamera::worldToView() const {
+    return glm::lookAt(position, target, glm::dvec3(0, 1, 0));
+}
+
+glm::dmat4 SyntheticCamera::viewToClip(uint32_t width, uint32_t height) const {
+    const double f = 1 / std::tan(fovY / 2);
+    glm::dmat4 m(0);
+    m[0].x = f * height / width;
+    m[1].y = f;
+    m[2].w = -1;
+    m[3].z = near;
+    return m;
+}
+
+View SyntheticCamera::view(uint32_t width, uint32_t height) const {
+    View view;
+    view.worldToView = toMatrix4(worldToView());
+    view.viewToClip = toMatrix4(viewToClip(width, height));
+    return view;
+}
+
+glm::dvec3 SyntheticCamera::rayThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const {
+    const double tangent = std::tan(fovY / 2);
+    const double ndcX = 2 * (x + 0.5) / width - 1;
+    const double ndcY = 1 - 2 * (y + 0.5) / height;
+    const glm::dvec3 directionVS(ndcX * tangent * width / height, ndcY * tangent, -1);
+    return glm::normalize(glm::dmat3(glm::inverse(worldToView())) * directionVS);
+}
+
+glm::dvec2 SyntheticCamera::project(const glm::dvec3& positionWS, uint32_t width, uint32_t height) const {
+    const glm::dvec4 clip = viewToClip(width, height) * worldToView() * glm::dvec4(positionWS, 1);
+    return {(clip.x / clip.w * 0.5 + 0.5) * width, (0.5 - clip.y / clip.w * 0.5) * height};
+}
+
+gpu::Image uploadTestImage(gpu::Context& context, const char* name, VkFormat format, uint32_t width, uint32_t height,
+                           std::span<const std::byte> content) {
+    gpu::Image image = must(gpu::Image::create(
+        context, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
+                  VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    must(gpu::uploadImage(context, image, content));
+    return image;
+}
+
+HostImage asHostImage(const gpu::Image& image) {
+    return {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+}
+
+std::vector<float> download(gpu::Context& context, const HostImage& image) {
+    gpu::ResourceState state;
+    state.layout = image.layout;
+    gpu::Image borrowed = gpu::Image::borrow(
+        image.image, image.view, {"download", image.format, image.width, image.height, 1, 1, gpu::ImageShape::Flat, 0},
+        state);
+    std::vector<float> values = must(gpu::downloadImageAsFloats(context, borrowed));
+    // Hand it back as it was.
+    must(context.submitAndWait([&](VkCommandBuffer commands) {
+        gpu::Frame frame(context, commands);
+        frame.hand(borrowed, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, image.layout});
+    }));
+    return values;
+}
+
+SyntheticGBuffer SyntheticGBuffer::render(gpu::Context& context, const SyntheticScene& scene,
+                                          const SyntheticCamera& camera, uint32_t width, uint32_t height) {
+    std::vector<float> depth;
+    std::vector<glm::vec2> normal;
+    std::vector<glm::vec4> material;
+    std::vector<glm::vec4> lit;
+    const glm::dmat4 worldToView = camera.worldToView();
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const glm::dvec3 direction = camera.rayThrough(x, y, width, height);
+            const std::optional<SyntheticSurface> hit = scene(camera.position, direction);
+            const SyntheticSurface surface = hit.value_or(SyntheticSurface{});
+            const double viewZ = -(glm::dmat3(worldToView) * direction).z * surface.distance;
+            depth.push_back(hit ? static_cast<float>(camera.near / viewZ) : 0.0f);
+            normal.push_back(encodeOctahedral(surface.normalWS));
+            material.emplace_back(surface.f0, surface.perceptualRoughness);
+            lit.emplace_back(surface.radiance, 1.0f);
+        }
+    SyntheticGBuffer out;
+    out.depth = uploadTestImage(context, "test/depth", VK_FORMAT_R32_SFLOAT, width, height, bytes(depth));
+    out.normal = uploadTestImage(context, "test/normal", VK_FORMAT_R32G32_SFLOAT, width, height, bytes(normal));
+    out.material =
+        uploadTestImage(context, "test/material", VK_FORMAT_R32G32B32A32_SFLOAT, width, height, bytes(material));
+    out.litRadiance = uploadTestImage(context, "test/lit", VK_FORMAT_R32G32B32A32_SFLOAT, width, height, bytes(lit));
+    out.gbuffer.depth = asHostImage(out.depth);
+    out.gbuffer.normal = asHostImage(out.normal);
+    out.gbuffer.material = asHostImage(out.material);
+    out.gbuffer.litRadiance = asHostImage(out.litRadiance);
+    return out;
+}
+
+} // namespace glint::test

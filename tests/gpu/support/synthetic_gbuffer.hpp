@@ -1,0 +1,63 @@
+// A G-buffer without a renderer: surfaces given as a function of the pixel's ray, so that every answer is known.
+#pragma once
+
+#include "glint/glint.hpp"
+#include "gpu/support/gpu_test.hpp"
+
+#include <glm/glm.hpp>
+
+#include <functional>
+#include <optional>
+
+namespace glint::test {
+
+/// What a camera ray meets.
+struct SyntheticSurface {
+    double distance = 0; ///< metres along the ray
+    glm::dvec3 normalWS = {0, 1, 0};
+    glm::vec3 f0 = glm::vec3(0);
+    float perceptualRoughness = 0;
+    glm::vec3 radiance = glm::vec3(0);
+};
+
+/// `originWS`, `directionWS` (unit) -> surface, or nothing for the background.
+using SyntheticScene = std::function<std::optional<SyntheticSurface>(const glm::dvec3&, const glm::dvec3&)>;
+
+struct SyntheticCamera {
+    glm::dvec3 position = {0, 1, 3};
+    glm::dvec3 target = {0, 0.5, 0};
+    double fovY = 0.8; ///< radians
+    double near = 0.05;
+
+    glm::dmat4 worldToView() const;
+    glm::dmat4 viewToClip(uint32_t width, uint32_t height) const; ///< reversed, infinite
+    View view(uint32_t width, uint32_t height) const;
+    /// Unit direction through the centre of a pixel.
+    glm::dvec3 rayThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const;
+    /// Pixel position of a world point (fractional; centres are at .5).
+    glm::dvec2 project(const glm::dvec3& positionWS, uint32_t width, uint32_t height) const;
+};
+
+/// The images on the GPU, with Glint's default conventions.
+struct SyntheticGBuffer {
+    gpu::Image depth;
+    gpu::Image normal;
+    gpu::Image material;
+    gpu::Image litRadiance;
+    GBuffer gbuffer;
+
+    static SyntheticGBuffer render(gpu::Context& context, const SyntheticScene& scene, const SyntheticCamera& camera,
+                                   uint32_t width, uint32_t height);
+};
+
+/// An image with this content, sampled and ready.
+gpu::Image uploadTestImage(gpu::Context& context, const char* name, VkFormat format, uint32_t width, uint32_t height,
+                           std::span<const std::byte> content);
+
+/// As a host hands it over.
+HostImage asHostImage(const gpu::Image& image);
+
+/// An image of Glint's as floats, RGBA.
+std::vector<float> download(gpu::Context& context, const HostImage& image);
+
+} // namespace glint::test
