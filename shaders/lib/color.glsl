@@ -1,0 +1,17 @@
+// Colour inside is linear with Rec. 709 primaries; the sRGB curve is applied at the display only.
+#ifndef GLINT_LIB_COLOR_GLSL
+#define GLINT_LIB_COLOR_GLSL
+
+/// ITU-R BT.709: relative luminance of linear RGB.
+float luminance(vec3 rgb) {
+    return dot(rgb, vec3(0.2126, 0.7152, 0.0722));
+}
+
+/// IEC 61966-2-1: linear [0, 1] -> sRGB [0, 1].
+vec3 encodeSrgb(vec3 linear) {
+    const vec3 low = linear * 12.92;
+    const vec3 high = 1.055 * pow(max(linear, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055;
+    return mix(high, low, lessThanEqual(linear, vec3(0.0031308)));
+}
+
+#endif

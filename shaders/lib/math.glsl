@@ -1,0 +1,39 @@
+// Small numbers and small functions that every shader needs.
+#ifndef GLINT_LIB_MATH_GLSL
+#define GLINT_LIB_MATH_GLSL
+
+const float kPi = 3.14159265358979;
+
+float saturate(float x) {
+    return clamp(x, 0.0, 1.0);
+}
+
+float square(float x) {
+    return x * x;
+}
+
+float pow5(float x) {
+    const float x2 = x * x;
+    return x2 * x2 * x;
+}
+
+float maxComponent(vec3 v) {
+    return max(v.x, max(v.y, v.z));
+}
+
+/// normalize() that gives `fallback` for a vector without length.
+vec3 normalizeOr(vec3 v, vec3 fallback) {
+    const float length2 = dot(v, v);
+    return length2 > 1e-20 ? v * inversesqrt(length2) : fallback;
+}
+
+/// Two unit vectors that make a right-handed frame (x, y, n) with the unit vector `n`.
+/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1), listing 3.
+mat3 orthonormalBasis(vec3 n) {
+    const float s = n.z >= 0.0 ? 1.0 : -1.0;
+    const float a = -1.0 / (s + n.z);
+    const float b = n.x * n.y * a;
+    return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+#endif

@@ -1,0 +1,37 @@
+// Points in the unit square, and directions made from them.
+#ifndef GLINT_LIB_SAMPLING_GLSL
+#define GLINT_LIB_SAMPLING_GLSL
+
+#include "lib/math.glsl"
+
+/// Hammersley's point set: point `i` of `count`, in [0, 1)^2. Dammertz 2012, "Hammersley Points on the Hemisphere".
+vec2 hammersley(uint i, uint count) {
+    return vec2(float(i) / float(count), float(bitfieldReverse(i)) * 2.3283064365386963e-10);
+}
+
+/// A microfacet normal with density D(wm) cos(wm), around +Z. Walter et al. 2007, eqs. 35 and 36.
+vec3 sampleGGX(vec2 u, float alpha) {
+    const float cosTheta2 = (1.0 - u.x) / (1.0 + (alpha * alpha - 1.0) * u.x);
+    const float sinTheta = sqrt(max(1.0 - cosTheta2, 0.0));
+    const float phi = 2.0 * kPi * u.y;
+    return vec3(sinTheta * cos(phi), sinTheta * sin(phi), sqrt(cosTheta2));
+}
+
+/// A microfacet normal among those that `wo` sees (unit, wo.z > 0), with density
+/// D_wo(wm) = G1(wo) max(dot(wo, wm), 0) D(wm) / wo.z. Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
+/// JCGT 7(4).
+vec3 sampleGGXVisible(vec3 wo, vec2 u, float alpha) {
+    const vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
+    const float length2 = dot(stretched.xy, stretched.xy);
+    const vec3 t1 = length2 > 0.0 ? vec3(-stretched.y, stretched.x, 0.0) * inversesqrt(length2) : vec3(1.0, 0.0, 0.0);
+    const vec3 t2 = cross(stretched, t1);
+    const float r = sqrt(u.x);
+    const float phi = 2.0 * kPi * u.y;
+    const float p1 = r * cos(phi);
+    const float s = 0.5 * (1.0 + stretched.z);
+    const float p2 = mix(sqrt(max(1.0 - p1 * p1, 0.0)), r * sin(phi), s);
+    const vec3 hemisphere = p1 * t1 + p2 * t2 + sqrt(max(1.0 - p1 * p1 - p2 * p2, 0.0)) * stretched;
+    return normalize(vec3(alpha * hemisphere.xy, max(hemisphere.z, 1e-6)));
+}
+
+#endif
