@@ -61,7 +61,12 @@ private:
         constexpr std::array heights = {1.1f, 2.0f, 1.5f, 2.4f, 1.0f, 1.8f, 2.6f, 1.3f, 2.1f, 0.9f, 1.7f, 2.3f, 1.2f};
         for (size_t i = 0; i < heights.size(); ++i) {
             const float x = 0.72f * (static_cast<float>(i) - 6);
-            stand("tower", {0.36f, heights[i] / 2, 0.15f}, color(i * 5 + 1), {x, 0, -5.5f});
+            // Storeys of different colours: a reflection that lands too high or too low is a wrong colour.
+            const float storey = heights[i] / 4;
+            stand("tower", {0.36f, storey / 2, 0.15f}, color(i * 5 + 1), {x, 0, -5.5f});
+            for (size_t k = 1; k < 4; ++k)
+                b_.add("tower", box({0.36f, storey / 2, 0.15f}), color(i * 5 + 1 + 3 * k),
+                       {{x, storey * (static_cast<float>(k) + 0.5f), -5.5f}});
         }
     }
 
