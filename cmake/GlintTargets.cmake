@@ -18,7 +18,7 @@ function(glint_sources target)
         list(APPEND patterns ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
     endforeach()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
-    list(FILTER sources EXCLUDE REGEX "/embed/") # build tools have a folder of their own
+    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/.*/embed/") # build tools have a folder of their own
     target_sources(${target} PRIVATE ${sources})
 endfunction()
 
