@@ -151,6 +151,12 @@ Pass& Pass::table(VkDescriptorSet set) {
     return *this;
 }
 
+Pass& Pass::indices(Buffer& buffer) {
+    frame_.use(buffer, {VK_PIPELINE_STAGE_2_INDEX_INPUT_BIT, VK_ACCESS_2_INDEX_READ_BIT});
+    indices_ = buffer.handle();
+    return *this;
+}
+
 Pass& Pass::pushBytes(const void* data, size_t size) {
     if (size != pipeline_.pushSize())
         frame_.fail(
@@ -258,6 +264,8 @@ Draws Pass::beginDraws() {
     info.pColorAttachments = colors.data();
     info.pDepthAttachment = depth_.image ? &depth_.info : nullptr;
     frame_.context_.api().CmdBeginRendering(frame_.commands_, &info);
+    if (indices_)
+        frame_.context_.api().CmdBindIndexBuffer(frame_.commands_, indices_, 0, VK_INDEX_TYPE_UINT32);
     draws.viewport(0, 0, sizing.width(), sizing.height()).cull(VK_CULL_MODE_NONE);
     return draws;
 }
@@ -275,11 +283,6 @@ Draws& Draws::pushBytes(const void* data, size_t size) {
 Draws& Draws::cull(VkCullModeFlags mode, bool mirrored) {
     api_.CmdSetCullMode(commands_, mode);
     api_.CmdSetFrontFace(commands_, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-    return *this;
-}
-
-Draws& Draws::indexBuffer(const Buffer& buffer) {
-    api_.CmdBindIndexBuffer(commands_, buffer.handle(), 0, VK_INDEX_TYPE_UINT32);
     return *this;
 }
 

@@ -29,7 +29,6 @@ public:
     }
     /// Counter-clockwise is glTF's front; `mirrored` flips it for transforms with a negative determinant.
     Draws& cull(VkCullModeFlags mode, bool mirrored = false);
-    Draws& indexBuffer(const Buffer& buffer);
     Draws& viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height); ///< pixels; +Y of the clip space is up
     void draw(uint32_t vertexCount, uint32_t instanceCount = 1, uint32_t firstVertex = 0, uint32_t firstInstance = 0);
     void drawIndexed(uint32_t indexCount, uint32_t firstIndex = 0, int32_t vertexOffset = 0, uint32_t instanceCount = 1,
@@ -59,6 +58,8 @@ public:
 
     /// A texture table (gpu/texture_table.hpp) as set 1.
     Pass& table(VkDescriptorSet set);
+    /// 32-bit indices for Draws::drawIndexed, made with INDEX_BUFFER usage.
+    Pass& indices(Buffer& buffer);
 
     template <class T>
     Pass& push(const T& constants) {
@@ -110,6 +111,7 @@ private:
     std::array<std::byte, 128> pushed_;
     size_t pushedSize_ = 0;
     VkDescriptorSet table_ = VK_NULL_HANDLE;
+    VkBuffer indices_ = VK_NULL_HANDLE;
     std::array<Attachment, 8> colors_;
     uint32_t colorCount_ = 0;
     Attachment depth_;

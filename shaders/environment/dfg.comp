@@ -1,0 +1,18 @@
+// Makes the split-sum table once: x = NoV, y = perceptual roughness (lib/dfg.glsl).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/dfg.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 0, rg16f) uniform writeonly image2D dfg;
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 size = imageSize(dfg);
+    if (any(greaterThanEqual(px, size)))
+        return;
+    vec2 uv = (vec2(px) + 0.5) / vec2(size);
+    imageStore(dfg, px, vec4(integrateDfg(uv.x, uv.y), 0.0, 0.0));
+}

@@ -1,0 +1,117 @@
+// Light reflected to the eye by one point: punctual lights and the environment, glTF's model (glTF 2.0, appendix B)
+// with compensation for multiple scattering. The entry point says where lights, environment and tables come from, so
+// that rasterized and ray-traced surfaces are lit by the same code.
+#ifndef GLINT_LIB_LIGHTING_GLSL
+#define GLINT_LIB_LIGHTING_GLSL
+
+#include "lib/lights.glsl"
+#include "lib/material.glsl"
+
+// ---------------------------------------------------------------- defined by the entry point
+
+uint loadLightCount();
+Light loadLight(uint index);
+/// Share of the light that is not shadowed, [0, 1].
+float loadLightVisibility(Light light, vec3 positionWS, vec3 geometricNormalWS, vec3 L);
+/// Radiance from the environment around `directionWS`, filtered for the roughness.
+vec3 loadEnvironmentRadiance(vec3 directionWS, float perceptualRoughness);
+/// Irradiance from the environment / pi: the radiance of a white diffuse surface.
+vec3 loadEnvironmentDiffuse(vec3 normalWS);
+/// The split-sum table (lib/dfg.glsl).
+vec2 loadDfg(float NoV, float perceptualRoughness);
+
+// ---------------------------------------------------------------- results
+
+/// Outgoing radiance in parts. Their sum is the surface's picture.
+struct Lighting {
+    vec3 diffuse;             // of all lights
+    vec3 directSpecular;      // of punctual lights, clear coat included
+    vec3 environmentSpecular; // the base layer's: what reflections replace
+    vec3 coatSpecular;        // the clear coat's share of the environment
+    vec3 emission;
+    vec3 baseF0;              // f0 as reflections should weight it: below a coat, the coat has taken its share
+};
+
+const float kClearcoatF0 = 0.04; // KHR_materials_clearcoat: ior 1.5
+
+float clampedNoV(vec3 N, vec3 V) {
+    return clamp(dot(N, V), 1e-3, 1.0); // normal maps and interpolation may turn N away from the eye
+}
+
+/// What the coat reflects, and so takes from the layers below: KHR_materials_clearcoat, "Layering".
+float coatReflectance(MaterialSample m, vec3 V) {
+    return m.clearcoat * F_Schlick(vec3(kClearcoatF0), 1.0, clampedNoV(m.clearcoatNormalWS, V)).x;
+}
+
+/// One specular lobe under a punctual light, times NoL.
+vec3 specularLobe(vec3 N, vec3 V, vec3 L, vec3 f0, float f90, float perceptualRoughness) {
+    float NoL = saturate(dot(N, L));
+    if (NoL == 0.0)
+        return vec3(0.0);
+    float alpha = square(max(perceptualRoughness, kMinPerceptualRoughnessDirect));
+    vec3 H = normalizeOr(V + L, N);
+    float NoV = clampedNoV(N, V);
+    return D_GGX(saturate(dot(N, H)), alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) *
+           F_Schlick(f0, f90, saturate(dot(V, H))) * NoL;
+}
+
+void addPunctualLight(inout Lighting sum, MaterialSample m, SurfacePoint point, vec3 V, Light light, vec3 compensation,
+                      float coat) {
+    Incidence incidence = lightAt(light, point.positionWS);
+    vec3 L = incidence.L;
+    float NoL = saturate(dot(m.normalWS, L));
+    float coatNoL = m.clearcoat > 0.0 ? saturate(dot(m.clearcoatNormalWS, L)) : 0.0;
+    if (max(NoL, coatNoL) == 0.0 || maxComponent(incidence.irradiance) == 0.0)
+        return;
+    vec3 light_ = incidence.irradiance * loadLightVisibility(light, point.positionWS, m.geometricNormalWS, L);
+    float VoH = saturate(dot(V, normalizeOr(V + L, m.normalWS)));
+    float reflected = maxComponent(F_Schlick(m.dielectricF0, m.dielectricF90, VoH));
+    sum.diffuse += light_ * m.diffuseColor * ((1.0 - reflected) * Fd_Lambert() * NoL * (1.0 - coat));
+    sum.directSpecular += light_ * compensation * (1.0 - coat) *
+                          specularLobe(m.normalWS, V, L, m.f0, m.f90, m.perceptualRoughness);
+    if (coat > 0.0)
+        sum.directSpecular += light_ * coat * specularLobe(m.clearcoatNormalWS, V, L, vec3(1.0), 1.0,
+                                                           m.clearcoatPerceptualRoughness);
+}
+
+void addEnvironment(inout Lighting sum, MaterialSample m, vec3 V, vec2 dfg, float coat) {
+    float NoV = clampedNoV(m.normalWS, V);
+    float alpha = square(m.perceptualRoughness);
+    float reflected = maxComponent(specularResponse(m.dielectricF0, m.dielectricF90, dfg));
+    sum.diffuse += loadEnvironmentDiffuse(m.normalWS) * m.diffuseColor *
+                   ((1.0 - saturate(reflected)) * m.occlusion * (1.0 - coat));
+    vec3 response = specularResponse(m.f0, m.f90, dfg);
+    sum.environmentSpecular = loadEnvironmentRadiance(reflect(-V, m.normalWS), m.perceptualRoughness) * response *
+                              (specularOcclusion(NoV, m.occlusion, alpha) * (1.0 - coat));
+    if (coat > 0.0) {
+        float coatNoV = clampedNoV(m.clearcoatNormalWS, V);
+        float coatAlpha = square(m.clearcoatPerceptualRoughness);
+        sum.coatSpecular =
+            loadEnvironmentRadiance(reflect(-V, m.clearcoatNormalWS), m.clearcoatPerceptualRoughness) *
+            (coat * specularOcclusion(coatNoV, m.occlusion, coatAlpha));
+    }
+}
+
+/// `V`: unit, towards the eye.
+Lighting lightSurface(MaterialSample m, SurfacePoint point, vec3 V) {
+    Lighting sum;
+    float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
+    sum.diffuse = sum.directSpecular = sum.environmentSpecular = sum.coatSpecular = vec3(0.0);
+    sum.emission = m.emission * (1.0 - coat);
+    sum.baseF0 = m.f0 * (1.0 - coat);
+    if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 == 0.0)
+        return sum; // unlit or black: nothing to light
+    vec2 dfg = loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness);
+    vec3 compensation = energyCompensation(m.f0, dfg);
+    for (uint i = 0u; i < loadLightCount(); ++i)
+        addPunctualLight(sum, m, point, V, loadLight(i), compensation, coat);
+    addEnvironment(sum, m, V, dfg, coat);
+    return sum;
+}
+
+vec3 totalRadiance(Lighting lighting) {
+    return lighting.diffuse + lighting.directSpecular + lighting.environmentSpecular + lighting.coatSpecular +
+           lighting.emission;
+}
+
+#endif

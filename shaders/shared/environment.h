@@ -1,0 +1,17 @@
+// Push constants of the passes that prepare an environment for lighting.
+#ifndef GLINT_SHARED_ENVIRONMENT_H
+#define GLINT_SHARED_ENVIRONMENT_H
+
+#include "shared/types.h"
+
+GLINT_SHARED_BEGIN
+
+struct PrefilterConstants {
+    uint faceSize; ///< texels, of the mip being made
+    uint sampleCount;
+    float perceptualRoughness; ///< of that mip
+    float sourceFaceSize;      ///< texels
+};
+
+GLINT_SHARED_END
+#endif

@@ -1,0 +1,32 @@
+// The constants of one rendered view: camera, environment, counts. Set once a frame.
+#ifndef GLINT_SHARED_RENDER_VIEW_H
+#define GLINT_SHARED_RENDER_VIEW_H
+
+#include "shared/types.h"
+
+GLINT_SHARED_BEGIN
+
+struct RenderView {
+    float4x4 worldToClip;
+    float4x4 clipToWorld;
+    float4x4 prevWorldToClip;
+    float2 jitterUV; ///< how far worldToClip shifts the picture; motion leaves it out
+    float2 prevJitterUV;
+    float3 cameraPositionWS;
+    uint orthographic; ///< 1: every ray runs along cameraForwardWS
+    float3 cameraForwardWS;
+    uint lightCount;
+    float2 environmentRotation; ///< cos and sin of the angle about +Y
+    float environmentStrength;
+    uint environmentVisible; ///< 1: drawn as the background
+    float3 sunDirWS;         ///< towards the sun, unit
+    float sunCosRadius;      ///< cosine of the disc's angular radius; 2: no sun
+    float3 sunRadiance;      ///< of the disc
+};
+
+GLINT_SHARED_END
+
+#ifdef __cplusplus
+static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 23);
+#endif
+#endif

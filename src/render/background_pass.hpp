@@ -1,0 +1,20 @@
+// Draws the environment where no surface is.
+#pragma once
+
+#include "gpu/pass.hpp"
+#include "render/environment.hpp"
+#include "render/gbuffer.hpp"
+
+namespace glint::render {
+
+class BackgroundPass {
+public:
+    static Result<BackgroundPass> create(gpu::Context& context);
+    /// `view` holds a shared::RenderView.
+    void draw(gpu::Frame& frame, gpu::Buffer& view, Environment& environment, GBuffer& gbuffer);
+
+private:
+    gpu::Pipeline pipeline_;
+};
+
+} // namespace glint::render

@@ -1,0 +1,42 @@
+// Light from all around, prepared for lighting: a radiance cube filtered for every roughness, and its diffuse light.
+#pragma once
+
+#include "gpu/resources.hpp"
+#include "scene/hdr_image.hpp"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace glint::render {
+
+/// A sun is kept out of the cube maps, where it would be noise: it is a directional light and a disc in the sky.
+struct Sun {
+    glm::vec3 directionToSun = glm::vec3(0, 1, 0); ///< unit, in the environment's own space
+    glm::vec3 irradiance = glm::vec3(0);           ///< on a surface that faces it
+    float angularRadius = 0.00465f;                ///< radians
+};
+
+/// Orientation of the picture: u = 0.5 + atan2(d.z, d.x) / 2pi, v = acos(d.y) / pi from the top row.
+/// Rotation and strength are not baked in (RenderSettings::environment).
+class Environment {
+public:
+    /// Errors: InvalidInput for an empty image; OutOfMemory, DeviceLost.
+    static Result<Environment> create(gpu::Context& context, const scene::HdrImage& equirect,
+                                      std::optional<Sun> sun = std::nullopt);
+    /// Preetham's sky with its sun (render/sky.hpp); angles in degrees, as in RenderSettings::analyticSky.
+    static Result<Environment> createSky(gpu::Context& context, float elevation, float azimuth, float turbidity);
+    /// Black.
+    static Result<Environment> createNone(gpu::Context& context);
+
+    gpu::Image& radiance() { return radiance_; } ///< RGBA16F cube; mip = perceptual roughness * (mips - 1)
+    gpu::Image& diffuse() { return diffuse_; }   ///< RGBA16F cube: irradiance / pi
+    const std::optional<Sun>& sun() const { return sun_; }
+
+private:
+    gpu::Image radiance_;
+    gpu::Image diffuse_;
+    std::optional<Sun> sun_;
+};
+
+} // namespace glint::render

@@ -1,0 +1,30 @@
+// What the renderer hands to the reflections, and to whoever looks on. One image a channel, all of one size.
+#pragma once
+
+#include "gpu/resources.hpp"
+
+namespace glint::render {
+
+/// Every image is a colour attachment (depth: a depth attachment), can be sampled and copied from and to. Where nothing
+/// was drawn, depth and every channel but litRadiance (the background) and motion are 0.
+struct GBuffer {
+    gpu::Image deviceDepth;      ///< D32_SFLOAT: reversed; 0 = background
+    gpu::Image normal;           ///< RG16_SNORM (or RG32_SFLOAT): octahedral, world space, shading normal
+    gpu::Image material;         ///< RGBA16F: F0 in rgb, perceptual roughness in a; F0 = 0: reflects nothing
+    gpu::Image motion;           ///< RG16F: previous UV - current UV, without jitter
+    gpu::Image litRadiance;      ///< RGBA16F: the whole lit picture, linear, scene-referred; a = 1 on surfaces
+    gpu::Image fallbackSpecular; ///< RGBA16F: the environment's specular part of litRadiance, base layer only
+    gpu::Image albedo;           ///< RGBA8_UNORM: base colour, linear, for debug views
+
+    /// Errors: InvalidArgument for a size that the device cannot make; OutOfMemory.
+    static Result<GBuffer> create(gpu::Context& context, uint32_t width, uint32_t height);
+    /// The formats that `create` will choose: normal, material, motion, litRadiance, fallbackSpecular, albedo, in the
+    /// order of the surface pass's outputs.
+    static std::vector<VkFormat> colorFormats(const gpu::Context& context);
+};
+
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
+constexpr VkFormat kMotionFormat = VK_FORMAT_R16G16_SFLOAT;
+constexpr VkFormat kRadianceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+} // namespace glint::render

@@ -1,0 +1,144 @@
+#include "render/gpu_scene.hpp"
+
+#include "gpu/transfer.hpp"
+
+#include <algorithm>
+
+namespace glint::render {
+namespace {
+
+/// Everything that goes into the vertex and index buffers, gathered before one upload each.
+struct GeometryArrays {
+    std::vector<glm::vec3> positions;
+    std::vector<shared::VertexAttributes> attributes;
+    std::vector<uint32_t> indices;
+
+    void append(const scene::Geometry& geometry) {
+        const auto element = [](const auto& array, size_t i, auto fallback) {
+            return array.empty() ? fallback : array[i];
+        };
+        for (size_t i = 0; i < geometry.positions.size(); ++i)
+            attributes.push_back({element(geometry.normals, i, glm::vec3(0)),
+                                  element(geometry.tangents, i, glm::vec4(0)),
+                                  element(geometry.uvs[0], i, glm::vec2(0)), element(geometry.uvs[1], i, glm::vec2(0)),
+                                  element(geometry.colors, i, glm::vec4(1))});
+        positions.insert(positions.end(), geometry.positions.begin(), geometry.positions.end());
+        indices.insert(indices.end(), geometry.indices.begin(), geometry.indices.end());
+    }
+};
+
+Result<void> checkBufferSize(const gpu::Context& context, const char* what, size_t bytes) {
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
+    const size_t most = properties.properties.limits.maxStorageBufferRange;
+    if (bytes > most)
+        return makeError(ErrorCode::Unsupported, "the scene's {} take {} bytes; one buffer of {} holds {}", what, bytes,
+                         context.info().name, most);
+    return {};
+}
+
+scene::Bounds localBounds(const scene::Geometry& geometry) {
+    scene::Bounds bounds;
+    for (const glm::vec3& position : geometry.positions) {
+        bounds.min = glm::min(bounds.min, position);
+        bounds.max = glm::max(bounds.max, position);
+    }
+    return bounds;
+}
+
+} // namespace
+
+Result<GpuScene> GpuScene::create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose) {
+    GpuScene result;
+    GLINT_TRY(textures, GpuTextures::create(context, scene));
+    result.textures_ = std::move(textures);
+    std::vector<shared::Material> materials;
+    for (const scene::Material& material : scene.materials)
+        materials.push_back(gpuMaterial(material, result.textures_));
+    materials.push_back(gpuMaterial(scene::Material(), result.textures_));
+    GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/materials", materials, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    result.materials_ = std::move(buffer);
+    GLINT_CHECK(result.setPose(context, scene, pose));
+    return result;
+}
+
+Result<void> GpuScene::setPose(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose) {
+    if (!positions_ || !pose.deformed.empty())
+        GLINT_CHECK(uploadGeometry(context, pose));
+    GLINT_CHECK(uploadInstances(context, scene, pose));
+    boundsWS_ = pose.boundsWS;
+    lastTransforms_.clear();
+    for (const scene::DrawItem& item : pose.items)
+        lastTransforms_.push_back(item.localToWorld);
+    lastDeformed_.clear();
+    for (const auto& geometry : pose.deformed)
+        lastDeformed_.push_back(geometry->positions);
+    return {};
+}
+
+Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& pose) {
+    GeometryArrays arrays;
+    ranges_.clear();
+    for (const scene::DrawItem& item : pose.items) {
+        const Range range = {static_cast<uint32_t>(arrays.indices.size()),
+                             static_cast<uint32_t>(arrays.positions.size()), 0};
+        if (ranges_.emplace(item.geometry, range).second)
+            arrays.append(*item.geometry);
+    }
+    // Behind all others, where the deformed vertices stood before: only positions, nothing else is asked of them.
+    for (size_t i = 0; i < pose.deformed.size(); ++i) {
+        const auto range = ranges_.find(pose.deformed[i].get());
+        if (range == ranges_.end() || i >= lastDeformed_.size() ||
+            lastDeformed_[i].size() != pose.deformed[i]->positions.size())
+            continue;
+        range->second.prevVertexDelta =
+            static_cast<int>(arrays.positions.size()) - static_cast<int>(range->second.firstVertex);
+        arrays.positions.insert(arrays.positions.end(), lastDeformed_[i].begin(), lastDeformed_[i].end());
+    }
+    GLINT_CHECK(checkBufferSize(context, "vertices", arrays.attributes.size() * sizeof(shared::VertexAttributes)));
+    constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    GLINT_TRY(positions, gpu::uploadBuffer(context, "scene/positions", arrays.positions, kStorage));
+    GLINT_TRY(attributes, gpu::uploadBuffer(context, "scene/attributes", arrays.attributes, kStorage));
+    GLINT_TRY(indices,
+              gpu::uploadBuffer(context, "scene/indices", arrays.indices, kStorage | VK_BUFFER_USAGE_INDEX_BUFFER_BIT));
+    positions_ = std::move(positions);
+    attributes_ = std::move(attributes);
+    indices_ = std::move(indices);
+    return {};
+}
+
+Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose) {
+    const auto defaultMaterial = static_cast<uint32_t>(scene.materials.size());
+    const bool moved = lastTransforms_.size() == pose.items.size();
+    std::vector<shared::Instance> instances;
+    items_.clear();
+    for (size_t i = 0; i < pose.items.size(); ++i) {
+        const scene::DrawItem& item = pose.items[i];
+        const Range& range = ranges_.at(item.geometry);
+        const scene::Material material = item.material < 0 ? scene::Material() : scene.materials[size_t(item.material)];
+        const scene::Bounds bounds = localBounds(*item.geometry);
+        GpuItem out;
+        out.firstIndex = range.firstIndex;
+        out.indexCount = static_cast<uint32_t>(item.geometry->indices.size());
+        out.vertexOffset = static_cast<int32_t>(range.firstVertex);
+        out.topology = item.geometry->topology;
+        out.surface = surfaceClass(material);
+        out.doubleSided = material.doubleSided;
+        out.mirrored = glm::determinant(glm::mat3(item.localToWorld)) < 0;
+        if (!bounds.empty())
+            out.centerWS = glm::vec3(item.localToWorld * glm::vec4((bounds.min + bounds.max) * 0.5f, 1));
+        items_.push_back(out);
+
+        const bool noNormals = item.geometry->normals.empty() && out.topology != scene::Topology::Triangles;
+        instances.push_back(
+            {item.localToWorld, moved ? lastTransforms_[i] : item.localToWorld,
+             item.material < 0 ? defaultMaterial : static_cast<uint32_t>(item.material),
+             (out.mirrored ? shared::kInstanceMirrored : 0) | (noNormals ? shared::kInstanceNoNormals : 0),
+             range.firstIndex, range.firstVertex, range.prevVertexDelta});
+    }
+    GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/instances", instances, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    instances_ = std::move(buffer);
+    return {};
+}
+
+} // namespace glint::render

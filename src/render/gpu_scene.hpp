@@ -1,0 +1,64 @@
+// A posed scene on the GPU: vertices, indices, materials, textures, and the list of what to draw.
+#pragma once
+
+#include "gpu/resources.hpp"
+#include "render/gpu_materials.hpp"
+#include "scene/pose.hpp"
+#include "shared/gpu_scene.h"
+
+#include <unordered_map>
+
+namespace glint::render {
+
+/// One draw call. Its place in GpuScene::items() is its instance.
+struct GpuItem {
+    uint32_t firstIndex = 0;
+    uint32_t indexCount = 0;
+    int32_t vertexOffset = 0;
+    scene::Topology topology = scene::Topology::Triangles;
+    SurfaceClass surface = SurfaceClass::Opaque;
+    bool doubleSided = false;
+    bool mirrored = false;   ///< the transform has a negative determinant
+    glm::vec3 centerWS = {}; ///< of its bounding box, for sorting
+};
+
+class GpuScene {
+public:
+    /// `scene` and `pose` are only read. Errors: OutOfMemory, DeviceLost, Unsupported for a scene whose vertices do not
+    /// fit into one buffer of this device.
+    static Result<GpuScene> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
+
+    /// Moves everything to another moment of the same scene. Motion is told from the pose before, so call this once a
+    /// frame while anything moves, and once more when it stops.
+    /// Errors: OutOfMemory, DeviceLost.
+    Result<void> setPose(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
+
+    const std::vector<GpuItem>& items() const { return items_; }
+    const scene::Bounds& boundsWS() const { return boundsWS_; }
+    gpu::Buffer& instances() { return instances_; }   ///< shared::Instance
+    gpu::Buffer& positions() { return positions_; }   ///< float3
+    gpu::Buffer& attributes() { return attributes_; } ///< shared::VertexAttributes
+    gpu::Buffer& materials() { return materials_; }   ///< shared::Material; the last one is glTF's default
+    gpu::Buffer& indices() { return indices_; }       ///< uint32
+    const gpu::TextureTable& textures() const { return textures_.table(); }
+
+private:
+    struct Range {
+        uint32_t firstIndex = 0;
+        uint32_t firstVertex = 0;
+        int prevVertexDelta = 0;
+    };
+
+    Result<void> uploadGeometry(gpu::Context& context, const scene::Pose& pose);
+    Result<void> uploadInstances(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
+
+    GpuTextures textures_;
+    gpu::Buffer materials_, instances_, positions_, attributes_, indices_;
+    std::unordered_map<const scene::Geometry*, Range> ranges_;
+    std::vector<GpuItem> items_;
+    std::vector<glm::mat4> lastTransforms_;            ///< of the pose before, by item
+    std::vector<std::vector<glm::vec3>> lastDeformed_; ///< positions of the pose before, by place in Pose::deformed
+    scene::Bounds boundsWS_;
+};
+
+} // namespace glint::render

@@ -1,0 +1,56 @@
+// The textures of a scene on the GPU, and which entry of the bindless table a material's slot means.
+#pragma once
+
+#include "gpu/texture_table.hpp"
+#include "scene/scene.hpp"
+
+#include <map>
+#include <tuple>
+
+namespace glint::render {
+
+/// What a slot's numbers mean. An image that serves both kinds is uploaded twice.
+enum class TextureKind : uint8_t {
+    Color, ///< sRGB, decoded by the sampler before filtering
+    Data,  ///< as stored
+};
+
+class GpuTextures {
+public:
+    /// Uploads the images that materials use, with mips, and builds the table.
+    /// Errors: OutOfMemory, DeviceLost, InvalidInput for an image larger than the device can hold.
+    static Result<GpuTextures> create(gpu::Context& context, const scene::Scene& scene);
+
+    /// Index into the table; shared::kNoTexture if the slot is empty or its image could not be read.
+    uint32_t index(const scene::TextureSlot& slot, TextureKind kind) const;
+    const gpu::TextureTable& table() const { return table_; }
+
+private:
+    Result<void> addSlot(gpu::Context& context, const scene::Scene& scene, const scene::TextureSlot& slot,
+                         TextureKind kind);
+
+    std::map<std::pair<int, TextureKind>, gpu::Image> images_; ///< by scene image
+    std::map<std::pair<int, TextureKind>, uint32_t> indices_;  ///< by scene texture
+    std::vector<gpu::TextureTable::Entry> entries_;
+    gpu::TextureTable table_;
+};
+
+/// Calls `visit(slot, kind)` for every texture slot of a material.
+template <class Visit>
+void visitTextureSlots(const scene::Material& m, Visit visit) {
+    visit(m.baseColorTexture, TextureKind::Color);
+    visit(m.metallicRoughnessTexture, TextureKind::Data);
+    visit(m.normalTexture, TextureKind::Data);
+    visit(m.occlusionTexture, TextureKind::Data);
+    visit(m.emissiveTexture, TextureKind::Color);
+    visit(m.specularTexture, TextureKind::Data);
+    visit(m.specularColorTexture, TextureKind::Color);
+    visit(m.transmissionTexture, TextureKind::Data);
+    visit(m.thicknessTexture, TextureKind::Data);
+    visit(m.clearcoatTexture, TextureKind::Data);
+    visit(m.clearcoatRoughnessTexture, TextureKind::Data);
+    visit(m.clearcoatNormalTexture, TextureKind::Data);
+    visit(m.specularGlossinessTexture, TextureKind::Color);
+}
+
+} // namespace glint::render

@@ -1,0 +1,139 @@
+#include "render/renderer.hpp"
+
+#include "render/dfg_table.hpp"
+#include "shared/render_view.h"
+
+#include <cmath>
+
+namespace glint::render {
+
+Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose,
+                                  Environment&& environment, const RenderSettings& settings) {
+    Renderer result(context);
+    GLINT_TRY(gpuScene, GpuScene::create(context, scene, pose));
+    GLINT_TRY(dfg, makeDfgTable(context));
+    GLINT_TRY(surfaces, SurfacePass::create(context, gpuScene));
+    GLINT_TRY(background, BackgroundPass::create(context));
+    GLINT_TRY(display, DisplayPass::create(context));
+    GLINT_TRY(shadows, ShadowMaps::create(context, gpuScene));
+    GLINT_TRY(viewBuffer,
+              gpu::Buffer::create(context, {"render/view", sizeof(shared::RenderView),
+                                            VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
+    GLINT_TRY(lightBuffer,
+              gpu::Buffer::create(context, {"render/lights", shared::kMaxLights * sizeof(shared::Light),
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
+    result.scene_ = std::move(gpuScene);
+    result.dfg_ = std::move(dfg);
+    result.surfaces_ = std::move(surfaces);
+    result.background_ = std::move(background);
+    result.display_ = std::move(display);
+    result.shadows_ = std::move(shadows);
+    result.viewBuffer_ = std::move(viewBuffer);
+    result.lightBuffer_ = std::move(lightBuffer);
+    result.environment_ = std::move(environment);
+    result.settings_ = settings;
+    result.sceneLights_ = gpuLights(pose);
+    GLINT_CHECK(result.placeLights());
+    return result;
+}
+
+Result<void> Renderer::resize(uint32_t width, uint32_t height) {
+    if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height)
+        return {};
+    GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height));
+    gbuffer_ = std::move(gbuffer);
+    return rehearse();
+}
+
+Result<void> Renderer::rehearse() {
+    gpu::Frame frame = gpu::Frame::rehearsal(*context_);
+    drawOpaque(frame, ViewParameters());
+    display(frame, gbuffer_.litRadiance, gbuffer_.albedo);
+    return frame.firstError();
+}
+
+Result<void> Renderer::setSettings(const RenderSettings& settings) {
+    settings_ = settings;
+    return placeLights();
+}
+
+Result<void> Renderer::setEnvironment(Environment&& environment) {
+    environment_ = std::move(environment);
+    return placeLights();
+}
+
+Result<void> Renderer::setPose(const scene::Scene& scene, const scene::Pose& pose) {
+    GLINT_CHECK(scene_.setPose(*context_, scene, pose));
+    sceneLights_ = gpuLights(pose);
+    return placeLights();
+}
+
+Result<void> Renderer::placeLights() {
+    lights_ = sceneLights_;
+    if (environment_.sun())
+        lights_.push_back(sunLight(*environment_.sun(), settings_.environment));
+    const bool maps = settings_.lights.shadows == ShadowMode::Maps;
+    GLINT_CHECK(shadows_.resize(*context_, maps ? ShadowMaps::casters(lights_) : 0,
+                                static_cast<uint32_t>(settings_.shadows.resolution)));
+    shadows_.place(lights_, scene_.boundsWS());
+    lightsChanged_ = true;
+    return {};
+}
+
+View Renderer::view(const ViewParameters& parameters) const {
+    return makeView(parameters.camera, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height(),
+                    parameters.jitterPX);
+}
+
+void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters) {
+    view_ = view(parameters);
+    const View previous = makeView(parameters.prevCamera.value_or(parameters.camera), view_.width, view_.height,
+                                   parameters.prevCamera ? parameters.prevJitterPX : parameters.jitterPX);
+    const EnvironmentSettings& environment = settings_.environment;
+    const float rotation = glm::radians(environment.rotation);
+    shared::RenderView constants = {};
+    constants.worldToClip = view_.worldToClip;
+    constants.clipToWorld = view_.clipToWorld;
+    constants.prevWorldToClip = previous.worldToClip;
+    constants.jitterUV = view_.jitterUV;
+    constants.prevJitterUV = previous.jitterUV;
+    constants.cameraPositionWS = view_.positionWS();
+    constants.orthographic = view_.orthographic ? 1 : 0;
+    constants.cameraForwardWS = view_.forwardWS();
+    constants.lightCount = static_cast<uint32_t>(lights_.size());
+    constants.environmentRotation = {std::cos(rotation), std::sin(rotation)};
+    constants.environmentStrength = environment.strength;
+    constants.environmentVisible = environment.visible ? 1 : 0;
+    constants.sunCosRadius = 2;
+    if (const std::optional<Sun>& sun = environment_.sun()) {
+        const float sinRadius = std::sin(sun->angularRadius);
+        constants.sunDirWS = rotateFromEnvironment(sun->directionToSun, environment.rotation);
+        constants.sunCosRadius = std::cos(sun->angularRadius);
+        // A disc of radiance L gives the irradiance pi L sin^2(radius).
+        constants.sunRadiance = sun->irradiance * (environment.strength / (glm::pi<float>() * sinRadius * sinRadius));
+    }
+    frame.update(viewBuffer_, &constants, sizeof(constants));
+}
+
+LightingInputs Renderer::lightingInputs() {
+    return {viewBuffer_, lightBuffer_, environment_, dfg_, shadows_.atlas()};
+}
+
+GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameters) {
+    updateView(frame, parameters);
+    if (lightsChanged_ || frame.rehearsing()) { // shadow maps do not depend on the camera
+        if (!lights_.empty())
+            frame.update(lightBuffer_, lights_.data(), lights_.size() * sizeof(shared::Light));
+        shadows_.draw(frame, scene_, lights_, lightBuffer_);
+        lightsChanged_ = frame.rehearsing();
+    }
+    surfaces_.draw(frame, view_, scene_, lightingInputs(), gbuffer_);
+    background_.draw(frame, viewBuffer_, environment_, gbuffer_);
+    return gbuffer_;
+}
+
+void Renderer::display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr) {
+    display_.draw(frame, hdr, ldr, settings_.display);
+}
+
+} // namespace glint::render

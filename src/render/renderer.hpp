@@ -1,0 +1,81 @@
+// The renderer of our own programs: a posed scene and an environment in, a lit G-buffer out; then what is drawn over
+// it, and the picture for the screen.
+#pragma once
+
+#include "render/background_pass.hpp"
+#include "render/display_pass.hpp"
+#include "render/shadow_maps.hpp"
+#include "render/surface_pass.hpp"
+
+#include <optional>
+
+namespace glint::render {
+
+/// Where a frame is seen from.
+struct ViewParameters {
+    scene::Camera camera;
+    std::optional<scene::Camera> prevCamera; ///< of the frame before, for motion; none: the camera stands still
+    glm::vec2 jitterPX = glm::vec2(0);       ///< pixels, [-0.5, 0.5]
+    glm::vec2 prevJitterPX = glm::vec2(0);
+};
+
+/// A frame:
+///     GBuffer& g = renderer.drawOpaque(frame, parameters);
+///     ... reflections: g -> hdr
+///     renderer.drawTransparent(frame, hdr);
+///     renderer.display(frame, hdr, ldr);
+/// Recording does not wait and allocates nothing on the GPU. The same input gives the same bits.
+class Renderer {
+public:
+    /// Uploads the scene. Adds the embedded shaders to `context`, which must outlive the renderer.
+    /// Errors: OutOfMemory, DeviceLost, Unsupported.
+    static Result<Renderer> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose,
+                                   Environment&& environment, const RenderSettings& settings);
+
+    /// Makes the G-buffer; call before the first frame and when the size changes.
+    /// Errors: InvalidArgument for a size outside what the device can make; OutOfMemory.
+    Result<void> resize(uint32_t width, uint32_t height);
+    /// Takes new settings; makes larger shadow maps if they ask for some. `analyticSky` is the environment's matter:
+    /// see Environment::createSky and setEnvironment. Errors: OutOfMemory.
+    Result<void> setSettings(const RenderSettings& settings);
+    Result<void> setEnvironment(Environment&& environment);
+    /// Another moment of the same scene (GpuScene::setPose).
+    Result<void> setPose(const scene::Scene& scene, const scene::Pose& pose);
+
+    /// The G-buffer with every opaque surface and the background. Valid until the next call or resize.
+    GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters);
+    /// Exposure, tone map and sRGB into `ldr` (RGBA8_UNORM with STORAGE usage, of the same size).
+    void display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr);
+
+    /// The view of the last drawOpaque, or of the next one with these parameters.
+    View view(const ViewParameters& parameters) const;
+    Environment& environment() { return environment_; }
+    const scene::Bounds& boundsWS() const { return scene_.boundsWS(); }
+    GBuffer& gbuffer() { return gbuffer_; }
+
+private:
+    explicit Renderer(gpu::Context& context) : context_(&context) {}
+    Result<void> placeLights();
+    Result<void> rehearse();
+    void updateView(gpu::Frame& frame, const ViewParameters& parameters);
+    LightingInputs lightingInputs();
+
+    gpu::Context* context_;
+    RenderSettings settings_;
+    GpuScene scene_;
+    Environment environment_;
+    gpu::Image dfg_;
+    gpu::Buffer viewBuffer_;
+    gpu::Buffer lightBuffer_;
+    std::vector<shared::Light> sceneLights_;
+    std::vector<shared::Light> lights_; ///< of the frame: the scene's, then the sun's
+    ShadowMaps shadows_;
+    bool lightsChanged_ = true;
+    SurfacePass surfaces_;
+    BackgroundPass background_;
+    DisplayPass display_;
+    GBuffer gbuffer_;
+    View view_;
+};
+
+} // namespace glint::render

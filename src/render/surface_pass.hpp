@@ -1,0 +1,46 @@
+// Draws the opaque surfaces: lit, and into the G-buffer.
+#pragma once
+
+#include "gpu/pass.hpp"
+#include "render/environment.hpp"
+#include "render/gbuffer.hpp"
+#include "render/gpu_scene.hpp"
+#include "render/view.hpp"
+
+#include <array>
+
+namespace glint::render {
+
+/// What every lit surface reads, whichever pass draws it.
+struct LightingInputs {
+    gpu::Buffer& view;   ///< shared::RenderView
+    gpu::Buffer& lights; ///< shared::Light
+    Environment& environment;
+    gpu::Image& dfg;
+    gpu::Image& shadowAtlas;
+};
+
+/// A pass with the scene and its light bound, as shaders/render/surface_bindings.glsl asks.
+gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs);
+
+/// Records the draw of one item.
+void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance);
+
+/// The topologies, in the order of scene::Topology.
+constexpr std::array<VkPrimitiveTopology, 3> kTopologies = {
+    VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, VK_PRIMITIVE_TOPOLOGY_LINE_LIST, VK_PRIMITIVE_TOPOLOGY_POINT_LIST};
+
+class SurfacePass {
+public:
+    static Result<SurfacePass> create(gpu::Context& context, const GpuScene& scene);
+
+    /// Clears the G-buffer and draws every opaque and masked item, the nearest first.
+    void draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs, GBuffer& gbuffer);
+
+private:
+    std::array<gpu::Pipeline, 3> opaque_; ///< by topology
+    std::array<gpu::Pipeline, 3> masked_;
+    std::vector<uint32_t> order_; ///< of this frame's items; kept so that recording allocates nothing
+};
+
+} // namespace glint::render
