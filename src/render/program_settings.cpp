@@ -11,25 +11,32 @@ namespace glint::render {
 
 static constexpr size_t kLongestSettingsFile = 1 << 20; // bytes; all settings with their values take a few thousand
 
+static Result<void> assign(SettingsTargets targets, std::span<const std::string> assignments,
+                           const std::string& preset) {
+    for (const std::string_view assignment : assignments) {
+        const size_t equals = assignment.find('=');
+        if (equals == assignment.npos)
+            return invalidArgument("--set {}: expected KEY=VALUE", printable(assignment));
+        auto done = setSetting(targets, assignment.substr(0, equals), assignment.substr(equals + 1), preset);
+        if (!done)
+            return makeError(done.error().code, "--set {}: {}", printable(assignment), done.error().message);
+    }
+    return {};
+}
+
 Result<ProgramSettings> loadSettings(const SettingsRequest& request) {
     ProgramSettings settings;
     if (!request.preset.empty())
         settings.preset = request.preset;
     const auto targets = settings.targets();
+    GLINT_CHECK(assign(targets, request.defaults, settings.preset));
     GLINT_TRY(preset, presetJson(settings.preset));
     GLINT_CHECK(readSettingsJson(targets, preset, fmt::format("presets/{}.json", settings.preset), settings.preset));
     if (!request.file.empty()) {
         GLINT_TRY(text, readFile(request.file, kLongestSettingsFile));
         GLINT_CHECK(readSettingsJson(targets, text, request.file, settings.preset));
     }
-    for (const std::string_view assignment : request.assignments) {
-        const size_t equals = assignment.find('=');
-        if (equals == assignment.npos)
-            return invalidArgument("--set {}: expected KEY=VALUE", printable(assignment));
-        auto done = setSetting(targets, assignment.substr(0, equals), assignment.substr(equals + 1), settings.preset);
-        if (!done)
-            return makeError(done.error().code, "--set {}: {}", printable(assignment), done.error().message);
-    }
+    GLINT_CHECK(assign(targets, request.assignments, settings.preset));
     return settings;
 }
 

@@ -24,6 +24,7 @@ struct ProgramSettings {
 
 /// What was asked for, weakest first.
 struct SettingsRequest {
+    std::vector<std::string> defaults;    ///< "key=value" that suit a scene better than the table's defaults
     std::string preset;                   ///< empty: balanced
     std::string file;                     ///< JSON; empty: none
     std::vector<std::string> assignments; ///< "key=value", in order

@@ -26,35 +26,40 @@ protected:
     const std::string file_ = testing::TempDir() + "glint_program_settings_test.json";
 };
 
-TEST_F(ProgramSettingsTest, PresetThenFileThenSet) {
-    const auto loaded = loadSettings({"fast", file_, {"display.exposure=2", "display.exposure=3"}});
+TEST_F(ProgramSettingsTest, SceneThenPresetThenFileThenSet) {
+    const auto loaded = loadSettings({{"screen.maxSteps=5", "screen.selfCollisionSkip=2", "screen.step=9"},
+                                      "fast",
+                                      file_,
+                                      {"display.exposure=2", "display.exposure=3"}});
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     EXPECT_EQ(loaded->reflections.screen.maxSteps, 128);
     EXPECT_EQ(loaded->reflections.screen.step, 4);
+    EXPECT_EQ(loaded->reflections.screen.selfCollisionSkip, 2);
     EXPECT_EQ(loaded->render.display.exposure, 3);
     EXPECT_EQ(loaded->preset, "fast");
 }
 
 TEST_F(ProgramSettingsTest, BareAliasesFollowThePreset) {
-    EXPECT_EQ(errorOf({"babylon", "", {"thickness=0.25"}}), "");
-    EXPECT_EQ(errorOf({"", "", {"thickness=0.25"}}), "--set thickness=0.25: 'thickness' is a name in several systems: "
-                                                     "write 'babylon:thickness' or 'compute-ssr:thickness'");
+    EXPECT_EQ(errorOf({{}, "babylon", "", {"thickness=0.25"}}), "");
+    EXPECT_EQ(errorOf({{}, "", "", {"thickness=0.25"}}),
+              "--set thickness=0.25: 'thickness' is a name in several systems: "
+              "write 'babylon:thickness' or 'compute-ssr:thickness'");
 }
 
 TEST_F(ProgramSettingsTest, ErrorsSayWhere) {
-    EXPECT_EQ(errorOf({"", "", {"screen.step"}}), "--set screen.step: expected KEY=VALUE");
-    EXPECT_EQ(errorOf({"", "", {"display.tonmap=agx"}}),
+    EXPECT_EQ(errorOf({{}, "", "", {"screen.step"}}), "--set screen.step: expected KEY=VALUE");
+    EXPECT_EQ(errorOf({{}, "", "", {"display.tonmap=agx"}}),
               "--set display.tonmap=agx: unknown setting 'display.tonmap'; did you mean 'display.tonemap'?");
-    EXPECT_EQ(errorOf({"", "/no/such/file.json", {}}), "/no/such/file.json: No such file or directory");
-    EXPECT_EQ(errorOf({"", testing::TempDir(), {}}), testing::TempDir() + ": Is a directory");
-    EXPECT_EQ(errorOf({"slow", "", {}}).substr(0, 21), "unknown preset 'slow'");
+    EXPECT_EQ(errorOf({{}, "", "/no/such/file.json", {}}), "/no/such/file.json: No such file or directory");
+    EXPECT_EQ(errorOf({{}, "", testing::TempDir(), {}}), testing::TempDir() + ": Is a directory");
+    EXPECT_EQ(errorOf({{}, "slow", "", {}}).substr(0, 21), "unknown preset 'slow'");
 }
 
 TEST_F(ProgramSettingsTest, JsonHoldsEverySettingAndReadsBack) {
-    const auto loaded = loadSettings({"babylon", "", {"display.tonemap=agx", "analyticSky.turbidity=2.5"}});
+    const auto loaded = loadSettings({{}, "babylon", "", {"display.tonemap=agx", "analyticSky.turbidity=2.5"}});
     ASSERT_TRUE(loaded.ok());
     ASSERT_TRUE(writeFile(file_, settingsJson(*loaded)).ok());
-    const auto again = loadSettings({"", file_, {}});
+    const auto again = loadSettings({{}, "", file_, {}});
     ASSERT_TRUE(again.ok()) << again.error().message;
     EXPECT_EQ(settingsJson(*again), settingsJson(*loaded));
     EXPECT_EQ(again->render.display.tonemap, Tonemap::Agx);

@@ -1,0 +1,20 @@
+// One function a command: it adds the command with its options, and sets `chosen` to the work when the user asks for
+// it.
+#pragma once
+
+#include "base/result.hpp"
+#include "render/render_job.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace glint::cli {
+
+using Command = std::function<Result<void>()>;
+
+void addRenderCommand(CLI::App& program, Command& chosen, const render::RenderFunction& render);
+void addSettingsCommand(CLI::App& program, Command& chosen);
+void addDevicesCommand(CLI::App& program, Command& chosen);
+
+} // namespace glint::cli

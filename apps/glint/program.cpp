@@ -1,0 +1,79 @@
+#include "program.hpp"
+
+#include "base/text.hpp"
+#include "commands.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+namespace glint::cli {
+namespace {
+
+int fail(int exitCode, std::string_view message) {
+    fmt::print(stderr, "glint: error: {}\n", printable(message, 2000));
+    return exitCode;
+}
+
+int exitCodeOf(ErrorCode code) {
+    switch (code) {
+    case ErrorCode::InvalidArgument:
+    case ErrorCode::InvalidInput:
+    case ErrorCode::NotFound: return kBadInput;
+    case ErrorCode::Unsupported:
+    case ErrorCode::DeviceLost:
+    case ErrorCode::OutOfMemory:
+    case ErrorCode::Io: break;
+    }
+    return kFailed;
+}
+
+/// The parser says no more than that a command is required; empty: the first word is one, or an option.
+std::string unknownCommand(const CLI::App& program, int argc, const char* const* argv) {
+    if (argc < 2 || argv[1][0] == '-')
+        return {};
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands({}))
+        names.push_back(command->get_name());
+    if (std::ranges::find(names, argv[1]) != names.end())
+        return {};
+    return fmt::format("unknown command '{}'; there are {}", printable(argv[1]), listText(names, " and "));
+}
+
+int run(int argc, const char* const* argv, const render::RenderFunction& render) {
+    CLI::App program("Reflections for any Vulkan renderer: renders, measures and tunes them.", "glint");
+    program.set_help_all_flag("--help-all", "Print the help of every command");
+    program.require_subcommand(1);
+    Command chosen;
+    if (render)
+        addRenderCommand(program, chosen, render);
+    addSettingsCommand(program, chosen);
+    addDevicesCommand(program, chosen);
+    if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())
+        return fail(kBadInput, unknown);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return program.exit(help); // prints the help that was asked for
+    } catch (const CLI::ParseError& error) {
+        return fail(kBadInput, fmt::format("{} (try glint --help)", error.what()));
+    }
+    if (auto done = chosen(); !done)
+        return fail(exitCodeOf(done.error().code), done.error().message);
+    return kDone;
+}
+
+} // namespace
+
+int runProgram(int argc, const char* const* argv, const render::RenderFunction& render) {
+    try {
+        return run(argc, argv, render);
+    } catch (const std::bad_alloc&) {
+        return fail(kFailed, "not enough memory");
+    } catch (const std::exception& exception) {
+        return fail(kFailed, exception.what());
+    }
+}
+
+} // namespace glint::cli

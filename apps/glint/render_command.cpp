@@ -1,0 +1,44 @@
+// glint render: one scene, one camera, pictures and figures.
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "commands.hpp"
+#include "render_options.hpp"
+#include "render_output.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+namespace glint::cli {
+namespace {
+
+/// Counts frames on a terminal; says nothing into a pipe or a file.
+void showProgress(uint32_t done, uint32_t frames) {
+    if (frames > 1 && isatty(fileno(stderr)))
+        fmt::print(stderr, "\rframe {} of {}{}", done, frames, done == frames ? "\n" : "");
+}
+
+Result<void> renderPictures(const RenderOptions& options, const render::RenderFunction& render) {
+    GLINT_TRY(job, makeRenderJob(options));
+    job.progress = showProgress;
+    GLINT_TRY(result, render(job));
+    for (const std::string& note : result.notes)
+        log::warning("{}", note);
+    GLINT_CHECK(writePictures(options.output, result));
+    if (options.statsFile.empty())
+        return {};
+    return writeFile(options.statsFile, statsJson(job, result));
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& program, Command& chosen, const render::RenderFunction& render) {
+    const auto options = std::make_shared<RenderOptions>();
+    CLI::App* const command = program.add_subcommand("render", "Render a scene to a picture");
+    addRenderOptions(*command, *options);
+    command->callback(
+        [&chosen, options, render] { chosen = [options, render] { return renderPictures(*options, render); }; });
+}
+
+} // namespace glint::cli

@@ -1,0 +1,145 @@
+#include "render_options.hpp"
+
+#include "base/text.hpp"
+#include "render/views.hpp"
+#include "render_output.hpp"
+#include "scene/builtin.hpp"
+#include "scene/image_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+namespace glint::cli {
+namespace {
+
+constexpr std::string_view kBuiltinPrefix = "builtin:";
+constexpr int64_t kMaxFrames = 1000000;
+
+std::string viewNames() {
+    std::vector<std::string> names;
+    for (const render::ViewInfo& view : render::viewList())
+        names.emplace_back(view.name);
+    return joinText(names, ", ");
+}
+
+std::string presetList() {
+    const auto names = presetNames();
+    return joinText(std::vector<std::string>(names.begin(), names.end()), ", ");
+}
+
+std::string sceneList() {
+    std::vector<std::string> names;
+    for (const scene::BuiltinInfo& info : scene::builtinScenes())
+        names.push_back(std::string(kBuiltinPrefix).append(info.name));
+    return joinText(names, ", ");
+}
+
+/// "1280x720"
+Result<void> readSize(const std::string& text, render::RenderJob& job) {
+    const char* const end = text.data() + text.size();
+    uint64_t width = 0, height = 0;
+    const auto [x, widthError] = std::from_chars(text.data(), end, width);
+    if (widthError != std::errc() || x == end || *x != 'x')
+        return invalidArgument("--size {}: expected WIDTHxHEIGHT, as in 1280x720", printable(text));
+    const auto [rest, heightError] = std::from_chars(x + 1, end, height);
+    if (heightError != std::errc() || rest != end)
+        return invalidArgument("--size {}: expected WIDTHxHEIGHT, as in 1280x720", printable(text));
+    const uint64_t largest = scene::kMaxImageSide;
+    if (width < 1 || height < 1 || width > largest || height > largest)
+        return invalidArgument("--size {}: each side must be 1 to {} pixels", printable(text), largest);
+    job.width = static_cast<uint32_t>(width);
+    job.height = static_cast<uint32_t>(height);
+    return {};
+}
+
+/// An EXR file always has the frame itself as its main layer; a PNG file shows the views that were asked for.
+Result<std::vector<std::string>> chooseViews(const RenderOptions& options, PictureKind kind) {
+    std::vector<std::string> views;
+    if (kind == PictureKind::Exr || options.views.empty())
+        views.emplace_back(render::viewList().front().name);
+    for (const std::string& name : options.views) {
+        auto view = render::findView(name);
+        if (!view)
+            return makeError(view.error().code, "--view: {}", view.error().message);
+        if (std::ranges::find(views, name) == views.end())
+            views.push_back(name);
+    }
+    return views;
+}
+
+Result<void> checkFolder(std::string_view option, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (folder.empty() || std::filesystem::is_directory(folder, error))
+        return {};
+    return makeError(ErrorCode::NotFound, "{} {}: there is no folder {}", option, printable(file), folder.string());
+}
+
+/// What a built-in scene would rather have than the table's defaults.
+std::vector<std::string> sceneDefaults(std::string_view scene) {
+    for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
+        if (scene.starts_with(kBuiltinPrefix) && scene.substr(kBuiltinPrefix.size()) == info.name)
+            return {fmt::format("environment.strength={}", info.environmentStrength)};
+    }
+    return {};
+}
+
+} // namespace
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("SCENE", options.scene, "A .gltf or .glb file, or " + sceneList())->required();
+    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
+        ->capture_default_str();
+    command.add_option("--camera", options.camera, "Camera: a file, a name in the scene or an index");
+    command.add_option("--env", options.environment, "Environment: an .hdr or .exr file, sky or none");
+    command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
+    command.add_option("--time", options.time, "Seconds into the scene's animations")->capture_default_str();
+    command.add_option("--frames", options.frames, "Frames to render; the last one is written")->capture_default_str();
+    command.add_option("--seed", options.seed, "Seed of the rays' noise")->capture_default_str();
+    command.add_option("--view", options.views, "What to show, several parted by commas: " + viewNames())
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON");
+    command.add_option("--preset", options.settings.preset, "Settings to start from: " + presetList());
+    command.add_option("--settings", options.settings.file, "Settings file (JSON), stronger than the preset");
+    command.add_option("--set", options.settings.assignments, "KEY=VALUE, strongest; may be repeated (glint settings)")
+        ->allow_extra_args(false);
+    command.add_option("--device", options.device, "Part of a device's name, or an index (glint devices)");
+}
+
+Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
+    render::RenderJob job;
+    job.scene = options.scene;
+    job.camera = options.camera;
+    job.environment = options.environment;
+    job.device = options.device;
+    job.seed = options.seed;
+    if (!options.size.empty())
+        GLINT_CHECK(readSize(options.size, job));
+    if (!std::isfinite(options.time))
+        return invalidArgument("--time {}: expected a number of seconds", options.time);
+    job.time = options.time;
+    if (options.frames < 1 || options.frames > kMaxFrames)
+        return invalidArgument("--frames {}: expected 1 to {}", options.frames, kMaxFrames);
+    job.frames = static_cast<uint32_t>(options.frames);
+
+    GLINT_TRY(kind, pictureKind(options.output));
+    GLINT_CHECK(checkFolder("-o", options.output));
+    job.display = kind == PictureKind::Png;
+    GLINT_TRY(views, chooseViews(options, kind));
+    job.views = std::move(views);
+    if (!options.statsFile.empty()) {
+        GLINT_CHECK(checkFolder("--stats", options.statsFile));
+        job.statistics = true;
+    }
+
+    render::SettingsRequest request = options.settings;
+    request.defaults = sceneDefaults(options.scene);
+    GLINT_TRY(settings, render::loadSettings(request));
+    job.settings = std::move(settings);
+    return job;
+}
+
+} // namespace glint::cli

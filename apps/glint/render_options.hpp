@@ -1,0 +1,37 @@
+// The options of `glint render`, and the job that they ask for.
+#pragma once
+
+#include "base/result.hpp"
+#include "render/render_job.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace glint::cli {
+
+/// As they were written; makeRenderJob checks them.
+struct RenderOptions {
+    std::string scene;
+    std::string output = "out.png";
+    std::string camera;
+    std::string environment;
+    std::string size;
+    double time = 0;
+    int64_t frames = 1;
+    uint32_t seed = 0;
+    std::vector<std::string> views;
+    std::string statsFile;
+    std::string device;
+    render::SettingsRequest settings;
+};
+
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+/// Errors: InvalidArgument, InvalidInput or NotFound, each naming its option. All that can be known before the scene is
+/// read is checked here, so that a long job does not fail at its end for a misspelt name.
+Result<render::RenderJob> makeRenderJob(const RenderOptions& options);
+
+} // namespace glint::cli

@@ -1,0 +1,99 @@
+#include "render_output.hpp"
+
+#include "base/text.hpp"
+#include "render/views.hpp"
+#include "scene/image_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace glint::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Result<void> writePngs(const std::string& path, const render::RenderResult& result) {
+    for (const render::RenderedView& view : result.views) {
+        GLINT_TRY(info, render::findView(view.name));
+        const bool radiance = info->kind == render::ViewKind::Radiance;
+        const std::vector<uint8_t> rgb = radiance ? view.rgb8 : render::displayBytes(info->kind, view.rgba);
+        const bool first = &view == &result.views.front();
+        GLINT_CHECK(scene::writePng(first ? path : pathForView(path, view.name), result.width, result.height, 3, rgb));
+    }
+    return {};
+}
+
+Result<void> writeLayers(const std::string& path, const render::RenderResult& result) {
+    std::vector<scene::ExrLayer> layers;
+    for (const render::RenderedView& view : result.views) {
+        GLINT_TRY(info, render::findView(view.name));
+        scene::ExrLayer layer;
+        layer.name = layers.empty() ? "" : view.name;
+        layer.channels = info->channels;
+        layer.half = info->kind == render::ViewKind::Radiance; // as the frame computes it; other values keep all bits
+        layer.pixels = view.rgba;
+        layers.push_back(std::move(layer));
+    }
+    return scene::writeExr(path, result.width, result.height, layers);
+}
+
+} // namespace
+
+Result<PictureKind> pictureKind(std::string_view path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".png")
+        return PictureKind::Png;
+    if (ending == ".exr")
+        return PictureKind::Exr;
+    return invalidArgument("-o {}: the name must end in .png or .exr", printable(path));
+}
+
+std::string pathForView(const std::string& path, std::string_view view) {
+    std::filesystem::path named(path);
+    const std::string ending = named.extension().string();
+    return named.replace_extension().string() + "." + std::string(view) + ending;
+}
+
+Result<void> writePictures(const std::string& path, const render::RenderResult& result) {
+    GLINT_TRY(kind, pictureKind(path));
+    return kind == PictureKind::Png ? writePngs(path, result) : writeLayers(path, result);
+}
+
+std::string statsJson(const render::RenderJob& job, const render::RenderResult& result) {
+    const render::RenderStats& stats = result.stats;
+    Json json;
+    json["scene"] = job.scene;
+    json["device"] = {{"name", stats.device}, {"driver", stats.driver}, {"software", stats.software}};
+    json["width"] = result.width;
+    json["height"] = result.height;
+    json["frames"] = job.frames;
+    json["time"] = job.time;
+    json["seed"] = job.seed;
+    double total = 0;
+    Json passes = Json::array();
+    for (const auto& [name, milliseconds] : stats.passes) {
+        passes.push_back({{"name", name}, {"ms", milliseconds}});
+        total += milliseconds;
+    }
+    if (!stats.passes.empty())
+        json["gpuMs"] = total;
+    json["passes"] = std::move(passes);
+    json["rays"] = stats.rays;
+    json["lookupsPerRay"] = stats.lookupsPerRay;
+    json["lookups95"] = stats.lookups95;
+    Json outcomes = Json::object();
+    for (const auto& [name, pixels] : stats.outcomes)
+        outcomes[name] = pixels;
+    json["outcomes"] = std::move(outcomes);
+    json["notes"] = result.notes;
+    json["preset"] = job.settings.preset;
+    json["settings"] = Json::parse(render::settingsJson(job.settings));
+    // Names come from drivers and from the command line, where bytes need not be UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace glint::cli

@@ -1,0 +1,29 @@
+// What `glint render` leaves behind: pictures and figures.
+#pragma once
+
+#include "base/result.hpp"
+#include "render/render_job.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace glint::cli {
+
+enum class PictureKind { Png, Exr };
+
+/// By the name's ending. Errors: InvalidArgument.
+Result<PictureKind> pictureKind(std::string_view path);
+
+/// "out.png" and "depth" make "out.depth.png".
+std::string pathForView(const std::string& path, std::string_view view);
+
+/// PNG: a file a view, the first under `path` itself, the others under pathForView. EXR: one file, the first view bare
+/// (R, G, B, A), the others as layers with their names. Errors: Io.
+Result<void> writePictures(const std::string& path, const render::RenderResult& result);
+
+/// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames", "time", "seed",
+///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95", "outcomes": {name: pixels},
+///  "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the device has no timestamps.
+std::string statsJson(const render::RenderJob& job, const render::RenderResult& result);
+
+} // namespace glint::cli

@@ -1,0 +1,92 @@
+#include "render/job_inputs.hpp"
+
+#include "base/text.hpp"
+#include "scene/builtin.hpp"
+#include "scene/gltf.hpp"
+#include "scene/image_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace glint::render {
+namespace {
+
+constexpr std::string_view kBuiltinPrefix = "builtin:";
+constexpr uint32_t kDefaultWidth = 1280, kDefaultHeight = 720; ///< pixels
+
+bool isBuiltin(std::string_view scene) {
+    return scene.starts_with(kBuiltinPrefix);
+}
+
+Result<scene::Scene> loadScene(const std::string& name) {
+    if (isBuiltin(name))
+        return scene::builtinScene(std::string_view(name).substr(kBuiltinPrefix.size()));
+    return scene::readGltf(name);
+}
+
+Error unknownCamera(const std::string& asked, const std::vector<scene::Camera>& cameras) {
+    std::vector<std::string> known;
+    for (size_t i = 0; i < cameras.size(); ++i)
+        known.push_back(fmt::format("{} '{}'", i, printable(cameras[i].name)));
+    const std::string has = known.empty() ? "no cameras" : listText(known, " and ");
+    return invalidArgument("--camera {}: no such camera and no such file; the scene has {}", printable(asked), has);
+}
+
+/// `aspectRatio`  of the picture if its size is known, for the view of all where the scene has no camera
+Result<scene::Camera> chooseCamera(const std::string& asked, const scene::Pose& pose, float aspectRatio) {
+    if (asked.empty())
+        return pose.cameras.empty() ? scene::frameBounds(pose.boundsWS, aspectRatio) : pose.cameras.front();
+    const auto named = std::ranges::find(pose.cameras, asked, &scene::Camera::name);
+    if (named != pose.cameras.end())
+        return *named;
+    size_t index = 0;
+    const auto [end, error] = std::from_chars(asked.data(), asked.data() + asked.size(), index);
+    if (error == std::errc() && end == asked.data() + asked.size() && index < pose.cameras.size())
+        return pose.cameras[index];
+    std::error_code ignored;
+    if (std::filesystem::exists(asked, ignored))
+        return scene::readCameraFile(asked);
+    return unknownCamera(asked, pose.cameras);
+}
+
+/// The environment that a scene is made for; files from elsewhere get the sky.
+std::string defaultEnvironment(std::string_view scene) {
+    for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
+        if (isBuiltin(scene) && scene.substr(kBuiltinPrefix.size()) == info.name)
+            return std::string(info.environment);
+    }
+    return "sky";
+}
+
+} // namespace
+
+Result<JobInputs> loadJobInputs(const RenderJob& job) {
+    JobInputs inputs;
+    GLINT_TRY(scene, loadScene(job.scene));
+    inputs.scene = std::make_unique<scene::Scene>(std::move(scene));
+    GLINT_TRY(pose, scene::pose(*inputs.scene, job.time));
+    inputs.pose = std::move(pose);
+
+    inputs.width = job.width > 0 ? job.width : kDefaultWidth;
+    inputs.height = job.height > 0 ? job.height : kDefaultHeight;
+    const float aspectRatio = static_cast<float>(inputs.width) / static_cast<float>(inputs.height);
+    GLINT_TRY(camera, chooseCamera(job.camera, inputs.pose, aspectRatio));
+    inputs.camera = std::move(camera);
+    if (job.width == 0 && inputs.camera.width > 0 && inputs.camera.height > 0) {
+        inputs.width = static_cast<uint32_t>(inputs.camera.width);
+        inputs.height = static_cast<uint32_t>(inputs.camera.height);
+    }
+
+    const std::string environment = job.environment.empty() ? defaultEnvironment(job.scene) : job.environment;
+    if (environment == "sky") {
+        inputs.environment = EnvironmentKind::Sky;
+    } else if (environment != "none") {
+        GLINT_TRY(image, scene::readHdrImage(environment));
+        inputs.environment = EnvironmentKind::Image;
+        inputs.environmentImage = std::move(image);
+    }
+    return inputs;
+}
+
+} // namespace glint::render

@@ -1,0 +1,89 @@
+#include "render/views.hpp"
+
+#include "base/assert.hpp"
+#include "base/text.hpp"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace glint::render {
+namespace {
+
+constexpr std::array kViews = {
+    ViewInfo{"color", ViewKind::Radiance, "RGBA", "the frame with its reflections"},
+    ViewInfo{"lit", ViewKind::Radiance, "RGB", "the frame before reflections"},
+    ViewInfo{"reflection", ViewKind::Radiance, "RGB", "reflected radiance, all sources together"},
+    ViewInfo{"weight", ViewKind::Fraction, "Y", "weight of the screen-space answer"},
+    ViewInfo{"weights", ViewKind::Fraction, "RGB", "weight of each source: screen, sky"},
+    ViewInfo{"source", ViewKind::Fraction, "RGB", "which source answered most: green screen, blue sky"},
+    ViewInfo{"outcome", ViewKind::Fraction, "RGB", "how each ray ended, as colours"},
+    ViewInfo{"normal", ViewKind::Direction, "XYZ", "world-space normal"},
+    ViewInfo{"depth", ViewKind::Distance, "Z", "metres along the view axis"},
+    ViewInfo{"roughness", ViewKind::Fraction, "Y", "perceptual roughness"},
+    ViewInfo{"reflectivity", ViewKind::Fraction, "RGB", "F0"},
+    ViewInfo{"hitUV", ViewKind::Fraction, "UV", "where on the screen the ray hit"},
+    ViewInfo{"hitDistance", ViewKind::Distance, "Z", "metres along the ray to its hit"},
+    ViewInfo{"lookups", ViewKind::Count, "Y", "depth reads of the ray"},
+    ViewInfo{"rayDirWS", ViewKind::Direction, "XYZ", "world-space direction of the mirror ray"},
+};
+
+/// Blue, cyan, green, yellow, red for t in [0, 1]; 0 itself is black, so that "no ray" stands apart.
+glm::vec3 heat(float t) {
+    if (t <= 0)
+        return glm::vec3(0);
+    const float x = t * 4;
+    return glm::clamp(glm::vec3(x - 2, 2 - std::abs(x - 2), 2 - x), glm::vec3(0), glm::vec3(1));
+}
+
+glm::vec3 displayColor(ViewKind kind, const glm::vec3& value) {
+    constexpr float kHalfWhite = 5;   // metres at which a distance is middle grey
+    constexpr float kRedCount = 4096; // screen.maxSteps' upper end
+    switch (kind) {
+    case ViewKind::Direction: return value * 0.5f + 0.5f;
+    case ViewKind::Distance: return glm::vec3(value.x > 0 ? kHalfWhite / (kHalfWhite + value.x) : 0.0f);
+    case ViewKind::Count: return heat(std::log2(1 + std::max(value.x, 0.0f)) / std::log2(1 + kRedCount));
+    case ViewKind::Radiance:
+    case ViewKind::Fraction: break;
+    }
+    return value;
+}
+
+} // namespace
+
+std::span<const ViewInfo> viewList() {
+    return kViews;
+}
+
+Result<const ViewInfo*> findView(std::string_view name) {
+    const auto found = std::ranges::find(kViews, name, &ViewInfo::name);
+    if (found != kViews.end())
+        return &*found;
+    std::vector<std::string> names;
+    for (const ViewInfo& view : kViews)
+        names.emplace_back(view.name);
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view meant = likelyMeant(name, views);
+    const std::string hint = meant.empty() ? std::string() : fmt::format(" did you mean '{}'?", meant);
+    return invalidArgument("unknown view '{}';{} there are {}", printable(name), hint, listText(names, " and "));
+}
+
+std::vector<uint8_t> displayBytes(ViewKind kind, std::span<const float> rgba) {
+    GLINT_ASSERT(kind != ViewKind::Radiance && rgba.size() % 4 == 0, "{} floats", rgba.size());
+    std::vector<uint8_t> bytes;
+    bytes.reserve(rgba.size() / 4 * 3);
+    for (size_t i = 0; i < rgba.size(); i += 4) {
+        glm::vec3 color = displayColor(kind, {rgba[i], rgba[i + 1], rgba[i + 2]});
+        if (glm::any(glm::isnan(color)))
+            color = {1, 0, 1};
+        color = glm::clamp(color, glm::vec3(0), glm::vec3(1));
+        for (int c = 0; c < 3; ++c)
+            bytes.push_back(static_cast<uint8_t>(std::lround(color[c] * 255)));
+    }
+    return bytes;
+}
+
+} // namespace glint::render

@@ -1,0 +1,245 @@
+// The command line from arguments to files and exit codes, with a renderer that needs no GPU.
+#include "program.hpp"
+#include "render_output.hpp"
+
+#include "base/file.hpp"
+#include "render/views.hpp"
+#include "scene/image_file.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace glint::cli {
+namespace {
+
+struct Ended {
+    int code = 0;
+    std::string out, error;
+};
+
+class CliTest : public testing::Test {
+protected:
+    void SetUp() override { std::filesystem::create_directory(folder_); }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    Ended run(std::vector<std::string> arguments) {
+        std::vector<const char*> argv = {"glint"};
+        for (const std::string& argument : arguments)
+            argv.push_back(argument.c_str());
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        Ended ended;
+        ended.code = runProgram(static_cast<int>(argv.size()), argv.data(),
+                                [this](const render::RenderJob& job) { return render(job); });
+        ended.out = testing::internal::GetCapturedStdout();
+        ended.error = testing::internal::GetCapturedStderr();
+        return ended;
+    }
+
+    /// `glint render builtin:exact ...`
+    Ended runRender(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"render", "builtin:exact"});
+        return run(std::move(arguments));
+    }
+
+    /// Four pixels a view, each view with a value of its own.
+    Result<render::RenderResult> render(const render::RenderJob& job) {
+        job_ = job;
+        if (failure_)
+            return *failure_;
+        render::RenderResult result;
+        result.width = result.height = 2;
+        for (const std::string& name : job.views) {
+            const float value = 0.25f * static_cast<float>(result.views.size() + 1);
+            result.views.push_back({name, std::vector<float>(16, value), std::vector<uint8_t>(12, 100)});
+        }
+        result.stats = {"device", "driver 1", true, {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
+                        3,        12.5,       40,   {{"hit", 2}, {"sky", 0}}};
+        return result;
+    }
+
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : std::filesystem::directory_iterator(folder_))
+            names.push_back(entry.path().filename().string());
+        std::ranges::sort(names);
+        return names;
+    }
+
+    void expectError(const Ended& ended, int code, std::string_view part) {
+        EXPECT_EQ(ended.code, code);
+        EXPECT_EQ(ended.error.substr(0, 14), "glint: error: ") << ended.error;
+        EXPECT_NE(ended.error.find(part), ended.error.npos) << ended.error;
+        EXPECT_EQ(std::ranges::count(ended.error, '\n'), 1) << ended.error;
+        EXPECT_EQ(ended.out, "");
+        EXPECT_TRUE(files().empty());
+    }
+
+    const std::string folder_ = testing::TempDir() + "glint_cli_test/";
+    std::optional<render::RenderJob> job_;
+    std::optional<Error> failure_;
+};
+
+TEST_F(CliTest, RenderFillsTheJobFromItsOptions) {
+    const Ended ended = run({"render",   "builtin:hall",
+                             "-o",       folder_ + "a.png",
+                             "--camera", "2",
+                             "--env",    "none",
+                             "--size",   "640x360",
+                             "--time",   "1.5",
+                             "--frames", "4",
+                             "--seed",   "7",
+                             "--device", "llvm",
+                             "--preset", "babylon",
+                             "--set",    "thickness=0.25",
+                             "--set",    "display.exposure=-1"});
+    ASSERT_EQ(ended.code, kDone) << ended.error;
+    EXPECT_EQ(ended.out + ended.error, "");
+    EXPECT_EQ(job_->scene, "builtin:hall");
+    EXPECT_EQ(job_->camera, "2");
+    EXPECT_EQ(job_->environment, "none");
+    EXPECT_EQ(job_->width, 640u);
+    EXPECT_EQ(job_->height, 360u);
+    EXPECT_EQ(job_->time, 1.5);
+    EXPECT_EQ(job_->frames, 4u);
+    EXPECT_EQ(job_->seed, 7u);
+    EXPECT_EQ(job_->device, "llvm");
+    EXPECT_EQ(job_->views, std::vector<std::string>{"color"});
+    EXPECT_TRUE(job_->display);
+    EXPECT_FALSE(job_->statistics);
+    EXPECT_EQ(job_->settings.reflections.screen.thickness, 0.25f);
+    EXPECT_EQ(job_->settings.render.display.exposure, -1);
+    EXPECT_EQ(files(), std::vector<std::string>{"a.png"});
+}
+
+TEST_F(CliTest, BuiltinScenesBringTheirEnvironmentStrength) {
+    ASSERT_EQ(run({"render", "builtin:hall", "-o", folder_ + "a.png"}).code, kDone);
+    EXPECT_EQ(job_->settings.render.environment.strength, 0.06f);
+    ASSERT_EQ(run({"render", "builtin:hall", "-o", folder_ + "a.png", "--set", "environment.strength=1"}).code, kDone);
+    EXPECT_EQ(job_->settings.render.environment.strength, 1);
+    ASSERT_EQ(run({"render", "hall.glb", "-o", folder_ + "a.png"}).code, kDone);
+    EXPECT_EQ(job_->settings.render.environment.strength, 1);
+}
+
+TEST_F(CliTest, SeveralViewsAsPngAreSeveralFiles) {
+    const Ended ended = runRender({"-o", folder_ + "a.b.png", "--view", "outcome,depth", "--view", "depth"});
+    ASSERT_EQ(ended.code, kDone) << ended.error;
+    EXPECT_EQ(job_->views, (std::vector<std::string>{"outcome", "depth"}));
+    EXPECT_EQ(files(), (std::vector<std::string>{"a.b.depth.png", "a.b.png"}));
+}
+
+TEST_F(CliTest, ExrHasTheFrameBareAndTheViewsAsLayers) {
+    const Ended ended = runRender({"-o", folder_ + "a.exr", "--view", "reflection,depth"});
+    ASSERT_EQ(ended.code, kDone) << ended.error;
+    EXPECT_EQ(job_->views, (std::vector<std::string>{"color", "reflection", "depth"}));
+    EXPECT_FALSE(job_->display);
+    const auto image = scene::readHdrImage(folder_ + "a.exr");
+    ASSERT_TRUE(image.ok());
+    EXPECT_EQ(image->rgb[0], glm::vec3(0.25f));
+    const std::string bytes = *readFile(folder_ + "a.exr", 1 << 20);
+    for (const std::string channel : {"reflection.R", "reflection.B", "depth.Z"})
+        EXPECT_NE(bytes.find(channel + '\0'), bytes.npos) << channel;
+    EXPECT_EQ(bytes.find("depth.R"), bytes.npos);
+}
+
+TEST_F(CliTest, StatsAreJsonWithTheSettingsInForce) {
+    const Ended ended = runRender({"-o", folder_ + "a.png", "--stats", folder_ + "a.json", "--set", "screen.step=4"});
+    ASSERT_EQ(ended.code, kDone) << ended.error;
+    EXPECT_TRUE(job_->statistics);
+    const auto json = nlohmann::json::parse(*readFile(folder_ + "a.json", 1 << 20));
+    EXPECT_EQ(json["scene"], "builtin:exact");
+    EXPECT_EQ(json["device"]["name"], "device");
+    EXPECT_EQ(json["width"], 2);
+    EXPECT_EQ(json["gpuMs"], 2.0);
+    EXPECT_EQ(json["passes"][0], (nlohmann::json{{"name", "trace/linear"}, {"ms", 1.5}}));
+    EXPECT_EQ(json["rays"], 3);
+    EXPECT_EQ(json["lookupsPerRay"], 12.5);
+    EXPECT_EQ(json["outcomes"], (nlohmann::json{{"hit", 2}, {"sky", 0}}));
+    EXPECT_EQ(json["settings"]["screen"]["step"], 4);
+    EXPECT_EQ(json["settings"]["display"]["tonemap"], "neutral");
+}
+
+TEST_F(CliTest, BadArgumentsEndWithTwoAndOneLine) {
+    expectError(run({}), kBadInput, "subcommand");
+    expectError(run({"paint"}), kBadInput, "paint");
+    expectError(run({"render"}), kBadInput, "SCENE");
+    expectError(runRender({"--colour"}), kBadInput, "--colour");
+    const std::string out = folder_ + "a.png";
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{"--size", "0x0"}, "--size 0x0: each side must be 1 to 16384 pixels"},
+        {{"--size", "100000x100000"}, "--size 100000x100000: each side must be 1 to 16384 pixels"},
+        {{"--size", "16385x1"}, "each side must be 1 to 16384"},
+        {{"--size", "99999999999999999999x1"}, "expected WIDTHxHEIGHT"},
+        {{"--size", "640"}, "expected WIDTHxHEIGHT"},
+        {{"--size", "-640x360"}, "expected WIDTHxHEIGHT"},
+        {{"--size", "640x360x2"}, "expected WIDTHxHEIGHT"},
+        {{"--time", "nan"}, "--time"},
+        {{"--time", "soon"}, "--time"},
+        {{"--frames", "0"}, "--frames 0: expected 1 to"},
+        {{"--frames", "-1"}, "--frames -1: expected 1 to"},
+        {{"--seed", "x"}, "--seed"},
+        {{"--view", "outcomes"}, "did you mean 'outcome'?"},
+        {{"--view", ""}, "--view"},
+        {{"--preset", "slow"}, "unknown preset 'slow'"},
+        {{"--settings", folder_ + "none.json"}, "none.json: No such file"},
+        {{"--set", "screen.stpe=1"}, "did you mean 'screen.step'?"},
+        {{"--set", "screen.step"}, "expected KEY=VALUE"},
+        {{"--set", "screen.step=0"}, "out of range [1, 64] px"},
+        {{"--set", "thickness=1"}, "'babylon:thickness' or 'compute-ssr:thickness'"},
+        {{"--stats", folder_ + "none/a.json"}, "there is no folder"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.end(), {"-o", out});
+        expectError(runRender(arguments), kBadInput, part);
+        EXPECT_FALSE(job_) << "the renderer ran";
+    }
+    expectError(runRender({"-o", folder_ + "a.jpg"}), kBadInput, "must end in .png or .exr");
+    expectError(runRender({"-o", folder_ + "none/a.png"}), kBadInput, "there is no folder");
+}
+
+TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
+    const std::pair<ErrorCode, int> cases[] = {
+        {ErrorCode::InvalidArgument, kBadInput},
+        {ErrorCode::InvalidInput, kBadInput},
+        {ErrorCode::NotFound, kBadInput},
+        {ErrorCode::Unsupported, kFailed},
+        {ErrorCode::DeviceLost, kFailed},
+        {ErrorCode::OutOfMemory, kFailed},
+        {ErrorCode::Io, kFailed},
+    };
+    for (const auto& [error, code] : cases) {
+        failure_ = Error{error, "it broke\nat pass trace/linear"};
+        expectError(runRender({"-o", folder_ + "a.png"}), code, "it broke?at pass trace/linear");
+    }
+}
+
+TEST_F(CliTest, HelpListsOnlyWhatIsThere) {
+    const Ended with = run({"--help"});
+    EXPECT_EQ(with.code, kDone);
+    for (const char* command : {"render", "settings", "devices"})
+        EXPECT_NE(with.out.find(command), with.out.npos) << command;
+    const char* argv[] = {"glint", "--help"};
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(runProgram(2, argv, {}), kDone);
+    EXPECT_EQ(testing::internal::GetCapturedStdout().find("Render a scene"), std::string::npos);
+}
+
+TEST_F(CliTest, SettingsPrintsEveryKeyInThreeForms) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"settings"}, {"settings", "--json"}, {"settings", "--markdown"}}) {
+        const Ended ended = run(arguments);
+        EXPECT_EQ(ended.code, kDone);
+        for (const auto& table : render::allSettings()) {
+            for (const SettingInfo& info : table)
+                EXPECT_NE(ended.out.find(info.key), ended.out.npos) << info.key;
+        }
+    }
+    expectError(run({"settings", "--json", "--markdown"}), kBadInput, "--json");
+}
+
+} // namespace
+} // namespace glint::cli
