@@ -107,6 +107,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--set", options.settings.assignments, "KEY=VALUE, strongest; may be repeated (glint settings)")
         ->allow_extra_args(false);
     command.add_option("--device", options.device, "Part of a device's name, or an index (glint devices)");
+    command.add_flag("--validate", options.validate, "Fail on any message of the Vulkan validation layer");
 }
 
 Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
@@ -115,6 +116,7 @@ Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
     job.camera = options.camera;
     job.environment = options.environment;
     job.device = options.device;
+    job.validate = options.validate;
     job.seed = options.seed;
     if (!options.size.empty())
         GLINT_CHECK(readSize(options.size, job));

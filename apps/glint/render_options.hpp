@@ -25,6 +25,7 @@ struct RenderOptions {
     std::vector<std::string> views;
     std::string statsFile;
     std::string device;
+    bool validate = false;
     render::SettingsRequest settings;
 };
 

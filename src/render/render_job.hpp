@@ -24,6 +24,7 @@ struct RenderJob {
     bool display = false;           ///< also make RenderedView::rgb8
     bool statistics = false;        ///< also count outcomes and lookups
     std::string device;             ///< part of a name, or an index of `glint devices`; empty: the best usable one
+    bool validate = false;          ///< run under the validation layer; any message of it is an error
     ProgramSettings settings;
     std::function<void(uint32_t done, uint32_t frames)> progress; ///< may be empty
 };

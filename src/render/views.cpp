@@ -14,8 +14,8 @@ namespace glint::render {
 namespace {
 
 constexpr std::array kViews = {
-    ViewInfo{"color", ViewKind::Radiance, "RGBA", "the frame with its reflections"},
-    ViewInfo{"lit", ViewKind::Radiance, "RGB", "the frame before reflections"},
+    ViewInfo{"composite", ViewKind::Radiance, "RGBA", "the frame with its reflections"},
+    ViewInfo{"scene", ViewKind::Radiance, "RGB", "the frame without them"},
     ViewInfo{"reflection", ViewKind::Radiance, "RGB", "reflected radiance, all sources together"},
     ViewInfo{"weight", ViewKind::Fraction, "Y", "weight of the screen-space answer"},
     ViewInfo{"weights", ViewKind::Fraction, "RGB", "weight of each source: screen, sky"},
@@ -23,6 +23,7 @@ constexpr std::array kViews = {
     ViewInfo{"outcome", ViewKind::Fraction, "RGB", "how each ray ended, as colours"},
     ViewInfo{"normal", ViewKind::Direction, "XYZ", "world-space normal"},
     ViewInfo{"depth", ViewKind::Distance, "Z", "metres along the view axis"},
+    ViewInfo{"albedo", ViewKind::Fraction, "RGB", "base colour"},
     ViewInfo{"roughness", ViewKind::Fraction, "Y", "perceptual roughness"},
     ViewInfo{"reflectivity", ViewKind::Fraction, "RGB", "F0"},
     ViewInfo{"hitUV", ViewKind::Fraction, "UV", "where on the screen the ray hit"},

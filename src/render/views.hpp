@@ -26,7 +26,7 @@ struct ViewInfo {
     std::string_view meaning;
 };
 
-/// "color" first.
+/// "composite", the frame itself, is the first.
 std::span<const ViewInfo> viewList();
 
 /// Errors: InvalidArgument with the nearest name and all of them.

@@ -108,7 +108,7 @@ TEST_F(CliTest, RenderFillsTheJobFromItsOptions) {
     EXPECT_EQ(job_->frames, 4u);
     EXPECT_EQ(job_->seed, 7u);
     EXPECT_EQ(job_->device, "llvm");
-    EXPECT_EQ(job_->views, std::vector<std::string>{"color"});
+    EXPECT_EQ(job_->views, std::vector<std::string>{"composite"});
     EXPECT_TRUE(job_->display);
     EXPECT_FALSE(job_->statistics);
     EXPECT_EQ(job_->settings.reflections.screen.thickness, 0.25f);
@@ -135,7 +135,7 @@ TEST_F(CliTest, SeveralViewsAsPngAreSeveralFiles) {
 TEST_F(CliTest, ExrHasTheFrameBareAndTheViewsAsLayers) {
     const Ended ended = runRender({"-o", folder_ + "a.exr", "--view", "reflection,depth"});
     ASSERT_EQ(ended.code, kDone) << ended.error;
-    EXPECT_EQ(job_->views, (std::vector<std::string>{"color", "reflection", "depth"}));
+    EXPECT_EQ(job_->views, (std::vector<std::string>{"composite", "reflection", "depth"}));
     EXPECT_FALSE(job_->display);
     const auto image = scene::readHdrImage(folder_ + "a.exr");
     ASSERT_TRUE(image.ok());

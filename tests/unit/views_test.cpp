@@ -20,7 +20,7 @@ Bytes shown(ViewKind kind, float r, float g, float b) {
 TEST(Views, EveryViewOfTheLibraryIsListed) {
     for (const std::string_view name : Reflections::viewNames())
         EXPECT_TRUE(findView(name).ok()) << name;
-    EXPECT_EQ(viewList().front().name, "color");
+    EXPECT_EQ(viewList().front().name, "composite");
 }
 
 TEST(Views, UnknownNamesGetTheNearest) {
