@@ -116,12 +116,12 @@ Result<void> Context::createInstance(const ContextDesc& desc) {
     enumerateExtensions(nullptr, &count, nullptr);
     std::vector<VkExtensionProperties> available(count);
     enumerateExtensions(nullptr, &count, available.data());
-    debugUtils_ = std::any_of(available.begin(), available.end(), [](const VkExtensionProperties& extension) {
+    const bool debugUtils = std::any_of(available.begin(), available.end(), [](const VkExtensionProperties& extension) {
         return std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0;
     });
 
     std::vector<const char*> extensions;
-    if (debugUtils_)
+    if (debugUtils)
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     const VkApplicationInfo application = {
         VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "glint", 1, "glint", 1, VK_API_VERSION_1_3};
@@ -249,7 +249,8 @@ Result<void> Context::createDevice() {
 
 Result<void> Context::finish() {
     api_.loadDevice(device_);
-    if (!debugUtils_ && owned_) {
+    // The device hands these out even where nobody enabled the extension; the instance does not.
+    if (!api_.GetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT")) {
         api_.SetDebugUtilsObjectNameEXT = nullptr;
         api_.CmdBeginDebugUtilsLabelEXT = nullptr;
         api_.CmdEndDebugUtilsLabelEXT = nullptr;

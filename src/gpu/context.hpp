@@ -95,7 +95,6 @@ private:
     DeviceInfo info_;
     void* loader_ = nullptr; ///< dlopen handle, created contexts only
     bool owned_ = false;
-    bool debugUtils_ = false;
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
