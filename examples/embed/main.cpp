@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
     std::memcpy(after.data(), readback, size);
     write(folder + "/before.ppm", picture, [&](size_t i) { return picture.lit[i]; });
     write(folder + "/after.ppm", picture, [&](size_t i) { return fromHalf(after[i]); });
-    std::printf("pixel %u,%u of after.ppm must show the colour of %u,%u\n", picture.mirrored[0], picture.mirrored[1],
-                picture.glowing[0], picture.glowing[1]);
+    for (const auto& mirrored : {picture.inPool, picture.inMirror})
+        std::printf("pixel %u,%u of after.ppm must show the colour of %u,%u\n", mirrored[0], mirrored[1],
+                    picture.glowing[0], picture.glowing[1]);
     return 0;
 }
