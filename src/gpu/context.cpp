@@ -271,17 +271,9 @@ Result<void> Context::finish() {
     if (families[queueFamily_].timestampValidBits > 0)
         timestampPeriodNs_ = static_cast<double>(properties.properties.limits.timestampPeriod);
 
-    VmaVulkanFunctions functions = {};
-    functions.vkGetInstanceProcAddr = api_.GetInstanceProcAddr;
-    functions.vkGetDeviceProcAddr = api_.GetDeviceProcAddr;
-    VmaAllocatorCreateInfo allocator = {};
-    allocator.physicalDevice = physicalDevice_;
-    allocator.device = device_;
-    allocator.instance = instance_;
-    allocator.vulkanApiVersion = VK_API_VERSION_1_3;
-    allocator.pVulkanFunctions = &functions;
-    if (const VkResult result = vmaCreateAllocator(&allocator, &allocator_); result != VK_SUCCESS)
-        return vulkanError("vmaCreateAllocator", result);
+    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, allocator_);
+        result != VK_SUCCESS)
+        return vulkanError("creating the memory allocator", result);
 
     for (size_t i = 0; i < static_cast<size_t>(SamplerKind::Count); ++i) {
         const auto kind = static_cast<SamplerKind>(i);
@@ -325,7 +317,7 @@ Context::~Context() {
         for (VkSampler sampler : samplers_)
             api_.DestroySampler(device_, sampler, nullptr);
     if (allocator_)
-        vmaDestroyAllocator(allocator_);
+        destroyAllocator(allocator_);
     if (owned_) {
         if (fence_)
             api_.DestroyFence(device_, fence_, nullptr);
