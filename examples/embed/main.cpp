@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
         return host.upload(format, picture.width, picture.height, pixels.data(), pixels.size() * sizeof(pixels[0]));
     };
     glint::GBuffer gbuffer;
-    gbuffer.depth = upload(VK_FORMAT_D32_SFLOAT, picture.depth);
+    gbuffer.depth = upload(VK_FORMAT_D32_SFLOAT_S8_UINT, picture.depth); // a view of the depth aspect alone
     gbuffer.normal = upload(VK_FORMAT_R16G16B16A16_UNORM, picture.normal);
     gbuffer.material = upload(VK_FORMAT_R8G8B8A8_UNORM, picture.material);
     gbuffer.litRadiance = upload(VK_FORMAT_R32G32B32A32_SFLOAT, picture.lit);

@@ -136,7 +136,7 @@ using Matrix = std::array<float, 16>; // column-major
 struct Picture {
     uint32_t width = 0, height = 0;
     Matrix worldToView = {}, viewToClip = {};
-    std::vector<float> depth;       // D32_SFLOAT, [0, 1], 1 is far
+    std::vector<float> depth;       // D32_SFLOAT_S8_UINT, [0, 1], 1 is far
     std::vector<uint16_t> normal;   // R16G16B16A16_UNORM, view space, n * 0.5 + 0.5
     std::vector<uint8_t> material;  // R8G8B8A8_UNORM, F0 and smoothness
     std::vector<float> lit;         // R32G32B32A32_SFLOAT, linear: the whole picture, sky reflections included
