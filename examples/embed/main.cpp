@@ -44,7 +44,7 @@ void write(const std::string& path, const Picture& picture, const Pixels& pixels
 int main(int argc, char** argv) {
     const std::string folder = argc > 1 ? argv[1] : ".";
     Host host; // 1, in host.hpp; outlives everything of Glint's
-    const Picture picture = render(1280, 720);
+    const Picture picture = render(960, 540);
 
     VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;

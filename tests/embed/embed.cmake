@@ -1,5 +1,5 @@
-# Plays a stranger: installs Glint into an empty prefix, builds examples/embed against that and nothing else, runs it and
-# looks at the two pictures.
+# Plays a stranger: installs Glint into an empty prefix, builds examples/embed against that and nothing else, runs it
+# and looks at the two pictures.
 # tests/CMakeLists.txt says what it is given.
 
 function(run what)
