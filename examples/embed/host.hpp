@@ -151,8 +151,10 @@ inline void changeLayout(VkCommandBuffer commands, const glint::HostImage& image
     barrier.newLayout = to;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.image;
-    const bool depth = image.format == VK_FORMAT_D32_SFLOAT;
-    barrier.subresourceRange = {depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    VkImageAspectFlags aspects = VK_IMAGE_ASPECT_COLOR_BIT;
+    if (image.format == VK_FORMAT_D32_SFLOAT_S8_UINT)
+        aspects = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+    barrier.subresourceRange = {aspects, 0, 1, 0, 1};
     VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
@@ -161,7 +163,7 @@ inline void changeLayout(VkCommandBuffer commands, const glint::HostImage& image
 
 inline VkBufferImageCopy wholeImage(const glint::HostImage& image) {
     VkBufferImageCopy region = {};
-    const bool depth = image.format == VK_FORMAT_D32_SFLOAT;
+    const bool depth = image.format == VK_FORMAT_D32_SFLOAT_S8_UINT;
     region.imageSubresource = {depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {image.width, image.height, 1};
     return region;

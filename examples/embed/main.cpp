@@ -44,7 +44,7 @@ void write(const std::string& path, const Picture& picture, const Pixels& pixels
 int main(int argc, char** argv) {
     const std::string folder = argc > 1 ? argv[1] : ".";
     Host host; // 1, in host.hpp; outlives everything of Glint's
-    const Picture picture = render(1280, 720);
+    const Picture picture = render(960, 540);
 
     VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
         return host.upload(format, picture.width, picture.height, pixels.data(), pixels.size() * sizeof(pixels[0]));
     };
     glint::GBuffer gbuffer;
-    gbuffer.depth = upload(VK_FORMAT_D32_SFLOAT, picture.depth);
+    gbuffer.depth = upload(VK_FORMAT_D32_SFLOAT_S8_UINT, picture.depth); // a view of the depth aspect alone
     gbuffer.normal = upload(VK_FORMAT_R16G16B16A16_UNORM, picture.normal);
     gbuffer.material = upload(VK_FORMAT_R8G8B8A8_UNORM, picture.material);
     gbuffer.litRadiance = upload(VK_FORMAT_R32G32B32A32_SFLOAT, picture.lit);
@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
     std::memcpy(after.data(), readback, size);
     write(folder + "/before.ppm", picture, [&](size_t i) { return picture.lit[i]; });
     write(folder + "/after.ppm", picture, [&](size_t i) { return fromHalf(after[i]); });
-    std::printf("pixel %u,%u of after.ppm must show the colour of %u,%u\n", picture.mirrored[0], picture.mirrored[1],
-                picture.glowing[0], picture.glowing[1]);
+    for (const auto& mirrored : {picture.inPool, picture.inMirror})
+        std::printf("pixel %u,%u of after.ppm must show the colour of %u,%u\n", mirrored[0], mirrored[1],
+                    picture.glowing[0], picture.glowing[1]);
     return 0;
 }

@@ -66,16 +66,18 @@ constexpr Vec3 kPlastic = {0.04f, 0.04f, 0.04f};
 constexpr float kPoolRadius = 4.3f;
 const Material kGround = {{0.16f, 0.14f, 0.13f}, kPlastic, 0.1f};
 const Material kMirror = {{}, {1, 1, 1}, 1};
+const Box kStanding = {{2.3f, 0, 0.7f}, {2.36f, 1.5f, 2.0f}, kMirror};
 const std::array<Sphere, 4> kSpheres = {{
     {{-1.3f, 0.5f, 0.5f}, 0.5f, {{0.62f, 0.05f, 0.04f}, kPlastic, 0.8f}},
-    {{1.75f, 0.62f, 0.1f}, 0.62f, {{}, {0.95f, 0.74f, 0.40f}, 0.95f}},
+    {{1.9f, 0.62f, -0.9f}, 0.62f, {{}, {0.95f, 0.74f, 0.40f}, 0.95f}},
     {{0.85f, 0.22f, 1.5f}, 0.22f, {{0.04f, 0.22f, 0.60f}, kPlastic, 0.7f}},
     {{-0.95f, 0.18f, 1.8f}, 0.18f, {{0.70f, 0.66f, 0.60f}, kPlastic, 0.5f}},
 }};
-const std::array<Box, 4> kBoxes = {{
+const std::array<Box, 5> kBoxes = {{
     {{-2.4f, 0, -1.7f}, {-1.7f, 1.9f, -1.0f}, {{0.05f, 0.32f, 0.28f}, kPlastic, 0.4f}},
     {{-0.6f, 0, -2.6f}, {-0.1f, 2.4f, -2.1f}, {{0.30f, 0.12f, 0.38f}, kPlastic, 0.4f}},
     {{0.15f, 0, -1.4f}, {0.95f, 1.4f, -0.8f}, {{}, kPlastic, 0, {1.5f, 0.62f, 0.10f}}}, // glows in one flat colour
+    kStanding,
     {{2.5f, 0, -1.4f}, {2.9f, 2.2f, -1.0f}, {{0.55f, 0.52f, 0.48f}, kPlastic, 0.3f}},
 }};
 const Vec3 kToSun = normalize({-0.7f, 0.5f, 0.6f});
@@ -134,13 +136,13 @@ using Matrix = std::array<float, 16>; // column-major
 struct Picture {
     uint32_t width = 0, height = 0;
     Matrix worldToView = {}, viewToClip = {};
-    std::vector<float> depth;       // D32_SFLOAT, [0, 1], 1 is far
+    std::vector<float> depth;       // D32_SFLOAT_S8_UINT, [0, 1], 1 is far
     std::vector<uint16_t> normal;   // R16G16B16A16_UNORM, view space, n * 0.5 + 0.5
     std::vector<uint8_t> material;  // R8G8B8A8_UNORM, F0 and smoothness
     std::vector<float> lit;         // R32G32B32A32_SFLOAT, linear: the whole picture, sky reflections included
     std::vector<float> skySpecular; // R32G32B32A32_SFLOAT, linear: the sky reflections alone, without knowing occluders
-    /// A pixel of the glowing box, and the pixel in which the pool must show it.
-    std::array<uint32_t, 2> glowing = {}, mirrored = {};
+    /// A pixel of the glowing box, and those in which the pool and the standing mirror must show it.
+    std::array<uint32_t, 2> glowing = {}, inPool = {}, inMirror = {};
 };
 
 inline Picture render(uint32_t width, uint32_t height) {
@@ -207,7 +209,7 @@ inline Picture render(uint32_t width, uint32_t height) {
             append(picture.skySpecular, specular);
         }
 
-    // A flat mirror shows a point where it would stand if it were as far below the mirror as it is above.
+    // A flat mirror shows a point where it would stand if it were as far behind the mirror as it is before it.
     const auto pixelOf = [&](Vec3 p) {
         const Vec3 toPoint = p - kEye;
         const float viewZ = -dot(toPoint, back);
@@ -217,6 +219,7 @@ inline Picture render(uint32_t width, uint32_t height) {
     };
     const Vec3 point = {0.55f, 0.75f, -0.8f}; // on the face of the glowing box
     picture.glowing = pixelOf(point);
-    picture.mirrored = pixelOf({point.x, -point.y, point.z});
+    picture.inPool = pixelOf({point.x, -point.y, point.z});
+    picture.inMirror = pixelOf({2 * kStanding.low.x - point.x, point.y, point.z});
     return picture;
 }

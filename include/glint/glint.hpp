@@ -1,4 +1,4 @@
-// Glint: reflections for any Vulkan renderer. Includes everything; docs/embedding.md shows a host of some 200 lines.
+// Glint: reflections for any Vulkan renderer. Includes everything; docs/embedding.md and examples/embed show a host.
 #pragma once
 
 #include "glint/context.hpp"

@@ -116,12 +116,12 @@ Result<void> Context::createInstance(const ContextDesc& desc) {
     enumerateExtensions(nullptr, &count, nullptr);
     std::vector<VkExtensionProperties> available(count);
     enumerateExtensions(nullptr, &count, available.data());
-    debugUtils_ = std::any_of(available.begin(), available.end(), [](const VkExtensionProperties& extension) {
+    const bool debugUtils = std::any_of(available.begin(), available.end(), [](const VkExtensionProperties& extension) {
         return std::strcmp(extension.extensionName, VK_EXT_DEBUG_UTILS_EXTENSION_NAME) == 0;
     });
 
     std::vector<const char*> extensions;
-    if (debugUtils_)
+    if (debugUtils)
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     const VkApplicationInfo application = {
         VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "glint", 1, "glint", 1, VK_API_VERSION_1_3};
@@ -249,7 +249,8 @@ Result<void> Context::createDevice() {
 
 Result<void> Context::finish() {
     api_.loadDevice(device_);
-    if (!debugUtils_ && owned_) {
+    // The device hands these out even where nobody enabled the extension; the instance does not.
+    if (!api_.GetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT")) {
         api_.SetDebugUtilsObjectNameEXT = nullptr;
         api_.CmdBeginDebugUtilsLabelEXT = nullptr;
         api_.CmdEndDebugUtilsLabelEXT = nullptr;
@@ -270,17 +271,9 @@ Result<void> Context::finish() {
     if (families[queueFamily_].timestampValidBits > 0)
         timestampPeriodNs_ = static_cast<double>(properties.properties.limits.timestampPeriod);
 
-    VmaVulkanFunctions functions = {};
-    functions.vkGetInstanceProcAddr = api_.GetInstanceProcAddr;
-    functions.vkGetDeviceProcAddr = api_.GetDeviceProcAddr;
-    VmaAllocatorCreateInfo allocator = {};
-    allocator.physicalDevice = physicalDevice_;
-    allocator.device = device_;
-    allocator.instance = instance_;
-    allocator.vulkanApiVersion = VK_API_VERSION_1_3;
-    allocator.pVulkanFunctions = &functions;
-    if (const VkResult result = vmaCreateAllocator(&allocator, &allocator_); result != VK_SUCCESS)
-        return vulkanError("vmaCreateAllocator", result);
+    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, allocator_);
+        result != VK_SUCCESS)
+        return vulkanError("creating the memory allocator", result);
 
     for (size_t i = 0; i < static_cast<size_t>(SamplerKind::Count); ++i) {
         const auto kind = static_cast<SamplerKind>(i);
@@ -324,7 +317,7 @@ Context::~Context() {
         for (VkSampler sampler : samplers_)
             api_.DestroySampler(device_, sampler, nullptr);
     if (allocator_)
-        vmaDestroyAllocator(allocator_);
+        destroyAllocator(allocator_);
     if (owned_) {
         if (fence_)
             api_.DestroyFence(device_, fence_, nullptr);

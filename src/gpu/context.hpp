@@ -12,9 +12,11 @@
 #include <string>
 #include <vector>
 
-struct VmaAllocator_T;
-
 namespace glint::gpu {
+
+namespace vma {
+struct VmaAllocator_T; // memory.hpp
+}
 
 /// What a physical device is and what it can do for Glint.
 struct DeviceInfo {
@@ -60,7 +62,7 @@ public:
     VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
     VkDevice device() const { return device_; }
     uint32_t queueFamily() const { return queueFamily_; }
-    VmaAllocator_T* allocator() const { return allocator_; }
+    vma::VmaAllocator_T* allocator() const { return allocator_; }
     double timestampPeriodNs() const { return timestampPeriodNs_; } ///< 0: the queue has no timestamps
     VkSampler sampler(SamplerKind kind) const { return samplers_[static_cast<size_t>(kind)]; }
     /// The handles that another library needs to adopt this device.
@@ -95,7 +97,6 @@ private:
     DeviceInfo info_;
     void* loader_ = nullptr; ///< dlopen handle, created contexts only
     bool owned_ = false;
-    bool debugUtils_ = false;
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
@@ -105,7 +106,7 @@ private:
     VkCommandPool commandPool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;
-    VmaAllocator_T* allocator_ = nullptr;
+    vma::VmaAllocator_T* allocator_ = nullptr;
     double timestampPeriodNs_ = 0;
     VkSampler samplers_[static_cast<size_t>(SamplerKind::Count)] = {};
     std::vector<std::span<const EmbeddedShader>> shaderSets_;

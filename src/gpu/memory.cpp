@@ -1,12 +1,87 @@
-// The one place that holds VMA's implementation.
-#include "gpu/api.hpp"
+#include "gpu/memory.hpp"
+
+// VMA defines global functions and classes. Both must stay in this file: a host's own VMA would otherwise answer our
+// calls, or collide with ours at link time. So its functions are static and its classes in our namespace; what it
+// includes has to be included before.
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cassert>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <new>
+#include <shared_mutex>
+#include <type_traits>
+#include <utility>
 
 #define VMA_STATIC_VULKAN_FUNCTIONS 0
 #define VMA_DYNAMIC_VULKAN_FUNCTIONS 1
 #define VMA_VULKAN_VERSION 1003000
+#define VMA_CALL_PRE static
 #define VMA_IMPLEMENTATION
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wunused-function"
+namespace glint::gpu::vma {
 #include <vk_mem_alloc.h>
+}
 #pragma GCC diagnostic pop
+
+namespace glint::gpu {
+
+VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
+                         vma::VmaAllocator_T*& allocator) {
+    vma::VmaVulkanFunctions functions = {};
+    functions.vkGetInstanceProcAddr = api.GetInstanceProcAddr;
+    functions.vkGetDeviceProcAddr = api.GetDeviceProcAddr;
+    vma::VmaAllocatorCreateInfo info = {};
+    info.physicalDevice = physicalDevice;
+    info.device = device;
+    info.instance = instance;
+    info.vulkanApiVersion = VK_API_VERSION_1_3;
+    info.pVulkanFunctions = &functions;
+    return vma::vmaCreateAllocator(&info, &allocator);
+}
+
+void destroyAllocator(vma::VmaAllocator_T* allocator) {
+    vma::vmaDestroyAllocator(allocator);
+}
+
+VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,
+                     vma::VmaAllocation_T*& allocation) {
+    vma::VmaAllocationCreateInfo wanted = {};
+    wanted.usage = vma::VMA_MEMORY_USAGE_AUTO;
+    return vma::vmaCreateImage(allocator, &info, &wanted, &image, &allocation, nullptr);
+}
+
+void destroyImage(vma::VmaAllocator_T* allocator, VkImage image, vma::VmaAllocation_T* allocation) {
+    vma::vmaDestroyImage(allocator, image, allocation);
+}
+
+VkResult createBuffer(vma::VmaAllocator_T* allocator, const VkBufferCreateInfo& info, BufferHome home, VkBuffer& buffer,
+                      vma::VmaAllocation_T*& allocation, void*& mapped) {
+    vma::VmaAllocationCreateInfo wanted = {};
+    wanted.usage = vma::VMA_MEMORY_USAGE_AUTO;
+    if (home == BufferHome::Upload)
+        wanted.flags =
+            vma::VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT | vma::VMA_ALLOCATION_CREATE_MAPPED_BIT;
+    if (home == BufferHome::Readback)
+        wanted.flags = vma::VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT | vma::VMA_ALLOCATION_CREATE_MAPPED_BIT;
+    if (home != BufferHome::Device)
+        wanted.requiredFlags = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    vma::VmaAllocationInfo allocated = {};
+    const VkResult result = vma::vmaCreateBuffer(allocator, &info, &wanted, &buffer, &allocation, &allocated);
+    mapped = allocated.pMappedData;
+    return result;
+}
+
+void destroyBuffer(vma::VmaAllocator_T* allocator, VkBuffer buffer, vma::VmaAllocation_T* allocation) {
+    vma::vmaDestroyBuffer(allocator, buffer, allocation);
+}
+
+} // namespace glint::gpu

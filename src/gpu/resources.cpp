@@ -14,14 +14,22 @@ VkImageViewType viewType(ImageShape shape) {
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
-bool isDepth(VkFormat format) {
-    return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM || format == VK_FORMAT_X8_D24_UNORM_PACK32;
+VkImageAspectFlags aspectOf(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_D32_SFLOAT:
+    case VK_FORMAT_D16_UNORM:
+    case VK_FORMAT_X8_D24_UNORM_PACK32: return VK_IMAGE_ASPECT_DEPTH_BIT;
+    case VK_FORMAT_D32_SFLOAT_S8_UINT: // a host's: barriers must name both aspects
+    case VK_FORMAT_D24_UNORM_S8_UINT:
+    case VK_FORMAT_D16_UNORM_S8_UINT: return VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+    default: return VK_IMAGE_ASPECT_COLOR_BIT;
+    }
 }
 
 } // namespace
 
 VkImageAspectFlags Image::aspect() const {
-    return isDepth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    return aspectOf(desc_.format);
 }
 
 Result<Image> Image::create(Context& context, const ImageDesc& desc) {
@@ -40,10 +48,7 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = desc.usage;
-    VmaAllocationCreateInfo allocation = {};
-    allocation.usage = VMA_MEMORY_USAGE_AUTO;
-    if (const VkResult result =
-            vmaCreateImage(context.allocator(), &info, &allocation, &image.image_, &image.allocation_, nullptr);
+    if (const VkResult result = createImage(context.allocator(), info, image.image_, image.allocation_);
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "image '{}' ({}x{}, {} mips) cannot be created: VkResult {}",
                          desc.name, desc.width, desc.height, desc.mips, static_cast<int>(result));
@@ -94,7 +99,7 @@ void Image::destroy() {
     for (VkImageView view : mipViews_)
         api.DestroyImageView(context_->device(), view, nullptr);
     api.DestroyImageView(context_->device(), view_, nullptr);
-    vmaDestroyImage(context_->allocator(), image_, allocation_);
+    destroyImage(context_->allocator(), image_, allocation_);
     image_ = VK_NULL_HANDLE;
 }
 
@@ -115,28 +120,18 @@ Result<Buffer> Buffer::create(Context& context, const BufferDesc& desc) {
     VkBufferCreateInfo info = {VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
     info.size = desc.size;
     info.usage = desc.usage;
-    VmaAllocationCreateInfo allocation = {};
-    allocation.usage = VMA_MEMORY_USAGE_AUTO;
-    if (desc.home == BufferHome::Upload)
-        allocation.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_SEQUENTIAL_WRITE_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
-    if (desc.home == BufferHome::Readback)
-        allocation.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
-    if (desc.home != BufferHome::Device)
-        allocation.requiredFlags = VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    VmaAllocationInfo allocated = {};
     if (const VkResult result =
-            vmaCreateBuffer(context.allocator(), &info, &allocation, &buffer.buffer_, &buffer.allocation_, &allocated);
+            createBuffer(context.allocator(), info, desc.home, buffer.buffer_, buffer.allocation_, buffer.mapped_);
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "buffer '{}' ({} bytes) cannot be created: VkResult {}", desc.name,
                          desc.size, static_cast<int>(result));
-    buffer.mapped_ = allocated.pMappedData;
     context.nameObject(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(buffer.buffer_), desc.name.c_str());
     return buffer;
 }
 
 void Buffer::destroy() {
     if (context_ && buffer_)
-        vmaDestroyBuffer(context_->allocator(), buffer_, allocation_);
+        destroyBuffer(context_->allocator(), buffer_, allocation_);
     buffer_ = VK_NULL_HANDLE;
 }
 

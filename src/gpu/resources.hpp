@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
-struct VmaAllocation_T;
-
 namespace glint::gpu {
+
+namespace vma {
+struct VmaAllocation_T; // memory.hpp
+}
 
 enum class ImageShape : uint8_t { Flat, Array, Cube };
 
@@ -54,7 +56,7 @@ private:
     Context* context_ = nullptr; ///< null: borrowed
     ImageDesc desc_;
     VkImage image_ = VK_NULL_HANDLE;
-    VmaAllocation_T* allocation_ = nullptr;
+    vma::VmaAllocation_T* allocation_ = nullptr;
     VkImageView view_ = VK_NULL_HANDLE;
     std::vector<VkImageView> mipViews_;
     std::vector<ResourceState> states_;
@@ -95,7 +97,7 @@ private:
     Context* context_ = nullptr;
     BufferDesc desc_;
     VkBuffer buffer_ = VK_NULL_HANDLE;
-    VmaAllocation_T* allocation_ = nullptr;
+    vma::VmaAllocation_T* allocation_ = nullptr;
     void* mapped_ = nullptr;
     ResourceState state_;
 };
