@@ -6,17 +6,20 @@ target_include_directories(glint_shader_pack SYSTEM PRIVATE ${SPIRV_CROSS_C_INCL
 target_link_libraries(glint_shader_pack PRIVATE ${SPIRV_CROSS_C} fmt::fmt glint_warnings)
 set_target_properties(glint_shader_pack PROPERTIES CROSSCOMPILING_EMULATOR "")
 
-# glint_embed_shaders(TARGET SET name FOLDERS shaders/trace ...)
-# A shader is named by its path: shaders/trace/linear.comp is "trace/linear"; raster stages keep their suffix,
-# "render/gbuffer.vert". The set appears in C++ as glint::gpu::shaders::<name>() (gpu/shader.hpp).
+# glint_embed_shaders(TARGET SET name FOLDERS shaders/trace ... [ROOT tests/gpu/shaders])
+# A shader is named by its path under ROOT (default: shaders): shaders/trace/linear.comp is "trace/linear"; raster stages
+# keep their suffix, "render/gbuffer.vert". The set appears in C++ as glint::gpu::shaders::<name>() (gpu/shader.hpp).
 function(glint_embed_shaders target)
-    cmake_parse_arguments(arg "" "SET" "FOLDERS" ${ARGN})
+    cmake_parse_arguments(arg "" "SET;ROOT" "FOLDERS" ${ARGN})
+    if(NOT arg_ROOT)
+        set(arg_ROOT shaders)
+    endif()
     set(spirv_files)
     foreach(folder ${arg_FOLDERS})
         file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.comp
             ${PROJECT_SOURCE_DIR}/${folder}/*.vert ${PROJECT_SOURCE_DIR}/${folder}/*.frag)
         foreach(source ${sources})
-            file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR}/shaders ${source})
+            file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR}/${arg_ROOT} ${source})
             set(spirv ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}/${name}.spv)
             get_filename_component(spirv_folder ${spirv} DIRECTORY)
             file(MAKE_DIRECTORY ${spirv_folder})

@@ -18,7 +18,7 @@ function(glint_sources target)
         list(APPEND patterns ${PROJECT_SOURCE_DIR}/${folder}/*.cpp)
     endforeach()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
-    list(FILTER sources EXCLUDE REGEX "/embed/") # build tools have a folder of their own
+    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/.*/embed/") # build tools have a folder of their own
     target_sources(${target} PRIVATE ${sources})
 endfunction()
 
@@ -29,6 +29,9 @@ function(glint_common target)
         ${PROJECT_SOURCE_DIR}/shaders)
     target_link_libraries(${target} PUBLIC ${arg_LIBRARIES}
         PRIVATE $<BUILD_INTERFACE:glint_warnings> ${arg_PRIVATE})
+    # Only what include/glint marks GLINT_API leaves a shared library: its copies of VMA, fmt and our own internals must
+    # not take the place of a host's.
+    set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
 endfunction()
 
 # An internal part: other parts link it, strangers never see it.
@@ -40,12 +43,26 @@ function(glint_static_library target)
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/shaders>)
 endfunction()
 
-# The library that hosts link, as glint::glint. Only include/ is visible to them.
+# The library that hosts link, as glint::glint: one file that holds the internal PARTS too. Only include/ is visible to
+# hosts. What is needed to compile it, its PARTS and COMPILE libraries, stays out of the installed package.
 function(glint_library target)
+    cmake_parse_arguments(arg "" "" "FOLDERS;LIBRARIES;PRIVATE;PARTS;COMPILE" ${ARGN})
     add_library(${target})
     add_library(glint::${target} ALIAS ${target})
-    glint_common(${target} ${ARGN})
+    set(compile)
+    foreach(part ${arg_PARTS})
+        target_sources(${target} PRIVATE $<TARGET_OBJECTS:${part}>)
+    endforeach()
+    foreach(library ${arg_PARTS} ${arg_COMPILE})
+        list(APPEND compile $<BUILD_INTERFACE:${library}>)
+    endforeach()
+    glint_common(${target} FOLDERS ${arg_FOLDERS} LIBRARIES ${arg_LIBRARIES} PRIVATE ${arg_PRIVATE} ${compile})
     target_include_directories(${target} PUBLIC
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(${target} PUBLIC cxx_std_20)
+    if(BUILD_SHARED_LIBS)
+        target_compile_definitions(${target} PUBLIC GLINT_SHARED) # include/glint/api.hpp
+        set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+            SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}) # before 1.0 a minor version may break
+    endif()
 endfunction()

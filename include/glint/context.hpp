@@ -1,6 +1,7 @@
 // A host's Vulkan device, as Glint borrows it.
 #pragma once
 
+#include "glint/api.hpp"
 #include "glint/error.hpp"
 
 #include <vulkan/vulkan_core.h>
@@ -26,16 +27,16 @@ struct HostDevice {
 };
 
 /// Device extensions that the host must have enabled, besides Vulkan 1.3.
-std::span<const char* const> requiredDeviceExtensions();
+GLINT_API std::span<const char* const> requiredDeviceExtensions();
 
 /// Switches on, in the structs that the host is about to create its device with, every feature that Glint needs.
 /// A null struct is skipped: then the host switches those on itself (docs/embedding.md has the list).
-void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
-                           VkPhysicalDeviceVulkan13Features* v13);
+GLINT_API void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+                                     VkPhysicalDeviceVulkan13Features* v13);
 
 /// Glint on one device. It keeps a dispatch table and a memory allocator of its own and touches no global state, so
 /// several may live side by side, and any loader may be used beside them. Threading: external synchronisation.
-class Context {
+class GLINT_API Context {
 public:
     /// Errors: InvalidArgument for a null handle or a queue family that is not there; Unsupported, with what is
     /// missing, for a device that cannot run Glint.

@@ -1,6 +1,7 @@
 // The library's main door: a G-buffer in, the same picture with reflections out.
 #pragma once
 
+#include "glint/api.hpp"
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/settings.hpp"
@@ -49,7 +50,7 @@ struct Statistics {
 };
 
 /// One picture size, one set of settings, any number of views in turn. Not thread-safe.
-class Reflections {
+class GLINT_API Reflections {
 public:
     /// Makes every pipeline and image and rehearses the frame, so that `record` cannot fail.
     /// Errors: InvalidArgument (size, settings), OutOfMemory, Unsupported.

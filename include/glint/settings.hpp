@@ -2,6 +2,7 @@
 // settings_list.hpp holds each setting's default, range, unit and meaning; docs/settings.md shows them as a table.
 #pragma once
 
+#include "glint/api.hpp"
 #include "glint/error.hpp"
 #include "glint/setting_info.hpp"
 #include "glint/settings_list.hpp"
@@ -53,30 +54,32 @@ struct Settings {
 };
 
 /// Every setting of `Settings`, in the list's order. `SettingInfo::offset` counts from the start of `Settings`.
-std::span<const SettingInfo> settingsTable();
+GLINT_API std::span<const SettingInfo> settingsTable();
 
 /// Sets one setting from text: `set(s, "screen.step", "4")`. Other systems' names work too: `babylon:thickness`, or a
 /// bare `thickness` where one system alone has that name or `preset` (the one in force; may be empty) is that system.
 /// Errors: InvalidArgument names the nearest key, the candidates, the range or the type; the setting keeps its value.
-Result<void> set(Settings& settings, std::string_view key, std::string_view value, std::string_view preset = {});
+GLINT_API Result<void> set(Settings& settings, std::string_view key, std::string_view value,
+                           std::string_view preset = {});
 
 /// Sets what the JSON names, nested `{"screen":{"step":4}}` or flat `{"screen.step":4}`; the rest keeps its value.
 /// `name` says in errors where the text comes from: "my.json:3: ...". On an error nothing is changed.
-Result<void> fromJson(Settings& settings, std::string_view text, std::string_view name, std::string_view preset = {});
+GLINT_API Result<void> fromJson(Settings& settings, std::string_view text, std::string_view name,
+                                std::string_view preset = {});
 
 /// All settings as nested JSON; `fromJson` reads it back to the same bits.
-std::string toJson(const Settings& settings);
+GLINT_API std::string toJson(const Settings& settings);
 
 /// Errors: InvalidArgument for the first setting out of range, as a host may write it into the struct.
-Result<void> validate(const Settings& settings);
+GLINT_API Result<void> validate(const Settings& settings);
 
 /// Defaults, then what the preset says. Errors: InvalidArgument lists the presets.
-Result<void> applyPreset(Settings& settings, std::string_view name);
+GLINT_API Result<void> applyPreset(Settings& settings, std::string_view name);
 
 /// "babylon", "balanced", ... in alphabetical order: the files of presets/, built into the library.
-std::vector<std::string_view> presetNames();
+GLINT_API std::vector<std::string_view> presetNames();
 
 /// The preset's own text, for programs that have settings of their own beside the library's.
-Result<std::string_view> presetJson(std::string_view name);
+GLINT_API Result<std::string_view> presetJson(std::string_view name);
 
 } // namespace glint

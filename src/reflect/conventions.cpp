@@ -24,7 +24,10 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
     const bool leftHanded = conventions.handedness == Handedness::Left;
     const double hostZSign = leftHanded ? 1 : -1;
     const dmat4 flipZ = dmat4(dvec4(1, 0, 0, 0), dvec4(0, 1, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 0, 0, 1));
-    const dmat4 hostViewToClip = glm::make_mat4(view.viewToClip.data());
+    dmat4 hostViewToClip = glm::make_mat4(view.viewToClip.data());
+    const bool orthographic = hostViewToClip[2].w == 0;
+    // The numbers of a projection have a common factor that means nothing: make clip.w viewZ, or 1.
+    hostViewToClip /= orthographic ? hostViewToClip[3].w : std::abs(hostViewToClip[2].w);
     const dmat4 hostWorldToView = glm::make_mat4(view.worldToView.data());
     const dmat4 worldToView = leftHanded ? flipZ * hostWorldToView : hostWorldToView;
     dmat4 viewToClip = leftHanded ? hostViewToClip * flipZ : hostViewToClip;
@@ -46,7 +49,6 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
     frame.worldToEnvironment = glm::mat4(1);
 
     // For a perspective camera clip.w = viewZ, so ndc = m00 * x / viewZ - m20; for an orthographic one w = 1.
-    const bool orthographic = viewToClip[2].w == 0;
     const double offsetX = orthographic ? -viewToClip[3].x : viewToClip[2].x;
     const double offsetY = orthographic ? -viewToClip[3].y : viewToClip[2].y;
     frame.uvToView = glm::vec4(dvec4(2 / viewToClip[0].x, -2 / viewToClip[1].y, (offsetX - 1) / viewToClip[0].x,

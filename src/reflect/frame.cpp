@@ -122,6 +122,12 @@ void FrameState::countOutcomes(gpu::Frame& frame) {
 }
 
 void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
+    if (!upToDate) {
+        makeTables(frame);
+        prepare(frame, lastView);
+        combine(frame);
+        upToDate = !frame.rehearsing();
+    }
     const shared::ViewConstants constants = {which, static_cast<uint32_t>(desc.settings.screen.maxSteps)};
     frame.pass(pipelines.view)
         .read("frame", frameConstants)
@@ -188,7 +194,8 @@ Result<void> FrameState::createImages() {
         {&traced.rayRecord, "glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared},
         {&reflected.reflected, "glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, 0},
         {&reflected.weights, "glint/weights", VK_FORMAT_R8G8B8A8_UNORM, w, h, 0},
-        {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, VK_IMAGE_USAGE_TRANSFER_SRC_BIT},
+        {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h,
+         VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}, // hosts blend over it
         {&dfg, "glint/dfg", VK_FORMAT_R16G16_SFLOAT, kDfgSize, kDfgSize, 0},
         {&black, "glint/black", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared},
         {&blackCube, "glint/blackCube", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared, gpu::ImageShape::Cube},

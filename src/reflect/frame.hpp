@@ -45,6 +45,8 @@ struct FrameState {
     gpu::Buffer statistics;
     gpu::Buffer statisticsReadback;
     bool tablesMade = false; ///< dfg and the stand-ins hold their content
+    View lastView;
+    bool upToDate = false; ///< the images belong to lastView; false if its frame had nothing to do
     std::unique_ptr<gpu::Timers> timers;
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
@@ -52,6 +54,7 @@ struct FrameState {
     bool anySource() const;
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
+    /// Prepares first what the last frame did not need.
     void recordView(gpu::Frame& frame, uint32_t view);
 
 private:

@@ -118,7 +118,9 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
               borrow(host.litRadiance, "litRadiance"),
               borrow(host.fallbackSpecular, "fallbackSpecular"),
               borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
-    if (!state.anySource() && !state.desc.settings.debug.outcome)
+    state.lastView = view;
+    state.upToDate = state.anySource() || state.desc.settings.debug.outcome;
+    if (!state.upToDate)
         return host.litRadiance;
 
     gpu::Frame frame(*state.context, commands, state.timers.get());

@@ -18,7 +18,7 @@ struct Entry {
 
 const std::array kEntries = {
     Entry{{"hall", "an evening hall with a polished floor, columns, metals, glass and neon: the show piece",
-           "three-quarter", "sky", 0.06f},
+           "three-quarter", "sky", 0.15f},
           builtin::makeHall},
     Entry{{"exact", "emission and perfect mirrors only: every right program draws the same", "front", "none", 1},
           builtin::makeExact},

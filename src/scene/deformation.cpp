@@ -29,8 +29,7 @@ void makeTangentsFit(Geometry& geometry) {
     }
 }
 
-/// The weighted sum of a vertex's joint matrices; weights are scaled to a sum of 1, which exporters often miss a
-/// little.
+/// The weighted sum of a vertex's joint matrices. Weights are scaled to a sum of 1; exporters miss it by a little.
 glm::mat4 blendJoints(const Primitive& primitive, std::span<const glm::mat4> skinToWorld, size_t vertex) {
     glm::mat4 sum(0);
     float total = 0;

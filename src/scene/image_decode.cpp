@@ -1,5 +1,7 @@
 #include "scene/image_decode.hpp"
 
+#include "scene/jpeg_check.hpp"
+
 #include <webp/decode.h>
 
 // The one place where stb_image's functions live. HDR is for the environment files (scene/image files), not for glTF.
@@ -98,6 +100,8 @@ Result<Image> decodeImage(std::span<const uint8_t> bytes, const std::string& nam
         return invalidInput("{}: is no PNG, JPEG or WebP image{}", name, bytes.empty() ? " (0 bytes)" : "");
     if (bytes.size() > size_t(std::numeric_limits<int>::max()))
         return invalidInput("{}: has {} bytes, more than an image file may have (2 GiB)", name, bytes.size());
+    if (format == Format::Jpeg && !jpegTablesFit(bytes))
+        return invalidInput("{}: the JPEG's tables are damaged or cut off", name);
     GLINT_TRY(size, readSize(bytes, format, name));
     const uint64_t pixels = uint64_t(size.width) * uint64_t(size.height);
     if (size.width > STBI_MAX_DIMENSIONS || size.height > STBI_MAX_DIMENSIONS || pixels > maxPixels)

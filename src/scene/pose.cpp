@@ -92,10 +92,18 @@ void grow(Bounds& bounds, const glm::vec3& point) {
     bounds.max = glm::max(bounds.max, point);
 }
 
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+/// Empty if there are no vertices or if one of them was deformed beyond the range of a float.
 Bounds localBounds(const Geometry& geometry) {
     Bounds bounds;
-    for (const glm::vec3& position : geometry.positions)
+    for (const glm::vec3& position : geometry.positions) {
+        if (!isFinite(position))
+            return {};
         grow(bounds, position);
+    }
     return bounds;
 }
 
@@ -148,7 +156,7 @@ private:
     void addNode(int index) {
         const Node& node = scene_.nodes[size_t(index)];
         const glm::mat4& localToWorld = localToWorld_[size_t(index)];
-        if (!isFinite(localToWorld)) // numbers beyond a float; nothing could be seen
+        if (!isFinite(localToWorld)) // beyond the range of a float; nothing could be seen
             return;
         if (node.camera >= 0)
             pose_.cameras.push_back(placeCamera(scene_.cameras[size_t(node.camera)], node.name, localToWorld));
@@ -199,13 +207,15 @@ private:
             entry->second = localBounds(geometry);
         const Bounds& local = entry->second;
         Bounds world;
-        for (int corner = 0; corner < 8; ++corner) {
+        for (int corner = 0; corner < 8 && !local.empty(); ++corner) {
             const glm::vec3 point(corner & 1 ? local.max.x : local.min.x, corner & 2 ? local.max.y : local.min.y,
                                   corner & 4 ? local.max.z : local.min.z);
-            grow(world, glm::vec3(localToWorld * glm::vec4(point, 1)));
+            const glm::vec3 pointWS(localToWorld * glm::vec4(point, 1));
+            if (!isFinite(pointWS))
+                return; // beyond the range of a float; nothing could be seen
+            grow(world, pointWS);
         }
-        const glm::vec3 size = world.max - world.min;
-        if (!std::isfinite(size.x) || !std::isfinite(size.y) || !std::isfinite(size.z))
+        if (world.empty())
             return;
         grow(pose_.boundsWS, world.min);
         grow(pose_.boundsWS, world.max);

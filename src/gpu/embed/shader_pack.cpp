@@ -150,8 +150,8 @@ int main(int argc, char** argv) {
     std::ofstream out(argv[3]);
     out << "// Made by glint_shader_pack.\n#include \"gpu/shader.hpp\"\n\nnamespace glint::gpu {\nnamespace {\n\n"
         << arrays << "\nconst EmbeddedShader kShaders[] = {\n"
-        << table << "};\n\n} // namespace\n\nstd::span<const EmbeddedShader> shaders::" << set
-        << "() { return kShaders; }\n\n} // namespace glint::gpu\n";
+        << table << "};\n\n} // namespace\n\nnamespace shaders {\nstd::span<const EmbeddedShader> " << set
+        << "() { return kShaders; }\n} // namespace shaders\n\n} // namespace glint::gpu\n";
     if (!out.flush())
         fail(std::string(argv[3]) + ": cannot be written");
 }

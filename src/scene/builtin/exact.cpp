@@ -2,8 +2,9 @@
 // anybody's light model (docs/truth.md, "The exact picture"). There is no environment: what the mirrors do not see is
 // black.
 //
-// Most things stand on the floor mirror: of those, the mirror shows only what the camera sees as well, which is fair to
-// screen-space tracing. A few float or turn their back to the wall mirror, which is fair to rays.
+// Most things stand on the floor mirror and overhang nothing: of those, the mirror shows only what the camera sees as
+// well. So from "front" nearly everything that takes one bounce can be found on the screen, and an error there is the
+// tracer's own; the other cameras see more that only rays can answer.
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
 #include "scene/builtin/shapes.hpp"
@@ -16,6 +17,7 @@ namespace glint::scene::builtin {
 
 namespace {
 
+constexpr float kSkylineZ = -5.5f;
 constexpr float kSink = 0.02f; ///< metres below the floor: no face lies in the mirror's plane
 
 // Flat colours, linear; any two differ by far more than the 24/255 in sRGB that count as wrong.
@@ -56,12 +58,20 @@ private:
         b_.camera("high", {1.2f, 4.2f, 6.2f}, {0, 0, -1.2f}, 45);
     }
 
-    /// Towers of different heights against the black: long straight silhouettes at the far end.
+    /// Towers of different heights against the black: long straight silhouettes at the far end. Gaps are left for
+    /// the star, the ring and the wall mirror.
     void skyline() {
-        constexpr std::array heights = {1.1f, 2.0f, 1.5f, 2.4f, 1.0f, 1.8f, 2.6f, 1.3f, 2.1f, 0.9f, 1.7f, 2.3f, 1.2f};
+        constexpr std::array heights = {1.1f, 0.f, 1.5f, 0.f, 1.0f, 1.8f, 2.6f, 1.3f, 2.1f, 0.9f, 1.7f, 2.3f, 0.f};
         for (size_t i = 0; i < heights.size(); ++i) {
             const float x = 0.72f * (static_cast<float>(i) - 6);
-            stand("tower", {0.36f, heights[i] / 2, 0.15f}, color(i * 5 + 1), {x, 0, -5.5f});
+            // Storeys of different colours: a reflection that lands too high or too low is a wrong colour.
+            const float storey = heights[i] / 4;
+            if (storey == 0)
+                continue;
+            stand("tower", {0.36f, storey / 2, 0.15f}, color(i * 5 + 1), {x, 0, kSkylineZ});
+            for (size_t k = 1; k < 4; ++k)
+                b_.add("tower", box({0.36f, storey / 2, 0.15f}), color(i * 5 + 1 + 3 * k),
+                       {{x, storey * (static_cast<float>(k) + 0.5f), kSkylineZ}});
         }
     }
 
@@ -74,6 +84,7 @@ private:
     /// A box with a colour a face: which face a reflection shows matters.
     int facedBox(const glm::vec3& half, size_t firstColor) {
         std::vector<std::pair<Geometry, int>> sides;
+        sides.reserve(kAllSides.size());
         for (const Side side : kAllSides)
             sides.emplace_back(boxSide(half, side), color(firstColor + sides.size()));
         return b_.mesh("faced box", std::move(sides));
@@ -87,28 +98,39 @@ private:
         standFaced({0.4f, 0.4f, 0.4f}, 0, {-2.1f, 0, 1.2f}, 28);
         standFaced({0.3f, 0.75f, 0.3f}, 3, {1.1f, 0, -1.2f}, -35);
         standFaced({0.55f, 0.2f, 0.3f}, 6, {0.9f, 0, 1.9f}, 15);
-        b_.place(facedBox({0.25f, 0.25f, 0.25f}, 8), {{-0.9f, 1.35f, -1.5f}, turnedY(40)}); // floats
+        b_.place(facedBox({0.18f, 0.18f, 0.18f}, 8), {{-0.75f, 1.9f, -1.5f}, turnedY(40)}); // floats
     }
 
+    /// Two spheres stand near, a little sunk and with nothing but black behind their feet; the ball and the dome are
+    /// sunk to their equators, so that they hide nothing that their reflections show; one sphere floats.
     void spheres() {
-        const auto stand = [&](float radius, int material, const glm::vec2& xz) {
-            b_.add("sphere", sphere(radius, 64, 32), material, {{xz.x, radius - kSink / 4, xz.y}});
+        const auto add = [&](float radius, int material, const glm::vec3& center) {
+            b_.add("sphere", sphere(radius, 64, 32), material, {center});
         };
-        stand(0.45f, color(7), {-0.55f, 0.4f});
-        stand(0.3f, color(4), {2.2f, 1.0f});
-        stand(0.6f, color(8), {-2.3f, -2.2f});
-        b_.add("sphere", sphere(0.28f, 64, 32), color(5), {{2.0f, 1.5f, -2.6f}}); // floats
-        // A ball in eight sectors: the reflection is upside down, not turned, so the sectors must line up.
+        add(0.24f, color(7), {-0.66f, 0.14f, 2.5f});
+        add(0.3f, color(4), {2.3f, 0.18f, 1.8f});
+        add(0.6f, color(8), {-1.5f, 0, -2.2f});
+        add(0.28f, color(5), {2.f, 1.5f, -2.6f});
+        // Sectors: a reflection is upside down, not turned, so the sectors must line up.
+        constexpr int kSectors = 8;
         std::vector<std::pair<Geometry, int>> sectors;
-        for (int i = 0; i < 8; ++i)
-            sectors.emplace_back(sphereSector(0.4f, 64, 32, 8 * i, 8 * i + 8), i % 2 == 0 ? color(9) : color(0));
-        b_.place(b_.mesh("ball", std::move(sectors)), {{0.15f, 0.4f - kSink / 4, -3.4f}, turnedY(10)});
+        sectors.reserve(kSectors);
+        for (int i = 0; i < kSectors; ++i)
+            sectors.emplace_back(sphereSector(0.5f, 64, 32, 8 * i, 8 * i + 8), i % 2 == 0 ? color(9) : color(0));
+        b_.place(b_.mesh("ball", std::move(sectors)), {{0.15f, 0, -3.4f}, turnedY(10)});
     }
 
+    /// Shapes with edges at all angles. The crown stands near, since nothing of it overhangs; star, arch and ring, past
+    /// whose edges a reflection looks at what the camera cannot see, stand in the gaps of the skyline or right before
+    /// it.
     void silhouettes() {
-        b_.add("star", extrude(starOutline(5, 0.55f, 0.24f), 0.1f), color(2), {{-1.5f, 0.42f, -0.4f}, turnedY(12)});
-        b_.add("arch", extrude(archOutline(1.5f, 1.3f, 0.55f), 0.2f), color(1), {{-0.6f, -kSink, -4.3f}, turnedY(-8)});
-        b_.add("ring", torus(0.45f, 0.06f, 64, 16), color(3), {{2.7f, 0.5f, -1.4f}, turnedY(-20)});
+        const std::array<glm::vec2, 9> crown = {glm::vec2(-0.6f, 0), {0.6f, 0},      {0.6f, 0.7f},
+                                                {0.3f, 0.35f},       {0.15f, 0.9f},  {0.f, 0.4f},
+                                                {-0.15f, 0.9f},      {-0.3f, 0.35f}, {-0.6f, 0.7f}};
+        b_.add("crown", extrude(crown, 0.12f), color(2), {{0.05f, -kSink, -0.4f}, turnedY(12)});
+        b_.add("star", extrude(starOutline(5, 0.6f, 0.26f), 0.1f), color(2), {{-3.6f, 0.48f, kSkylineZ}, turnedY(-6)});
+        b_.add("arch", extrude(archOutline(1.5f, 1.3f, 0.55f), 0.2f), color(1), {{1.5f, -kSink, -5.1f}, turnedY(-8)});
+        b_.add("ring", torus(0.44f, 0.05f, 64, 16), color(3), {{-2.16f, 0.5f, kSkylineZ}, turnedY(20)});
     }
 
     /// Thin things: from about five pixels wide at 640x360 to less than one.
@@ -121,11 +143,14 @@ private:
         }
     }
 
-    /// A mirror that stands at the right and shows the floor, which shows the things: two bounces.
+    /// A mirror that stands on the floor at the right and leans forward, so that most of it shows the floor, which
+    /// shows the things: two bounces.
     void wallMirror() {
         const glm::vec2 half(1.6f, 0.85f);
-        const Place place{{3.75f, half.y + 0.06f, -1.6f}, turnedY(-68)};
+        const glm::quat leaning = glm::angleAxis(glm::radians(24.f), glm::vec3(1, 0, 0));
+        const Place place{{3.86f, 0.8f, -1.6f}, turnedY(-68) * leaning};
         std::vector<std::pair<Geometry, int>> sides;
+        sides.reserve(kAllSides.size());
         for (const Side side : kAllSides)
             sides.emplace_back(boxSide({half.x, half.y, 0.03f}, side), side == Side::PlusZ ? mirror_ : color(11));
         b_.place(b_.mesh("wall mirror", std::move(sides)), place);

@@ -43,10 +43,11 @@ int SceneBuilder::mesh(std::string name, Geometry geometry, int material) {
 int SceneBuilder::mesh(std::string name, std::vector<std::pair<Geometry, int>> primitives) {
     Mesh mesh;
     mesh.name = std::move(name);
-    for (auto& [geometry, material] : primitives) {
+    mesh.primitives.reserve(primitives.size());
+    for (auto& part : primitives) {
         Primitive& primitive = mesh.primitives.emplace_back();
-        primitive.geometry = std::move(geometry);
-        primitive.material = material;
+        primitive.geometry = std::move(part.first);
+        primitive.material = part.second;
     }
     scene_.meshes.push_back(std::move(mesh));
     return static_cast<int>(scene_.meshes.size()) - 1;

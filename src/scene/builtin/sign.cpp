@@ -26,17 +26,19 @@ Stroke bent(std::initializer_list<glm::vec3> corners) {
     return roundedPolyline(std::span(corners.begin(), corners.size()), kBend);
 }
 
-/// Three quarters of a circle, open to the right, then up to the middle and in: one tube.
+/// An arc open to the right, then a bend and a bar to the middle: one tube.
 Letter letterG() {
     constexpr int kSegments = 30;
-    const float from = glm::radians(48.f), to = glm::radians(360.f);
+    const float from = glm::radians(48.f), to = glm::radians(330.f);
     const glm::vec2 center(0.46f, 0.5f), radius(0.46f, 0.5f);
     Stroke stroke;
-    for (int i = 0; i <= kSegments; ++i) {
+    for (int i = 0; i < kSegments; ++i) {
         const float angle = glm::mix(from, to, static_cast<float>(i) / kSegments);
         stroke.emplace_back(center + radius * glm::vec2(std::cos(angle), std::sin(angle)), 0);
     }
-    stroke.emplace_back(0.52f, 0.5f, 0);
+    const glm::vec3 arcEnd(center + radius * glm::vec2(std::cos(to), std::sin(to)), 0);
+    const Stroke bar = bent({arcEnd, {0.92f, 0.5f, 0}, {0.5f, 0.5f, 0}});
+    stroke.insert(stroke.end(), bar.begin(), bar.end());
     return {0.92f, {stroke}};
 }
 
@@ -46,7 +48,7 @@ Letter letter(char c) {
     case 'L': return {0.52f, {bent({{0, 1, 0}, {0, 0, 0}, {0.52f, 0, 0}})}};
     case 'I': return {0, {{{0, 0, 0}, {0, 1, 0}}}};
     case 'N': return {0.68f, {bent({{0, 0, 0}, {0, 1, 0}, {0.68f, 0, 0}, {0.68f, 1, 0}})}};
-    case 'T': return {0.72f, {{{0, 1, 0}, {0.72f, 1, 0}}, {{0.36f, 0, 0}, {0.36f, 0.9f, 0}}}};
+    case 'T': return {0.72f, {{{0, 1, 0}, {0.72f, 1, 0}}, {{0.36f, 0, 0}, {0.36f, 1, 0}}}};
     default: return {};
     }
 }

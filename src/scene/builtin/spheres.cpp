@@ -34,7 +34,7 @@ void addFloor(SceneBuilder& b) {
 
 void addChart(SceneBuilder& b) {
     const int step = b.material(dielectric("step", glm::vec3(0.12f), 0.3f));
-    const glm::vec3 color(0.95f, 0.64f, 0.32f); // a warm metal, so that metalness shows as tint
+    const glm::vec3 color(0.9f, 0.55f, 0.25f); // a warm metal, so that metalness shows as tint
     for (int row = 0; row < kRows; ++row) {
         const float z = -kStepDepth * static_cast<float>(row), top = kStepHeight * static_cast<float>(row + 1);
         b.add("step", roundedBox({2.75f, top / 2, kStepDepth / 2}, 0.012f), step, {{0, top / 2, z}});
@@ -62,10 +62,10 @@ void addDielectrics(SceneBuilder& b) {
 
 /// Two tall strips of light: their reflections read roughness off at a glance.
 void addLights(SceneBuilder& b) {
-    const int warm = b.material(emission("warm strip", glm::vec3(8, 5.2f, 2.8f)));
-    const int cool = b.material(emission("cool strip", glm::vec3(2.2f, 4.2f, 8)));
-    b.add("warm strip", roundedBox({0.05f, 1.2f, 0.05f}, 0.03f), warm, {{-3.4f, 1.2f, 0.2f}});
-    b.add("cool strip", roundedBox({0.05f, 1.2f, 0.05f}, 0.03f), cool, {{3.4f, 1.2f, 0.2f}});
+    const int warm = b.material(emission("warm strip", glm::vec3(4, 2.2f, 0.9f)));
+    const int cool = b.material(emission("cool strip", glm::vec3(0.7f, 1.9f, 4)));
+    b.add("warm strip", roundedBox({0.05f, 1.2f, 0.05f}, 0.03f), warm, {{-2.95f, 1.2f, 0.1f}});
+    b.add("cool strip", roundedBox({0.05f, 1.2f, 0.05f}, 0.03f), cool, {{2.95f, 1.2f, 0.1f}});
     Light sun;
     sun.name = "sun";
     sun.color = {1, 0.93f, 0.82f};
@@ -77,7 +77,7 @@ void addLights(SceneBuilder& b) {
 
 Scene makeSpheres() {
     SceneBuilder b("builtin:spheres");
-    b.camera("main", {0, 2.15f, 5.6f}, {0, 0.82f, -0.6f}, 40);
+    b.camera("main", {0, 2.2f, 5.9f}, {0, 0.86f, -0.6f}, 34);
     b.camera("grazing", {-2.6f, 0.6f, 4.2f}, {0.3f, 0.6f, -1}, 40);
     addFloor(b);
     addChart(b);

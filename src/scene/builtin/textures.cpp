@@ -11,7 +11,7 @@ namespace glint::scene::builtin {
 namespace {
 
 uint8_t toByte(float value) {
-    return static_cast<uint8_t>(std::clamp(value, 0.f, 1.f) * 255.f + 0.5f);
+    return static_cast<uint8_t>(std::lround(std::clamp(value, 0.f, 1.f) * 255.f));
 }
 
 /// IEC 61966-2-1.

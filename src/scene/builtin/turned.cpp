@@ -98,10 +98,13 @@ Geometry columnShaft(const Shaft& shaft) {
         const float t = static_cast<float>(row) / static_cast<float>(rows);
         return row == rows ? 1.f : glm::mix(t, 0.5f - 0.5f * std::cos(glm::pi<float>() * t), 0.85f);
     };
-    // A first and a last row, drawn together into one point, close the ends, which base and capital hide.
-    return lattice(columns, rows + 2, [&](int column, int row) {
-        SurfacePoint p = shaft.point(column, columns, height(std::clamp(row - 1, 0, rows)));
-        if (row == 0 || row == rows + 2)
+    // Two more rows at either end close it with a flat disc, which base and capital hide: the rim again, then its
+    // middle.
+    return lattice(columns, rows + 4, [&](int column, int row) {
+        SurfacePoint p = shaft.point(column, columns, height(std::clamp(row - 2, 0, rows)));
+        if (row < 2 || row > rows + 2)
+            p.normal = {0, row < 2 ? -1 : 1, 0};
+        if (row == 0 || row == rows + 4)
             p.position = {0, p.position.y, 0};
         return p;
     });

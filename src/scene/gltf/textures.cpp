@@ -144,7 +144,8 @@ void readTextures(Document& document, Scene& scene) {
         scene.textures.push_back(texture);
     }
     if (anyWhite && !document.failed())
-        document.diagnostics.warn("some textures exist only as KTX2, which Glint does not read; they are white");
+        document.diagnostics.warn(
+            "some textures have no image that Glint reads (it does not read KTX2); they are white");
 }
 
 } // namespace glint::scene::gltf

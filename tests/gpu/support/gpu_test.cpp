@@ -1,11 +1,14 @@
 #include "gpu/support/gpu_test.hpp"
 
+#include "gpu/support/test_shaders.hpp"
+
 namespace glint::test {
 
 gpu::Context& GpuTest::gpu() {
     static const std::unique_ptr<gpu::Context> context = [] {
         auto created = must(gpu::Context::create({.device = {}, .validation = true}));
         created->addShaders(gpu::shaders::reflect());
+        created->addShaders(gpu::shaders::test());
         return created;
     }();
     return *context;

@@ -1,0 +1,109 @@
+#include "measure/exact_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::measure {
+namespace {
+
+enum class Kind : uint8_t { Emission, Mirror };
+
+Result<Kind> classify(const scene::Scene& scene, int index) {
+    const scene::Material& material = scene.materials[static_cast<size_t>(index)];
+    const bool textured = material.baseColorTexture.texture >= 0 || material.emissiveTexture.texture >= 0 ||
+                          material.metallicRoughnessTexture.texture >= 0 || material.normalTexture.texture >= 0;
+    const bool black = glm::vec3(material.baseColorFactor) == glm::vec3(0) && material.specularFactor == 0;
+    if (!textured && black && material.transmissionFactor == 0 && material.clearcoatFactor == 0)
+        return Kind::Emission;
+    const bool white = glm::vec3(material.baseColorFactor) == glm::vec3(1);
+    if (!textured && white && material.metallicFactor == 1 && material.roughnessFactor == 0 &&
+        material.emissiveFactor == glm::vec3(0))
+        return Kind::Mirror;
+    return invalidInput("{}: material '{}' is neither pure emission nor a perfect mirror, so no exact picture exists",
+                        scene.name, material.name);
+}
+
+float srgb(float linear) {
+    const float x = std::clamp(linear, 0.0f, 1.0f);
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; // IEC 61966-2-1
+}
+
+/// Largest difference of the channels' sRGB values, [0, 1].
+float srgbDifference(const glm::vec3& a, const glm::vec3& b) {
+    float largest = 0;
+    for (int c = 0; c < 3; ++c)
+        largest = std::max(largest, std::abs(srgb(a[c]) - srgb(b[c])));
+    return largest;
+}
+
+} // namespace
+
+Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& pose, const glm::mat4& worldToClip,
+                                  const glm::vec3& cameraWS, uint32_t width, uint32_t height, uint32_t maxBounces) {
+    std::vector<Kind> kinds(scene.materials.size(), Kind::Emission);
+    for (const scene::DrawItem& item : pose.items) {
+        if (item.material < 0)
+            return invalidInput("{}: a surface has the default material, so no exact picture exists", scene.name);
+        GLINT_TRY(kind, classify(scene, item.material));
+        kinds[static_cast<size_t>(item.material)] = kind;
+    }
+    GLINT_TRY(oracle, RayOracle::create(scene, pose));
+
+    ExactPicture picture;
+    picture.width = width;
+    picture.height = height;
+    const glm::dmat4 clipToWorld = glm::inverse(glm::dmat4(worldToClip));
+    const glm::dvec3 eye(cameraWS);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            // Any depth of the pixel's line will do; reversed depth 0.5 is finite in every projection of ours.
+            const glm::dvec4 ndc((x + 0.5) / width * 2 - 1, 1 - (y + 0.5) / height * 2, 0.5, 1);
+            const glm::dvec4 through = clipToWorld * ndc;
+            glm::dvec3 origin = eye;
+            glm::dvec3 direction = glm::normalize(glm::dvec3(through) / through.w - eye);
+            glm::vec3 radiance(0);
+            uint8_t bounces = 0;
+            double minDistance = 0;
+            for (;;) {
+                const std::optional<OracleHit> hit = oracle.trace(origin, direction, minDistance);
+                if (!hit)
+                    break;
+                if (kinds[static_cast<size_t>(hit->material)] == Kind::Emission) {
+                    radiance = scene.materials[static_cast<size_t>(hit->material)].emissiveFactor;
+                    break;
+                }
+                if (bounces == maxBounces)
+                    break;
+                ++bounces;
+                origin = hit->positionWS;
+                direction = glm::normalize(glm::reflect(direction, hit->normalWS));
+                // Past the mirror itself, by what single precision leaves unsure at this distance.
+                minDistance = 1e-4 * (1 + 0.1 * hit->distance);
+            }
+            picture.radiance.push_back(radiance);
+            picture.withoutMirrors.push_back(bounces == 0 ? radiance : glm::vec3(0));
+            picture.bounces.push_back(bounces);
+        }
+    return picture;
+}
+
+MirrorError compareMirrors(const ExactPicture& exact, std::span<const float> rgba) {
+    constexpr float kChanged = 0.5f / 255;
+    constexpr float kWrong = 24.0f / 255;
+    MirrorError error;
+    for (size_t i = 0; i < exact.radiance.size() && 4 * i + 2 < rgba.size(); ++i) {
+        if (srgbDifference(exact.radiance[i], exact.withoutMirrors[i]) <= kChanged)
+            continue;
+        const glm::vec3 drawn(rgba[4 * i], rgba[4 * i + 1], rgba[4 * i + 2]);
+        const bool wrong = srgbDifference(exact.radiance[i], drawn) > kWrong;
+        ++error.mirrorPixels;
+        error.wrongPixels += wrong;
+        if (exact.bounces[i] == 1) {
+            ++error.oneBouncePixels;
+            error.oneBounceWrong += wrong;
+        }
+    }
+    return error;
+}
+
+} // namespace glint::measure

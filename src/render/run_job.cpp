@@ -1,0 +1,274 @@
+#include "render/run_job.hpp"
+
+#include "glint/glint.hpp"
+#include "gpu/transfer.hpp"
+#include "render/job_inputs.hpp"
+#include "render/renderer.hpp"
+#include "render/views.hpp"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace glint::render {
+namespace {
+
+constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                               VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
+                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+
+/// Ours, as the library takes it: brought into the layout that we promise.
+HostImage lend(gpu::Frame& frame, gpu::Image& image) {
+    frame.hand(image, kSampled);
+    return {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+}
+
+/// The library's, as our own passes take it.
+gpu::Image borrow(const HostImage& image, const char* name) {
+    gpu::ResourceState state;
+    state.writeStages = image.stages;
+    state.writeAccess = image.access;
+    state.layout = image.layout;
+    return gpu::Image::borrow(image.image, image.view,
+                              {name, image.format, image.width, image.height, 1, 1, gpu::ImageShape::Flat, 0}, state);
+}
+
+Matrix4 toMatrix4(const glm::mat4& matrix) {
+    Matrix4 out;
+    std::copy_n(glm::value_ptr(matrix), 16, out.begin());
+    return out;
+}
+
+glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed) {
+    return {toMatrix4(view.worldToView), toMatrix4(view.viewToClip), frameIndex, seed};
+}
+
+Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings) {
+    switch (inputs.environment) {
+    case EnvironmentKind::Image: return Environment::create(context, inputs.environmentImage);
+    case EnvironmentKind::Sky:
+        return Environment::createSky(context, settings.analyticSky.elevation, settings.analyticSky.azimuth,
+                                      settings.analyticSky.turbidity);
+    case EnvironmentKind::None: break;
+    }
+    return Environment::createNone(context);
+}
+
+/// Milliseconds of each pass over the frames, in the order in which they run.
+class PassTimes {
+public:
+    void add(const std::string& name, double milliseconds) {
+        if (times_.find(name) == times_.end())
+            order_.push_back(name);
+        times_[name].push_back(milliseconds);
+    }
+    std::vector<std::pair<std::string, double>> medians() {
+        std::vector<std::pair<std::string, double>> result;
+        for (const std::string& name : order_) {
+            std::vector<double>& all = times_[name];
+            std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
+            result.emplace_back(name, all[all.size() / 2]);
+        }
+        return result;
+    }
+
+private:
+    std::vector<std::string> order_;
+    std::map<std::string, std::vector<double>> times_;
+};
+
+/// One job's objects, and the frame that they make.
+class JobRunner {
+public:
+    JobRunner(gpu::Context& context, const RenderJob& job) : context_(context), job_(job) {}
+
+    Result<RenderResult> run() {
+        GLINT_CHECK(create());
+        for (uint32_t i = 0; i < job_.frames; ++i) {
+            GLINT_CHECK(renderFrame(i));
+            if (job_.progress)
+                job_.progress(i + 1, job_.frames);
+        }
+        for (const std::string& name : job_.views) {
+            GLINT_TRY(view, readView(name));
+            result_.views.push_back(std::move(view));
+        }
+        fillStats();
+        return std::move(result_);
+    }
+
+private:
+    Result<void> create() {
+        GLINT_TRY(inputs, loadJobInputs(job_));
+        inputs_ = std::move(inputs);
+        const RenderSettings& settings = job_.settings.render;
+        GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
+        GLINT_TRY(renderer,
+                  Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
+        renderer_ = std::make_unique<Renderer>(std::move(renderer));
+        GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height));
+        parameters_.camera = inputs_.camera;
+
+        const gpu::AdoptedDevice handles = context_.handles();
+        GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
+                                           handles.queueFamily, handles.getInstanceProcAddr}));
+        library_ = std::make_unique<Context>(std::move(library));
+        GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height,
+                                                               job_.settings.reflections, job_.statistics, true}));
+        reflections_ = std::make_unique<Reflections>(std::move(reflections));
+        GLINT_TRY(timers, gpu::Timers::create(context_));
+        timers_ = std::move(timers);
+        result_.width = inputs_.width;
+        result_.height = inputs_.height;
+        return makeTargets();
+    }
+
+    Result<void> makeTargets() {
+        const auto make = [&](const char* name, VkFormat format, VkImageUsageFlags usage) {
+            return gpu::Image::create(context_, {name, format, inputs_.width, inputs_.height, 1, 1,
+                                                 gpu::ImageShape::Flat, usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+        };
+        GLINT_TRY(display, make("job/display", VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT));
+        display_ = std::move(display);
+        GLINT_TRY(scene, make("job/scene", kRadianceFormat,
+                              VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT));
+        scene_ = std::move(scene);
+        return {};
+    }
+
+    /// The frame of a host: its own opaque picture, the reflections, then what is blended over both.
+    Result<void> renderFrame(uint32_t index) {
+        Result<void> inputsSet;
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
+            gpu::Frame frame(context_, commands, timers_.get());
+            GBuffer& g = renderer_->drawOpaque(frame, parameters_);
+            frame.copy(g.litRadiance, scene_); // before anything is blended over it
+            inputsSet = reflections_->setInputs(lendInputs(frame, g), lendEnvironment(frame));
+            if (!inputsSet)
+                return;
+            const View view = renderer_->view(parameters_);
+            const HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
+            composite_ = borrow(lit, "job/composite");
+            renderer_->drawTransparent(frame, composite_);
+            renderer_->drawTransparent(frame, scene_);
+            frame.hand(composite_, kSampled);
+        }));
+        GLINT_CHECK(inputsSet);
+        for (const gpu::PassTime& time : timers_->latest())
+            passTimes_.add(time.name, time.milliseconds);
+        for (const PassTime& time : reflections_->passTimes())
+            passTimes_.add(time.name, time.milliseconds);
+        return {};
+    }
+
+    glint::GBuffer lendInputs(gpu::Frame& frame, GBuffer& g) {
+        glint::GBuffer inputs; // our conventions are Glint's own
+        inputs.depth = lend(frame, g.deviceDepth);
+        inputs.normal = lend(frame, g.normal);
+        inputs.material = lend(frame, g.material);
+        inputs.litRadiance = lend(frame, g.litRadiance);
+        inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
+        return inputs;
+    }
+
+    EnvironmentMap lendEnvironment(gpu::Frame& frame) {
+        if (inputs_.environment == EnvironmentKind::None)
+            return {};
+        gpu::Image& cube = renderer_->environment().radiance();
+        const EnvironmentSettings& settings = job_.settings.render.environment;
+        return {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
+    }
+
+    Result<RenderedView> readView(const std::string& name) {
+        GLINT_TRY(info, findView(name));
+        RenderedView view;
+        view.name = name;
+        GBuffer& g = renderer_->gbuffer();
+        if (name == "composite" || name == "scene") {
+            gpu::Image& radiance = name == "composite" ? composite_ : scene_;
+            GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, radiance));
+            view.rgba = std::move(rgba);
+            if (job_.display)
+                GLINT_CHECK(displayInto(view, radiance));
+            return view;
+        }
+        if (name == "albedo" || name == "reflectivity") {
+            GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, name == "albedo" ? g.albedo : g.material));
+            view.rgba = std::move(rgba);
+            return view;
+        }
+        Result<HostImage> recorded = HostImage{};
+        GLINT_CHECK(context_.submitAndWait(
+            [&](VkCommandBuffer commands) { recorded = reflections_->recordView(commands, name); }));
+        GLINT_CHECK(recorded);
+        gpu::Image image = borrow(*recorded, "job/view");
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, image));
+        view.rgba = std::move(rgba);
+        if (info->kind == ViewKind::Radiance && job_.display)
+            GLINT_CHECK(displayInto(view, image));
+        return context_.submitAndWait([&](VkCommandBuffer commands) { gpu::Frame(context_, commands).hand(image, kSampled); })
+                   ? Result<RenderedView>(std::move(view))
+                   : Result<RenderedView>(makeError(ErrorCode::DeviceLost, "view '{}' was lost with the device", name));
+    }
+
+    Result<void> displayInto(RenderedView& view, gpu::Image& radiance) {
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
+            gpu::Frame frame(context_, commands);
+            renderer_->display(frame, radiance, display_);
+        }));
+        GLINT_TRY(bytes, gpu::downloadImage(context_, display_));
+        view.rgb8.reserve(bytes.size() / 4 * 3);
+        for (size_t i = 0; i < bytes.size(); ++i)
+            if (i % 4 != 3)
+                view.rgb8.push_back(static_cast<uint8_t>(bytes[i]));
+        return {};
+    }
+
+    void fillStats() {
+        RenderStats& stats = result_.stats;
+        stats.device = context_.info().name;
+        stats.driver = context_.info().driver;
+        stats.software = context_.info().software;
+        stats.passes = passTimes_.medians();
+        const Statistics counted = reflections_->statistics();
+        stats.rays = counted.rays;
+        stats.lookupsPerRay = counted.lookupsMean;
+        stats.lookups95 = counted.lookups95;
+        for (const Statistics::Outcome& outcome : counted.outcomes)
+            stats.outcomes.emplace_back(outcome.name, outcome.count);
+        result_.notes = reflections_->notes();
+    }
+
+    gpu::Context& context_;
+    const RenderJob& job_;
+    JobInputs inputs_;
+    ViewParameters parameters_;
+    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Context> library_;
+    std::unique_ptr<Reflections> reflections_;
+    std::unique_ptr<gpu::Timers> timers_;
+    gpu::Image composite_; ///< the library's, or our litRadiance when nothing reflects
+    gpu::Image scene_;
+    gpu::Image display_;
+    PassTimes passTimes_;
+    RenderResult result_;
+};
+
+} // namespace
+
+Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
+    return JobRunner(context, job).run();
+}
+
+Result<RenderResult> runJob(const RenderJob& job) {
+    GLINT_TRY(context, gpu::Context::create({job.device, job.validate}));
+    Result<RenderResult> result = runJob(*context, job);
+    if (result && !context->validationMessages().empty())
+        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                         context->validationMessages().size(), context->validationMessages().front());
+    return result;
+}
+
+} // namespace glint::render
