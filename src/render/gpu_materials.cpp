@@ -66,9 +66,12 @@ shared::Material gpuMaterial(const scene::Material& m, const GpuTextures& textur
     return out;
 }
 
+bool transmitsLight(const scene::Material& material) {
+    return material.transmissionFactor > 0 && !material.unlit && !material.specularGlossiness;
+}
+
 SurfaceClass surfaceClass(const scene::Material& material) {
-    const bool letsLightThrough = material.transmissionFactor > 0 && !material.unlit && !material.specularGlossiness;
-    if (material.alphaMode == scene::AlphaMode::Blend || letsLightThrough)
+    if (material.alphaMode == scene::AlphaMode::Blend || transmitsLight(material))
         return SurfaceClass::Transparent;
     return material.alphaMode == scene::AlphaMode::Mask ? SurfaceClass::Masked : SurfaceClass::Opaque;
 }

@@ -15,6 +15,9 @@ enum class SurfaceClass : uint8_t {
     Transparent, ///< blended, or lets light through
 };
 
+/// KHR_materials_transmission: what is behind shows through, tinted.
+bool transmitsLight(const scene::Material& material);
+
 SurfaceClass surfaceClass(const scene::Material& material);
 
 } // namespace glint::render

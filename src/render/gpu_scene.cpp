@@ -112,6 +112,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
     const bool moved = lastTransforms_.size() == pose.items.size();
     std::vector<shared::Instance> instances;
     items_.clear();
+    transmitsLight_ = false;
     for (size_t i = 0; i < pose.items.size(); ++i) {
         const scene::DrawItem& item = pose.items[i];
         const Range& range = ranges_.at(item.geometry);
@@ -124,6 +125,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.topology = item.geometry->topology;
         out.surface = surfaceClass(material);
         out.doubleSided = material.doubleSided;
+        transmitsLight_ |= render::transmitsLight(material);
         out.mirrored = glm::determinant(glm::mat3(item.localToWorld)) < 0;
         if (!bounds.empty())
             out.centerWS = glm::vec3(item.localToWorld * glm::vec4((bounds.min + bounds.max) * 0.5f, 1));

@@ -34,6 +34,7 @@ public:
     Result<void> setPose(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
 
     const std::vector<GpuItem>& items() const { return items_; }
+    bool transmitsLight() const { return transmitsLight_; } ///< some item shows what is behind it
     const scene::Bounds& boundsWS() const { return boundsWS_; }
     gpu::Buffer& instances() { return instances_; }   ///< shared::Instance
     gpu::Buffer& positions() { return positions_; }   ///< float3
@@ -56,6 +57,7 @@ private:
     gpu::Buffer materials_, instances_, positions_, attributes_, indices_;
     std::unordered_map<const scene::Geometry*, Range> ranges_;
     std::vector<GpuItem> items_;
+    bool transmitsLight_ = false;
     std::vector<glm::mat4> lastTransforms_;            ///< of the pose before, by item
     std::vector<std::vector<glm::vec3>> lastDeformed_; ///< positions of the pose before, by place in Pose::deformed
     scene::Bounds boundsWS_;

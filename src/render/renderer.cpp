@@ -13,6 +13,7 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     GLINT_TRY(gpuScene, GpuScene::create(context, scene, pose));
     GLINT_TRY(dfg, makeDfgTable(context));
     GLINT_TRY(surfaces, SurfacePass::create(context, gpuScene));
+    GLINT_TRY(transparent, TransparentPass::create(context, gpuScene));
     GLINT_TRY(background, BackgroundPass::create(context));
     GLINT_TRY(display, DisplayPass::create(context));
     GLINT_TRY(shadows, ShadowMaps::create(context, gpuScene));
@@ -25,6 +26,7 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     result.scene_ = std::move(gpuScene);
     result.dfg_ = std::move(dfg);
     result.surfaces_ = std::move(surfaces);
+    result.transparent_ = std::move(transparent);
     result.background_ = std::move(background);
     result.display_ = std::move(display);
     result.shadows_ = std::move(shadows);
@@ -41,6 +43,7 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height) {
     if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height)
         return {};
     GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height));
+    GLINT_CHECK(transparent_.resize(*context_, scene_, width, height));
     gbuffer_ = std::move(gbuffer);
     return rehearse();
 }
@@ -48,6 +51,7 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height) {
 Result<void> Renderer::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(*context_);
     drawOpaque(frame, ViewParameters());
+    drawTransparent(frame, gbuffer_.litRadiance);
     display(frame, gbuffer_.litRadiance, gbuffer_.albedo);
     return frame.firstError();
 }
@@ -130,6 +134,10 @@ GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameter
     surfaces_.draw(frame, view_, scene_, lightingInputs(), gbuffer_);
     background_.draw(frame, viewBuffer_, environment_, gbuffer_);
     return gbuffer_;
+}
+
+void Renderer::drawTransparent(gpu::Frame& frame, gpu::Image& hdr) {
+    transparent_.draw(frame, view_, scene_, lightingInputs(), gbuffer_.deviceDepth, hdr);
 }
 
 void Renderer::display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr) {

@@ -5,7 +5,7 @@
 #include "render/background_pass.hpp"
 #include "render/display_pass.hpp"
 #include "render/shadow_maps.hpp"
-#include "render/surface_pass.hpp"
+#include "render/transparent_pass.hpp"
 
 #include <optional>
 
@@ -44,6 +44,9 @@ public:
 
     /// The G-buffer with every opaque surface and the background. Valid until the next call or resize.
     GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters);
+    /// Blended and light-transmitting surfaces over `hdr` (RGBA16F with COLOR_ATTACHMENT and TRANSFER_SRC usage, of the
+    /// G-buffer's size), seen as in the last drawOpaque. Records nothing if the scene has none.
+    void drawTransparent(gpu::Frame& frame, gpu::Image& hdr);
     /// Exposure, tone map and sRGB into `ldr` (RGBA8_UNORM with STORAGE usage, of the same size).
     void display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr);
 
@@ -73,6 +76,7 @@ private:
     bool lightsChanged_ = true;
     SurfacePass surfaces_;
     BackgroundPass background_;
+    TransparentPass transparent_;
     DisplayPass display_;
     GBuffer gbuffer_;
     View view_;

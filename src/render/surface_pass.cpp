@@ -21,8 +21,8 @@ gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene
     return pass;
 }
 
-void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance) {
-    draws.cull(item.doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT, item.mirrored);
+void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullModeFlags cull) {
+    draws.cull(cull, item.mirrored);
     draws.push(shared::DrawConstants{instance});
     draws.drawIndexed(item.indexCount, item.firstIndex, item.vertexOffset);
 }
@@ -80,7 +80,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
             .draw([&](gpu::Draws& draws) {
                 for (const uint32_t i : order_)
                     if (belongs(items[i]))
-                        drawItem(draws, items[i], i);
+                        drawItem(draws, items[i], i, items[i].doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
             });
         clear = false;
     };

@@ -24,7 +24,7 @@ struct LightingInputs {
 gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs);
 
 /// Records the draw of one item.
-void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance);
+void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullModeFlags cull);
 
 /// The topologies, in the order of scene::Topology.
 constexpr std::array<VkPrimitiveTopology, 3> kTopologies = {

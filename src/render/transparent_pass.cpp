@@ -1,0 +1,78 @@
+#include "render/transparent_pass.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace glint::render {
+
+Result<TransparentPass> TransparentPass::create(gpu::Context& context, const GpuScene& scene) {
+    TransparentPass result;
+    gpu::RasterDesc desc;
+    desc.vertexShader = "render/surface.vert";
+    desc.fragmentShader = "render/transparent.frag";
+    desc.pushSize = sizeof(shared::DrawConstants);
+    desc.colorFormats = {kRadianceFormat};
+    desc.depthFormat = kDepthFormat;
+    desc.depthWrite = false;
+    desc.blend = gpu::Blend::Premultiplied;
+    desc.tableLayout = scene.textures().layout();
+    for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
+        desc.topology = kTopologies[topology];
+        GLINT_TRY(pipeline, gpu::Pipeline::raster(context, desc));
+        result.pipelines_[topology] = std::move(pipeline);
+    }
+    return result;
+}
+
+Result<void> TransparentPass::resize(gpu::Context& context, const GpuScene& scene, uint32_t width, uint32_t height) {
+    if (!scene.transmitsLight())
+        width = height = 1;
+    const auto mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));
+    GLINT_TRY(behind, gpu::Image::create(context, {"render/behind", kRadianceFormat, width, height, mips, 1,
+                                                   gpu::ImageShape::Flat,
+                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+                                                       VK_IMAGE_USAGE_TRANSFER_DST_BIT}));
+    behind_ = std::move(behind);
+    return {};
+}
+
+void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
+                           gpu::Image& deviceDepth, gpu::Image& hdr) {
+    const std::vector<GpuItem>& items = scene.items();
+    order_.clear();
+    for (uint32_t i = 0; i < items.size(); ++i)
+        if (items[i].surface == SurfaceClass::Transparent)
+            order_.push_back(i);
+    if (order_.empty() && !frame.rehearsing())
+        return;
+    std::stable_sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
+        const auto viewZ = [&](uint32_t i) {
+            return glm::dot(items[i].centerWS - view.positionWS(), view.forwardWS());
+        };
+        return viewZ(a) > viewZ(b);
+    });
+    if (scene.transmitsLight()) {
+        frame.copy(hdr, behind_);
+        frame.makeMips(behind_);
+    }
+    for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
+        const auto belongs = [&](uint32_t i) { return items[i].topology == static_cast<scene::Topology>(topology); };
+        if (!frame.rehearsing() && std::none_of(order_.begin(), order_.end(), belongs))
+            continue;
+        surfacePass(frame, pipelines_[topology], scene, inputs)
+            .read("behind", behind_)
+            .color(hdr)
+            .depth(deviceDepth, false, false)
+            .draw([&](gpu::Draws& draws) {
+                for (const uint32_t i : order_) {
+                    if (!belongs(i))
+                        continue;
+                    if (items[i].doubleSided) // its far side first
+                        drawItem(draws, items[i], i, VK_CULL_MODE_FRONT_BIT);
+                    drawItem(draws, items[i], i, VK_CULL_MODE_BACK_BIT);
+                }
+            });
+    }
+}
+
+} // namespace glint::render

@@ -1,0 +1,25 @@
+// Draws blended and light-transmitting surfaces over a lit picture.
+#pragma once
+
+#include "render/surface_pass.hpp"
+
+namespace glint::render {
+
+class TransparentPass {
+public:
+    static Result<TransparentPass> create(gpu::Context& context, const GpuScene& scene);
+    /// Errors: OutOfMemory.
+    Result<void> resize(gpu::Context& context, const GpuScene& scene, uint32_t width, uint32_t height);
+
+    /// Draws the farthest first, by the centre of each item; tests depth, writes none. Nothing is recorded if the scene
+    /// has no such surface. Surfaces that transmit light see the picture as it is before this pass.
+    void draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
+              gpu::Image& deviceDepth, gpu::Image& hdr);
+
+private:
+    std::array<gpu::Pipeline, 3> pipelines_; ///< by topology
+    gpu::Image behind_;                      ///< with mips; one texel if nothing transmits light
+    std::vector<uint32_t> order_;
+};
+
+} // namespace glint::render
