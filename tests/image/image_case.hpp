@@ -2,7 +2,7 @@
 //
 //     {"description": "for people", "scene": "builtin:hall", "camera": "three-quarter", "environment": "sky",
 //      "size": [320, 180], "time": 0, "frames": 1, "seed": 0, "preset": "balanced", "set": ["screen.step=4"],
-//      "view": "color", "tolerance": {"maxAbsDiff": 0.02, "failingFraction": 0.001, "meanFlip": 0.05}}
+//      "view": "composite", "tolerance": {"maxAbsDiff": 0.02, "failingFraction": 0.001, "meanFlip": 0.05}}
 //
 // "scene" and "size" must be there. Where "scene", "camera" or "environment" begin with "assets:", the rest is a path
 // in the assets folder, which not every machine has.

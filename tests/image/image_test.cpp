@@ -88,8 +88,8 @@ TEST_P(ImageTest, MatchesGolden) {
     EXPECT_TRUE(verdict.good) << verdict.message;
 }
 
-INSTANTIATE_TEST_SUITE_P(Image, ImageTest, testing::ValuesIn(caseNames()), [](const auto& info) {
-    std::string name = info.param; // GoogleTest takes letters, digits and underscores
+INSTANTIATE_TEST_SUITE_P(Image, ImageTest, testing::ValuesIn(caseNames()), [](const auto& tested) {
+    std::string name = tested.param; // GoogleTest takes letters, digits and underscores
     std::ranges::replace(name, '-', '_');
     return name;
 });
