@@ -2,6 +2,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands.hpp"
+#include "exact_report.hpp"
 #include "render_options.hpp"
 #include "render_output.hpp"
 
@@ -26,9 +27,14 @@ Result<void> renderPictures(const RenderOptions& options, const render::RenderFu
     for (const std::string& note : result.notes)
         log::warning("{}", note);
     GLINT_CHECK(writePictures(options.output, result));
+    std::optional<measure::MirrorError> exact;
+    if (job.settings.render.measure.exact) {
+        GLINT_TRY(error, measureExact(job, result));
+        exact = error;
+    }
     if (options.statsFile.empty())
         return {};
-    return writeFile(options.statsFile, statsJson(job, result));
+    return writeFile(options.statsFile, statsJson(job, result, exact));
 }
 
 } // namespace

@@ -63,7 +63,8 @@ Result<void> writePictures(const std::string& path, const render::RenderResult& 
     return kind == PictureKind::Png ? writePngs(path, result) : writeLayers(path, result);
 }
 
-std::string statsJson(const render::RenderJob& job, const render::RenderResult& result) {
+std::string statsJson(const render::RenderJob& job, const render::RenderResult& result,
+                      const std::optional<measure::MirrorError>& exact) {
     const render::RenderStats& stats = result.stats;
     Json json;
     json["scene"] = job.scene;
@@ -89,6 +90,10 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     for (const auto& [name, pixels] : stats.outcomes)
         outcomes[name] = pixels;
     json["outcomes"] = std::move(outcomes);
+    if (exact)
+        json["exact"] = {{"mirrorPixels", exact->mirrorPixels},       {"wrongPixels", exact->wrongPixels},
+                         {"wrongShare", exact->share()},              {"oneBouncePixels", exact->oneBouncePixels},
+                         {"oneBounceWrong", exact->oneBounceWrong},   {"oneBounceWrongShare", exact->oneBounceShare()}};
     json["notes"] = result.notes;
     json["preset"] = job.settings.preset;
     json["settings"] = Json::parse(render::settingsJson(job.settings));

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "measure/exact_picture.hpp"
 #include "render/render_job.hpp"
+
+#include <optional>
 
 #include <string>
 #include <string_view>
@@ -24,6 +27,7 @@ Result<void> writePictures(const std::string& path, const render::RenderResult& 
 /// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames", "time", "seed",
 ///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95", "outcomes": {name: pixels},
 ///  "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the device has no timestamps.
-std::string statsJson(const render::RenderJob& job, const render::RenderResult& result);
+std::string statsJson(const render::RenderJob& job, const render::RenderResult& result,
+                      const std::optional<measure::MirrorError>& exact = std::nullopt);
 
 } // namespace glint::cli

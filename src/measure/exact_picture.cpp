@@ -39,7 +39,7 @@ float srgbDifference(const glm::vec3& a, const glm::vec3& b) {
 } // namespace
 
 Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& pose, const glm::mat4& worldToClip,
-                                  const glm::vec3& cameraWS, uint32_t width, uint32_t height, uint32_t maxBounces) {
+                                  uint32_t width, uint32_t height, uint32_t maxBounces) {
     std::vector<Kind> kinds(scene.materials.size(), Kind::Emission);
     for (const scene::DrawItem& item : pose.items) {
         if (item.material < 0)
@@ -53,14 +53,16 @@ Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& 
     picture.width = width;
     picture.height = height;
     const glm::dmat4 clipToWorld = glm::inverse(glm::dmat4(worldToClip));
-    const glm::dvec3 eye(cameraWS);
+    const auto unproject = [&](double x, double y, double depth) {
+        const glm::dvec4 point = clipToWorld * glm::dvec4(x, y, depth, 1);
+        return glm::dvec3(point) / point.w;
+    };
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
-            // Any depth of the pixel's line will do; reversed depth 0.5 is finite in every projection of ours.
-            const glm::dvec4 ndc((x + 0.5) / width * 2 - 1, 1 - (y + 0.5) / height * 2, 0.5, 1);
-            const glm::dvec4 through = clipToWorld * ndc;
-            glm::dvec3 origin = eye;
-            glm::dvec3 direction = glm::normalize(glm::dvec3(through) / through.w - eye);
+            const double ndcX = (x + 0.5) / width * 2 - 1;
+            const double ndcY = 1 - (y + 0.5) / height * 2;
+            glm::dvec3 origin = unproject(ndcX, ndcY, 1); // reversed depth: on the near plane
+            glm::dvec3 direction = glm::normalize(unproject(ndcX, ndcY, 0.5) - origin);
             glm::vec3 radiance(0);
             uint8_t bounces = 0;
             double minDistance = 0;

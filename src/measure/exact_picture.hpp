@@ -17,10 +17,11 @@ struct ExactPicture {
     std::vector<uint8_t> bounces;          ///< mirrors met before the end of the path; 0: no mirror
 };
 
-/// `worldToClip` is the renderer's own, so that pixel centres mean the same. Black background.
+/// `worldToClip` is the renderer's own (reversed depth), so that pixel centres and the near plane mean the same. Black
+/// background.
 /// Errors: InvalidInput names the first material that is neither pure emission nor a perfect mirror.
 Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& pose, const glm::mat4& worldToClip,
-                                  const glm::vec3& cameraWS, uint32_t width, uint32_t height, uint32_t maxBounces = 16);
+                                  uint32_t width, uint32_t height, uint32_t maxBounces = 16);
 
 /// How far a picture is from the exact one, over the pixels that mirrors change in it.
 struct MirrorError {

@@ -85,7 +85,7 @@ void FrameState::forgetTrace(gpu::Frame& frame) {
         return;
     frame.clear(traced.radianceWeight, {});
     frame.clear(traced.rayRecord, {});
-    untraced = true;
+    untraced = !frame.rehearsing();
 }
 
 void FrameState::combine(gpu::Frame& frame) {

@@ -47,6 +47,11 @@
         "Scales the picture by 2^exposure before the tone map",                                                        \
         "")
 
+#define GLINT_MEASURE_SETTINGS(SETTING)                                                                                \
+    SETTING(bool, exact, false, "", "",                                                                                \
+        "Count wrong mirror pixels against the exact picture, into --stats; for scenes of emission and perfect mirrors", \
+        "")
+
 // clang-format on
 
 namespace glint::render {
@@ -70,12 +75,17 @@ struct DisplaySettings {
     GLINT_DISPLAY_SETTINGS(GLINT_SETTING_MEMBER)
 };
 
+struct MeasureSettings {
+    GLINT_MEASURE_SETTINGS(GLINT_SETTING_MEMBER)
+};
+
 struct RenderSettings {
     EnvironmentSettings environment;
     AnalyticSkySettings analyticSky;
     LightsSettings lights;
     ShadowsSettings shadows;
     DisplaySettings display;
+    MeasureSettings measure;
 };
 
 /// Every setting of `RenderSettings`, in the list's order.

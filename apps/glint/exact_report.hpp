@@ -1,0 +1,13 @@
+// `measure.exact`: how far the rendered picture is from the exact one.
+#pragma once
+
+#include "measure/exact_picture.hpp"
+#include "render/render_job.hpp"
+
+namespace glint::cli {
+
+/// Traces the job's exact picture on the CPU and compares the view "composite" with it.
+/// Errors: InvalidInput where the scene has none, see measure::exactPicture.
+Result<measure::MirrorError> measureExact(const render::RenderJob& job, const render::RenderResult& result);
+
+} // namespace glint::cli
