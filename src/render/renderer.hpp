@@ -27,7 +27,8 @@ struct ViewParameters {
 /// Recording does not wait and allocates nothing on the GPU. The same input gives the same bits.
 class Renderer {
 public:
-    /// Uploads the scene. Adds the embedded shaders to `context`, which must outlive the renderer.
+    /// Uploads the scene. `context` must know gpu::shaders::render() (Context::addShaders) and outlive the renderer;
+    /// `scene` and `pose` are only read.
     /// Errors: OutOfMemory, DeviceLost, Unsupported.
     static Result<Renderer> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose,
                                    Environment&& environment, const RenderSettings& settings);
