@@ -31,23 +31,25 @@ layout(push_constant, scalar) uniform PushBlock {
     CompositeConstants settings;
 };
 
-vec3 falloff(vec3 response) {
+/// Reflectance under the user's hand: strength first, then the exponent over both.
+vec3 falloff(vec3 reflectance) {
+    vec3 response = reflectance * settings.strength;
     return settings.falloffExponent == 1.0 ? response : pow(response, vec3(settings.falloffExponent));
 }
 
-/// The share of reflected light that this surface sends to the eye, before `strength`.
+/// The share of reflected light that this surface sends to the eye.
 vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
     return settings.fresnel != 0u ? specularResponse(f0, 1.0, texture(dfg, vec2(NoV, perceptualRoughness)).rg) : f0;
 }
 
 vec3 physical(vec3 lit, vec3 fallback, vec4 reflection, vec3 f0, float perceptualRoughness, float NoV) {
-    vec3 response = falloff(physicalResponse(f0, perceptualRoughness, NoV)) * settings.strength;
-    return max(lit - reflection.a * fallback + reflection.rgb * response, vec3(0.0));
+    vec3 response = falloff(physicalResponse(f0, perceptualRoughness, NoV));
+    return lit - reflection.a * fallback + reflection.rgb * response;
 }
 
 vec3 lerped(vec3 lit, vec4 reflection, vec3 f0, float NoV) {
     vec3 fresnel = F_Schlick(f0, 1.0, NoV);
-    vec3 m = clamp(falloff((settings.fresnel != 0u ? fresnel : f0) * settings.strength), 0.0, 1.0);
+    vec3 m = clamp(falloff(settings.fresnel != 0u ? fresnel : f0), 0.0, 1.0);
     vec3 color = reflection.rgb;
     if (settings.fresnel == 0u) // as Babylon.js: without it in the factor, the colour itself takes the Fresnel term
         color *= fresnel;
@@ -77,6 +79,7 @@ void main() {
             } else {
                 result = lerped(sanitize(lit.rgb), reflection, f0, NoV);
             }
+            result = sanitize(result); // two large halves make an infinite one
         }
     }
     if (settings.debugOutcome != 0u) {

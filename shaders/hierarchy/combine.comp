@@ -33,7 +33,7 @@ vec3 environmentRadiance(vec3 directionVS, float perceptualRoughness) {
     vec3 directionWS = mat3(frame.constants.viewToWorld) * directionVS;
     vec3 direction = mat3(frame.constants.worldToEnvironment) * directionWS;
     float mip = perceptualRoughness * max(frame.constants.environmentMips - 1.0, 0.0);
-    return sanitize(textureLod(environment, direction, mip).rgb) * frame.constants.environmentStrength;
+    return sanitize(sanitize(textureLod(environment, direction, mip).rgb) * frame.constants.environmentStrength);
 }
 
 void main() {

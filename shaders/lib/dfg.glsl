@@ -7,7 +7,7 @@
 #include "lib/sampling.glsl"
 
 /// By sampling visible normals the estimator is F * G2 / G1(wo), which has little variance: 256 samples are within
-/// 0.002 of the integral. `NoV` in (0, 1], roughness in [0, 1].
+/// 0.005 of the integral. `NoV` in (0, 1], roughness in [0, 1].
 vec2 integrateDfg(float NoV, float perceptualRoughness) {
     const uint kSamples = 256u;
     const float alpha = max(perceptualRoughness * perceptualRoughness, 1e-4);

@@ -342,7 +342,10 @@ AdoptedDevice Context::handles() const {
 }
 
 void Context::addShaders(std::span<const EmbeddedShader> shaders) {
-    shaderSets_.push_back(shaders);
+    const bool known = std::any_of(shaderSets_.begin(), shaderSets_.end(),
+                                   [&](const auto& set) { return set.data() == shaders.data(); });
+    if (!known)
+        shaderSets_.push_back(shaders);
 }
 
 Result<const EmbeddedShader*> Context::findShader(std::string_view name) const {

@@ -68,7 +68,8 @@ public:
     /// The handles that another library needs to adopt this device.
     AdoptedDevice handles() const;
 
-    /// Makes a set of embedded shaders known; sets are static data and stay known for good.
+    /// Makes a set of embedded shaders known; sets are static data and stay known for good. Saying it twice
+    /// does no harm.
     void addShaders(std::span<const EmbeddedShader> shaders);
     /// Errors: NotFound, with the nearest name.
     Result<const EmbeddedShader*> findShader(std::string_view name) const;

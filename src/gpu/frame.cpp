@@ -49,7 +49,7 @@ void Frame::use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& u
         out.newLayout = barrier->newLayout;
         out.srcQueueFamilyIndex = out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         out.image = image.handle();
-        out.subresourceRange = {image.aspect(), mip, 1, 0, image.desc().layers};
+        out.subresourceRange = {image.barrierAspect(), mip, 1, 0, image.desc().layers};
         if (imageBarrierCount_ > 0) { // neighbouring mips with the same history share one barrier
             VkImageMemoryBarrier2& last = imageBarriers_[imageBarrierCount_ - 1];
             if (last.image == out.image && last.srcStageMask == out.srcStageMask &&

@@ -14,22 +14,24 @@ VkImageViewType viewType(ImageShape shape) {
     return VK_IMAGE_VIEW_TYPE_2D;
 }
 
-VkImageAspectFlags aspectOf(VkFormat format) {
-    switch (format) {
-    case VK_FORMAT_D32_SFLOAT:
-    case VK_FORMAT_D16_UNORM:
-    case VK_FORMAT_X8_D24_UNORM_PACK32: return VK_IMAGE_ASPECT_DEPTH_BIT;
-    case VK_FORMAT_D32_SFLOAT_S8_UINT: // a host's: barriers must name both aspects
-    case VK_FORMAT_D24_UNORM_S8_UINT:
-    case VK_FORMAT_D16_UNORM_S8_UINT: return VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
-    default: return VK_IMAGE_ASPECT_COLOR_BIT;
-    }
+bool hasStencil(VkFormat format) {
+    return format == VK_FORMAT_D32_SFLOAT_S8_UINT || format == VK_FORMAT_D24_UNORM_S8_UINT ||
+           format == VK_FORMAT_D16_UNORM_S8_UINT;
+}
+
+bool isDepth(VkFormat format) {
+    return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM || format == VK_FORMAT_X8_D24_UNORM_PACK32 ||
+           hasStencil(format);
 }
 
 } // namespace
 
 VkImageAspectFlags Image::aspect() const {
-    return aspectOf(desc_.format);
+    return isDepth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+VkImageAspectFlags Image::barrierAspect() const {
+    return aspect() | (hasStencil(desc_.format) ? VK_IMAGE_ASPECT_STENCIL_BIT : 0);
 }
 
 Result<Image> Image::create(Context& context, const ImageDesc& desc) {

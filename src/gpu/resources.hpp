@@ -46,7 +46,8 @@ public:
     VkImage handle() const { return image_; }
     VkImageView view() const { return view_; } ///< all mips and layers, for sampling
     VkImageView mipView(uint32_t mip) const;   ///< one mip, all layers: as an array for cubes, for storing
-    VkImageAspectFlags aspect() const;
+    VkImageAspectFlags aspect() const;         ///< what is read and written: colour, or depth alone
+    VkImageAspectFlags barrierAspect() const;  ///< the same with stencil, whose layout goes with depth's
     std::vector<ResourceState>& states() { return states_; } ///< one a mip
 
 private:

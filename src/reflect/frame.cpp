@@ -6,11 +6,15 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <cstring>
 
 namespace glint::reflect {
 namespace {
 
 constexpr uint32_t kDfgSize = 64;
+
+/// A host's images are read texel by texel, and many of their formats (depth, 16-bit normals) need not be filterable.
+constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
 
 size_t indexOf(March march) {
     const std::span<const Technique> all = techniques();
@@ -28,6 +32,8 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     prepare(frame, view);
     if (desc.settings.screen.enabled)
         trace(frame);
+    else
+        forgetTrace(frame);
     combine(frame);
     compose(frame);
     if (desc.statistics && desc.settings.screen.enabled)
@@ -36,7 +42,7 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
 
 bool FrameState::anySource() const {
     const bool sky = desc.settings.sky.enabled && inputs.environment;
-    return desc.settings.screen.enabled || sky;
+    return desc.settings.reflect.strength > 0 && (desc.settings.screen.enabled || sky);
 }
 
 void FrameState::makeTables(gpu::Frame& frame) {
@@ -45,9 +51,6 @@ void FrameState::makeTables(gpu::Frame& frame) {
     frame.pass(pipelines.dfg).write("dfg", dfg).dispatch(kDfgSize, kDfgSize);
     frame.clear(black, {});
     frame.clear(blackCube, {});
-    // Until the screen source runs, its images say that no ray was traced.
-    frame.clear(traced.radianceWeight, {});
-    frame.clear(traced.rayRecord, {});
     tablesMade = !frame.rehearsing();
 }
 
@@ -61,9 +64,9 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     frame.update(frameConstants, &constants, sizeof(constants));
     frame.pass(pipelines.surface)
         .read("frame", frameConstants)
-        .read("depth", inputs.depth)
-        .read("normal", inputs.normal)
-        .read("material", inputs.material)
+        .read("depth", inputs.depth, kTexels)
+        .read("normal", inputs.normal, kTexels)
+        .read("material", inputs.material, kTexels)
         .write("viewZ", prepared.viewZ)
         .write("surface", prepared.surface)
         .dispatch(desc.width, desc.height);
@@ -73,6 +76,16 @@ void FrameState::trace(gpu::Frame& frame) {
     const size_t index = indexOf(desc.settings.screen.march);
     techniques()[index].record(frame, pipelines.trace[index], desc.settings, {frameConstants, inputs, prepared},
                                traced);
+    untraced = false;
+}
+
+/// While the screen source is off, its images say that no ray was traced.
+void FrameState::forgetTrace(gpu::Frame& frame) {
+    if (untraced)
+        return;
+    frame.clear(traced.radianceWeight, {});
+    frame.clear(traced.rayRecord, {});
+    untraced = true;
 }
 
 void FrameState::combine(gpu::Frame& frame) {
@@ -101,9 +114,9 @@ void FrameState::compose(gpu::Frame& frame) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("material", inputs.material)
-        .read("litRadiance", inputs.litRadiance)
-        .read("fallbackSpecular", inputs.fallbackSpecular ? inputs.fallbackSpecular : black)
+        .read("material", inputs.material, kTexels)
+        .read("litRadiance", inputs.litRadiance, kTexels)
+        .read("fallbackSpecular", inputs.fallbackSpecular ? inputs.fallbackSpecular : black, kTexels)
         .read("reflected", reflected.reflected)
         .read("rayRecord", traced.rayRecord)
         .read("dfg", dfg)
@@ -125,6 +138,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
     if (!upToDate) {
         makeTables(frame);
         prepare(frame, lastView);
+        forgetTrace(frame);
         combine(frame);
         upToDate = !frame.rehearsing();
     }
@@ -201,8 +215,8 @@ Result<void> FrameState::createImages() {
         {&blackCube, "glint/blackCube", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared, gpu::ImageShape::Cube},
     };
     if (desc.views)
-        images.push_back(
-            {&viewImage, "glint/view", VK_FORMAT_R32G32B32A32_SFLOAT, w, h, VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+        images.push_back({&viewImage, "glint/view", VK_FORMAT_R32G32B32A32_SFLOAT, w, h,
+                          VK_IMAGE_USAGE_TRANSFER_SRC_BIT | kCleared});
     for (const Wanted& wanted : images) {
         GLINT_TRY(image, gpu::Image::create(*context,
                                             {wanted.name, wanted.format, wanted.width, wanted.height, 1,
@@ -227,6 +241,7 @@ Result<void> FrameState::createImages() {
     GLINT_TRY(readback, gpu::Buffer::create(*context, {"glint/statisticsReadback", sizeof(shared::RayStatistics),
                                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferHome::Readback}));
     statisticsReadback = std::move(readback);
+    std::memset(statisticsReadback.mapped(), 0, statisticsReadback.size()); // nothing is counted yet
     return {};
 }
 

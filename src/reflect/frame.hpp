@@ -47,6 +47,8 @@ struct FrameState {
     bool tablesMade = false; ///< dfg and the stand-ins hold their content
     View lastView;
     bool upToDate = false; ///< the images belong to lastView; false if its frame had nothing to do
+    bool untraced = false;   ///< `traced` says that no ray was traced
+    bool ranPasses = false;  ///< by the last record()
     std::unique_ptr<gpu::Timers> timers;
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
@@ -63,6 +65,7 @@ private:
     void makeTables(gpu::Frame& frame);
     void prepare(gpu::Frame& frame, const View& view);
     void trace(gpu::Frame& frame);
+    void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);
     void compose(gpu::Frame& frame);
     void countOutcomes(gpu::Frame& frame);

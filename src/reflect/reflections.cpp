@@ -38,13 +38,33 @@ HostImage handOut(const gpu::Image& image) {
             kHandedOut.stages, VK_ACCESS_2_NONE};
 }
 
+Result<void> checkLayout(const HostImage& image, const char* name) {
+    if (image.layout == VK_IMAGE_LAYOUT_UNDEFINED || image.layout == VK_IMAGE_LAYOUT_PREINITIALIZED)
+        return invalidArgument(
+            "`{}` is in no layout (VkImageLayout {}), so it shows nothing: state the one that it is in", name,
+            static_cast<int>(image.layout));
+    return {};
+}
+
 Result<void> checkImage(const HostImage& image, const char* name, const ReflectionsDesc& desc) {
     if (!image.image || !image.view)
         return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", name);
     if (image.width != desc.width || image.height != desc.height)
         return invalidArgument("the G-buffer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
                                image.width, image.height, desc.width, desc.height);
-    return {};
+    return checkLayout(image, name);
+}
+
+Result<void> checkEnvironment(const EnvironmentMap& environment) {
+    if (!environment.cube)
+        return {};
+    const bool numbers =
+        std::isfinite(environment.strength) && environment.strength >= 0 && std::isfinite(environment.rotation);
+    if (environment.mips < 1 || !environment.cube.view || !numbers)
+        return invalidArgument(
+            "the environment needs a cube view, at least one mip, a strength that is not negative and "
+            "a finite rotation");
+    return checkLayout(environment.cube, "environment");
 }
 
 } // namespace
@@ -89,8 +109,7 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     if (gbuffer.conventions.roughnessChannel > 3)
         return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3",
                                gbuffer.conventions.roughnessChannel);
-    if (environment.cube && (environment.mips < 1 || !environment.cube.view || !std::isfinite(environment.strength)))
-        return invalidArgument("the environment needs a cube view, at least one mip and a finite strength");
+    GLINT_CHECK(checkEnvironment(environment));
 
     state_->gbuffer = gbuffer;
     state_->environment = environment;
@@ -119,8 +138,9 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
               borrow(host.fallbackSpecular, "fallbackSpecular"),
               borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
     state.lastView = view;
-    state.upToDate = state.anySource() || state.desc.settings.debug.outcome;
-    if (!state.upToDate)
+    state.ranPasses = state.anySource() || state.desc.settings.debug.outcome;
+    state.upToDate = state.ranPasses;
+    if (!state.ranPasses)
         return host.litRadiance;
 
     gpu::Frame frame(*state.context, commands, state.timers.get());
@@ -159,6 +179,8 @@ std::vector<std::string_view> Reflections::viewNames() {
 
 std::vector<PassTime> Reflections::passTimes() {
     std::vector<PassTime> times;
+    if (!state_->frame->ranPasses)
+        return times;
     for (const gpu::PassTime& time : state_->frame->timers->latest())
         times.push_back({time.name, time.milliseconds});
     return times;

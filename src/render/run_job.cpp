@@ -103,6 +103,7 @@ private:
         GLINT_TRY(inputs, loadJobInputs(job_));
         inputs_ = std::move(inputs);
         const RenderSettings& settings = job_.settings.render;
+        context_.addShaders(gpu::shaders::render());
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer,
                   Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));

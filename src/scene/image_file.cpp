@@ -8,7 +8,10 @@ static constexpr uint64_t kMaxPixels = uint64_t(kMaxImageSide) * kMaxImageSide /
 static constexpr size_t kLongestFile = size_t(1) << 30;                             // bytes
 
 Result<HdrImage> readHdrImage(const std::string& path) {
-    GLINT_TRY(bytes, readFile(path, kLongestFile));
+    const Result<std::string> file = readFile(path, kLongestFile);
+    if (!file)
+        return file.error();
+    const std::string_view bytes = *file; // GCC 12 would take a moved string for uninitialized below
     if (bytes.empty())
         return invalidInput("{}: the file is empty", path);
     if (bytes.starts_with("#?"))

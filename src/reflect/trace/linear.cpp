@@ -10,7 +10,7 @@ void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& se
         .read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
-        .read("litRadiance", inputs.host.litRadiance)
+        .read("litRadiance", inputs.host.litRadiance, gpu::SamplerKind::NearestClamp)
         .write("radianceWeight", out.radianceWeight)
         .write("rayRecord", out.rayRecord)
         .push(traceConstants(settings))

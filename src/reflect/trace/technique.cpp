@@ -26,8 +26,9 @@ shared::TraceConstants traceConstants(const Settings& settings) {
     // Half a step of an 8-bit F0 on top, so that a threshold of 0.04 leaves out plain dielectrics however stored.
     constants.threshold = settings.reflect.threshold + 1.0f / 510.0f;
     if (settings.reflect.thresholdOn == ThresholdOn::F0TimesStrength)
-        constants.threshold =
-            settings.reflect.strength > 0 ? constants.threshold / settings.reflect.strength : 2; // nothing is traced
+        constants.threshold /= std::max(settings.reflect.strength, 1e-30f);
+    if (settings.reflect.strength <= 0)
+        constants.threshold = 2; // nothing is traced
 
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(settings.screen.smooth, shared::kTraceSmooth);

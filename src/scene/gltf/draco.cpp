@@ -2,16 +2,9 @@
 
 #include "scene/gltf/accessor.hpp"
 
-#if defined(__GNUC__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#endif
 #include <draco/compression/decode.h>
-#if defined(__GNUC__)
-#pragma GCC diagnostic pop
-#endif
+
+#include <cstring>
 
 namespace glint::scene::gltf {
 namespace {

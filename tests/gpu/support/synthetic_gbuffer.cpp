@@ -4,7 +4,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 namespace glint::test {
-namespace {
 
 glm::vec2 encodeOctahedral(const glm::dvec3& n) {
     const double sum = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
@@ -14,11 +13,6 @@ glm::vec2 encodeOctahedral(const glm::dvec3& n) {
     return glm::vec2(p);
 }
 
-template <class T>
-std::span<const std::byte> bytes(const std::vector<T>& values) {
-    return std::as_bytes(std::span(values));
-}
-
 Matrix4 toMatrix4(const glm::dmat4& m) {
     const glm::mat4 single(m);
     Matrix4 out;
@@ -26,15 +20,21 @@ Matrix4 toMatrix4(const glm::dmat4& m) {
     return out;
 }
 
-} // namespace
-
 glm::dmat4 SyntheticCamera::worldToView() const {
     return glm::lookAt(position, target, glm::dvec3(0, 1, 0));
 }
 
 glm::dmat4 SyntheticCamera::viewToClip(uint32_t width, uint32_t height) const {
-    const double f = 1 / std::tan(fovY / 2);
     glm::dmat4 m(0);
+    if (orthoHeight > 0) {
+        m[0].x = 2 / (orthoHeight * width / height);
+        m[1].y = 2 / orthoHeight;
+        m[2].z = 1 / (far - near);
+        m[3].z = far / (far - near);
+        m[3].w = 1;
+        return m;
+    }
+    const double f = 1 / std::tan(fovY / 2);
     m[0].x = f * height / width;
     m[1].y = f;
     m[2].w = -1;
@@ -49,7 +49,26 @@ View SyntheticCamera::view(uint32_t width, uint32_t height) const {
     return view;
 }
 
+double SyntheticCamera::deviceDepth(double viewZ) const {
+    return orthoHeight > 0 ? (far - viewZ) / (far - near) : near / viewZ;
+}
+
+double SyntheticCamera::viewZ(const glm::dvec3& positionWS) const {
+    return -(worldToView() * glm::dvec4(positionWS, 1)).z;
+}
+
+glm::dvec3 SyntheticCamera::originThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const {
+    if (orthoHeight == 0)
+        return position;
+    const double ndcX = 2 * (x + 0.5) / width - 1;
+    const double ndcY = 1 - 2 * (y + 0.5) / height;
+    const glm::dvec3 offsetVS = glm::dvec3(ndcX * width / height, ndcY, 0) * (orthoHeight / 2);
+    return position + glm::dmat3(glm::inverse(worldToView())) * offsetVS;
+}
+
 glm::dvec3 SyntheticCamera::rayThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const {
+    if (orthoHeight > 0)
+        return glm::normalize(target - position);
     const double tangent = std::tan(fovY / 2);
     const double ndcX = 2 * (x + 0.5) / width - 1;
     const double ndcY = 1 - 2 * (y + 0.5) / height;
@@ -90,30 +109,38 @@ std::vector<float> download(gpu::Context& context, const HostImage& image) {
     return values;
 }
 
+std::vector<std::optional<SyntheticSurface>> seen(const SyntheticScene& scene, const SyntheticCamera& camera,
+                                                  uint32_t width, uint32_t height) {
+    std::vector<std::optional<SyntheticSurface>> pixels;
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x)
+            pixels.push_back(scene(camera.originThrough(x, y, width, height), camera.rayThrough(x, y, width, height)));
+    return pixels;
+}
+
 SyntheticGBuffer SyntheticGBuffer::render(gpu::Context& context, const SyntheticScene& scene,
                                           const SyntheticCamera& camera, uint32_t width, uint32_t height) {
     std::vector<float> depth;
     std::vector<glm::vec2> normal;
     std::vector<glm::vec4> material;
     std::vector<glm::vec4> lit;
-    const glm::dmat4 worldToView = camera.worldToView();
-    for (uint32_t y = 0; y < height; ++y)
-        for (uint32_t x = 0; x < width; ++x) {
-            const glm::dvec3 direction = camera.rayThrough(x, y, width, height);
-            const std::optional<SyntheticSurface> hit = scene(camera.position, direction);
-            const SyntheticSurface surface = hit.value_or(SyntheticSurface{});
-            const double viewZ = -(glm::dmat3(worldToView) * direction).z * surface.distance;
-            depth.push_back(hit ? static_cast<float>(camera.near / viewZ) : 0.0f);
-            normal.push_back(encodeOctahedral(surface.normalWS));
-            material.emplace_back(surface.f0, surface.perceptualRoughness);
-            lit.emplace_back(surface.radiance, 1.0f);
-        }
+    const glm::dmat3 worldToView(camera.worldToView());
+    const std::vector<std::optional<SyntheticSurface>> pixels = seen(scene, camera, width, height);
+    for (uint32_t i = 0; i < width * height; ++i) {
+        const glm::dvec3 direction = camera.rayThrough(i % width, i / width, width, height);
+        const SyntheticSurface surface = pixels[i].value_or(SyntheticSurface{});
+        const double viewZ = -(worldToView * direction).z * surface.distance;
+        depth.push_back(pixels[i] ? static_cast<float>(camera.deviceDepth(viewZ)) : 0.0f);
+        normal.push_back(encodeOctahedral(surface.normalWS));
+        material.emplace_back(surface.f0, surface.perceptualRoughness);
+        lit.emplace_back(surface.radiance, 1.0f);
+    }
     SyntheticGBuffer out;
-    out.depth = uploadTestImage(context, "test/depth", VK_FORMAT_R32_SFLOAT, width, height, bytes(depth));
-    out.normal = uploadTestImage(context, "test/normal", VK_FORMAT_R32G32_SFLOAT, width, height, bytes(normal));
+    out.depth = uploadTestImage(context, "test/depth", VK_FORMAT_R32_SFLOAT, width, height, bytesOf(depth));
+    out.normal = uploadTestImage(context, "test/normal", VK_FORMAT_R32G32_SFLOAT, width, height, bytesOf(normal));
     out.material =
-        uploadTestImage(context, "test/material", VK_FORMAT_R32G32B32A32_SFLOAT, width, height, bytes(material));
-    out.litRadiance = uploadTestImage(context, "test/lit", VK_FORMAT_R32G32B32A32_SFLOAT, width, height, bytes(lit));
+        uploadTestImage(context, "test/material", VK_FORMAT_R32G32B32A32_SFLOAT, width, height, bytesOf(material));
+    out.litRadiance = uploadTestImage(context, "test/lit", VK_FORMAT_R32G32B32A32_SFLOAT, width, height, bytesOf(lit));
     out.gbuffer.depth = asHostImage(out.depth);
     out.gbuffer.normal = asHostImage(out.normal);
     out.gbuffer.material = asHostImage(out.material);

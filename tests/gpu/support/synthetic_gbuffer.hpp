@@ -28,15 +28,25 @@ struct SyntheticCamera {
     glm::dvec3 target = {0, 0.5, 0};
     double fovY = 0.8; ///< radians
     double near = 0.05;
+    double orthoHeight = 0; ///< metres; not 0: orthographic
+    double far = 50;        ///< orthographic only
 
     glm::dmat4 worldToView() const;
-    glm::dmat4 viewToClip(uint32_t width, uint32_t height) const; ///< reversed, infinite
+    glm::dmat4 viewToClip(uint32_t width, uint32_t height) const; ///< reversed; infinite unless orthographic
     View view(uint32_t width, uint32_t height) const;
-    /// Unit direction through the centre of a pixel.
+    double deviceDepth(double viewZ) const;
+    double viewZ(const glm::dvec3& positionWS) const;
+    /// Where the ray through a pixel's centre starts: the eye, or a point of the eye's plane.
+    glm::dvec3 originThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const;
+    /// Its unit direction.
     glm::dvec3 rayThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const;
     /// Pixel position of a world point (fractional; centres are at .5).
     glm::dvec2 project(const glm::dvec3& positionWS, uint32_t width, uint32_t height) const;
 };
+
+/// What every pixel shows, row by row.
+std::vector<std::optional<SyntheticSurface>> seen(const SyntheticScene& scene, const SyntheticCamera& camera,
+                                                  uint32_t width, uint32_t height);
 
 /// The images on the GPU, with Glint's default conventions.
 struct SyntheticGBuffer {
@@ -53,6 +63,17 @@ struct SyntheticGBuffer {
 /// An image with this content, sampled and ready.
 gpu::Image uploadTestImage(gpu::Context& context, const char* name, VkFormat format, uint32_t width, uint32_t height,
                            std::span<const std::byte> content);
+
+/// Texels as bytes.
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+    return std::as_bytes(std::span(values));
+}
+
+/// Unit vector -> [-1, 1]^2, in double precision.
+glm::vec2 encodeOctahedral(const glm::dvec3& n);
+
+Matrix4 toMatrix4(const glm::dmat4& m);
 
 /// As a host hands it over.
 HostImage asHostImage(const gpu::Image& image);

@@ -1,0 +1,300 @@
+// Every reason for which a ray ends, each made by a scene in which no other can be, pixel by pixel; for each marcher.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
+
+#include "reflect/outcomes.hpp"
+#include "reflect/trace/technique.hpp"
+
+namespace glint::test {
+namespace {
+
+constexpr uint32_t kWidth = 121;
+constexpr uint32_t kHeight = 67;
+
+/// A camera ray's mirror image at the surface that it meets.
+struct MirrorRay {
+    glm::dvec3 start;
+    glm::dvec3 direction;
+};
+
+class OutcomeTest : public LibraryTest, public testing::WithParamInterface<size_t> {
+protected:
+    static Settings settings() {
+        Settings out = plainSettings();
+        out.screen.march = reflect::techniques()[GetParam()].march;
+        return out;
+    }
+
+    static std::optional<MirrorRay> mirrorRay(const SyntheticScene& scene, const SyntheticCamera& camera, uint32_t i) {
+        const uint32_t x = i % kWidth;
+        const uint32_t y = i / kWidth;
+        const glm::dvec3 origin = camera.originThrough(x, y, kWidth, kHeight);
+        const glm::dvec3 direction = camera.rayThrough(x, y, kWidth, kHeight);
+        const auto surface = scene(origin, direction);
+        if (!surface || surface->f0.x == 0)
+            return std::nullopt;
+        return MirrorRay{origin + direction * surface->distance, glm::reflect(direction, surface->normalWS)};
+    }
+
+    static bool onScreen(const glm::dvec2& px, double margin) {
+        return px.x > margin && px.y > margin && px.x < kWidth - margin && px.y < kHeight - margin;
+    }
+
+    /// `predict(ray)` names the outcome, or none where it is a close call. Returns how many were named.
+    template <class Predict>
+    static size_t check(const SyntheticScene& scene, const SyntheticCamera& camera, const Settings& settings,
+                        Predict predict) {
+        const Picture picture = trace(scene, camera, kWidth, kHeight, settings);
+        size_t named = 0;
+        std::array<uint64_t, shared::kOutcomeCount> counts = {};
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            ++counts[picture.outcome(i)];
+            const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
+            if (!ray)
+                continue;
+            if (const std::optional<uint32_t> expected = predict(*ray)) {
+                ++named;
+                EXPECT_EQ(reflect::kOutcomeNames[picture.outcome(i)], reflect::kOutcomeNames[*expected])
+                    << "pixel " << i % kWidth << "," << i / kWidth;
+                EXPECT_EQ(picture.weight[i * 4] > 0, *expected == shared::kOutcomeHit);
+                if (HasFailure())
+                    return named;
+            }
+        }
+        for (uint32_t outcome = 0; outcome < shared::kOutcomeCount; ++outcome)
+            EXPECT_EQ(picture.counted(reflect::kOutcomeNames[outcome]), counts[outcome])
+                << "statistics count what the picture shows: " << reflect::kOutcomeNames[outcome];
+        return named;
+    }
+};
+
+TEST_P(OutcomeTest, hit) {
+    const SyntheticCamera camera;
+    const Stage scene = floorAndWall();
+    EXPECT_GT(check(scene, camera, settings(),
+                    [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                        const auto t = scene.cards[0].distance(ray.start, ray.direction);
+                        if (!t || !onScreen(camera.project(ray.start + ray.direction * *t, kWidth, kHeight), 1.5))
+                            return std::nullopt;
+                        return shared::kOutcomeHit;
+                    }),
+              1000u);
+}
+
+TEST_P(OutcomeTest, offScreen) {
+    SyntheticCamera camera;
+    camera.target = {0, 0, 0.5};
+    const Stage scene = floorAndWall();
+    for (const bool clip : {true, false}) {
+        Settings changed = settings();
+        changed.screen.clipToFrustum = clip;
+        EXPECT_GT(check(scene, camera, changed,
+                        [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                            const auto t = scene.cards[0].distance(ray.start, ray.direction);
+                            const glm::dvec2 from = camera.project(ray.start, kWidth, kHeight);
+                            // Some pixels of the way are on screen, else rounding decides on its only sample.
+                            if (!t || !onScreen(from, 3) ||
+                                onScreen(camera.project(ray.start + ray.direction * *t, kWidth, kHeight), -1.5))
+                                return std::nullopt;
+                            return shared::kOutcomeOffScreen;
+                        }),
+                  100u);
+    }
+}
+
+TEST_P(OutcomeTest, skyAndMaxDistance) {
+    const SyntheticCamera camera;
+    Stage scene;
+    scene.floorEndZ = -1;
+    Settings changed = settings();
+    changed.screen.maxDistance = 0.8f;
+    size_t sky = 0;
+    size_t floor = 0;
+    check(scene, camera, changed, [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+        const glm::dvec3 end = ray.start + ray.direction * 0.8;
+        if (!onScreen(camera.project(end, kWidth, kHeight), 1.5))
+            return std::nullopt;
+        const glm::dvec3 toEnd = glm::normalize(end - camera.position);
+        const double floorZ = camera.position.z - toEnd.z * camera.position.y / toEnd.y;
+        if (toEnd.y < 0 && floorZ > -0.8)
+            return ++floor, shared::kOutcomeMaxDistance;
+        if (toEnd.y > 0 || floorZ < -1.3)
+            return ++sky, shared::kOutcomeSky;
+        return std::nullopt;
+    });
+    EXPECT_GT(sky, 30u);
+    EXPECT_GT(floor, 200u);
+}
+
+TEST_P(OutcomeTest, behindCamera) {
+    // A mirror that faces the camera, whose near plane is far from the eye: rays come back and meet that plane.
+    SyntheticCamera camera;
+    camera.position = {0, 1, 3};
+    camera.target = {0, 1, 0};
+    camera.near = 2;
+    Stage scene;
+    scene.floor = false;
+    scene.cards.push_back({.z = -3, .f0 = 1});
+    EXPECT_GT(check(scene, camera, settings(),
+                    [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                        const glm::dvec3 end = ray.start + ray.direction * ((1.0 - ray.start.z) / ray.direction.z);
+                        const bool inside = onScreen(camera.project(end, kWidth, kHeight), 1.5);
+                        return inside ? std::optional(shared::kOutcomeBehindCamera) : std::nullopt;
+                    }),
+              100u);
+}
+
+TEST_P(OutcomeTest, outOfSteps) {
+    const SyntheticCamera camera;
+    const Stage scene = floorAndWall();
+    Settings changed = settings();
+    changed.screen.maxSteps = 4;
+    EXPECT_GT(check(scene, camera, changed,
+                    [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                        const glm::dvec3 hit = ray.start + ray.direction * ((-3 - ray.start.z) / ray.direction.z);
+                        const glm::dvec2 px = camera.project(hit, kWidth, kHeight);
+                        const glm::dvec2 from = camera.project(ray.start, kWidth, kHeight);
+                        const double steps = std::max(std::abs(px.x - from.x), std::abs(px.y - from.y));
+                        if (!onScreen(px, 1.5) || steps < 8)
+                            return std::nullopt;
+                        return shared::kOutcomeOutOfSteps;
+                    }),
+              500u);
+}
+
+TEST_P(OutcomeTest, hiddenAndTooThick) {
+    // A card floats before the rays' ends; how far before decides. Rays begin behind it and never cross it.
+    const SyntheticCamera camera;
+    Settings changed = settings();
+    Stage scene = floorAndWall();
+    scene.cards.push_back({.low = {-0.5, 0.25}, .high = {0.5, 0.9}, .z = 1});
+    const auto gapAt = [&](const glm::dvec3& p) -> std::optional<double> { // metres behind the card, along the axis
+        const glm::dvec3 d = glm::normalize(p - camera.position);
+        const auto t = scene.cards[1].distance(camera.position, d);
+        if (!t)
+            return std::nullopt;
+        return camera.viewZ(p) - camera.viewZ(camera.position + d * *t);
+    };
+    for (const bool tooThick : {false, true}) {
+        // The floor that is seen below the card lies up to 0.7 metres behind it.
+        changed.screen.thickness = tooThick ? 0.3f : 0.05f;
+        changed.screen.maxDistance = tooThick ? 0.25f : 1.0f;
+        const double length = changed.screen.maxDistance;
+        const double t = static_cast<double>(changed.screen.thickness);
+        EXPECT_GT(check(scene, camera, changed,
+                        [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                            // Along the whole way behind the card, and a little beside it.
+                            double least = 1e9;
+                            double most = 0;
+                            for (int i = 1; i <= 200; ++i) {
+                                const glm::dvec3 p = ray.start + ray.direction * (length * i / 200);
+                                if (const auto gap = gapAt(p)) {
+                                    least = std::min(least, *gap);
+                                    most = std::max(most, *gap);
+                                }
+                            }
+                            const glm::dvec3 end = ray.start + ray.direction * length;
+                            const glm::dvec2 px = camera.project(end, kWidth, kHeight);
+                            const bool clear = gapAt(end + glm::dvec3(0.03, 0.03, 0)) && gapAt(end) &&
+                                               gapAt(end - glm::dvec3(0.03, 0.03, 0)) && onScreen(px, 1.5);
+                            if (!clear || most == 0)
+                                return std::nullopt;
+                            if (tooThick ? least > 1.05 * t && most < 1.95 * t : least > 2.1 * t)
+                                return tooThick ? shared::kOutcomeTooThick : shared::kOutcomeHidden;
+                            return std::nullopt;
+                        }),
+                  20u)
+            << (tooThick ? "too thick" : "hidden");
+    }
+}
+
+TEST_P(OutcomeTest, backFace) {
+    // The wall pretends to face away, as the unseen side of a thing does.
+    const SyntheticCamera camera;
+    Stage scene = floorAndWall();
+    scene.cards[0].normalWS = {0, 0, -1};
+    EXPECT_GT(check(scene, camera, settings(),
+                    [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                        const auto t = scene.cards[0].distance(ray.start, ray.direction);
+                        if (!t || !onScreen(camera.project(ray.start + ray.direction * *t, kWidth, kHeight), 2.5))
+                            return std::nullopt;
+                        return shared::kOutcomeBackFace;
+                    }),
+              1000u);
+}
+
+TEST_P(OutcomeTest, notTraced) {
+    const SyntheticCamera camera;
+    Stage scene = floorAndWall();
+    const auto all = [&](uint32_t outcome) { return [outcome](const MirrorRay&) { return std::optional(outcome); }; };
+    scene.floorF0 = 0.04f;
+    Settings changed = settings();
+    changed.reflect.threshold = 0.04f;
+    EXPECT_GT(check(scene, camera, changed, all(shared::kOutcomeBelowThreshold)), 1000u);
+
+    scene.floorF0 = 1;
+    scene.floorRoughness = 0.7f;
+    EXPECT_GT(check(scene, camera, settings(), all(shared::kOutcomeTooRough)), 1000u);
+
+    SyntheticCamera facing;
+    facing.position = {0, 1, 3};
+    facing.target = {0, 1, 0};
+    Stage mirror;
+    mirror.floor = false;
+    mirror.cards.push_back({.z = -3, .f0 = 1});
+    changed = settings();
+    changed.fade.facingCamera = true;
+    EXPECT_GT(check(mirror, facing, changed,
+                    [](const MirrorRay& ray) -> std::optional<uint32_t> {
+                        const glm::dvec3 toEye(-ray.direction.x, -ray.direction.y, ray.direction.z);
+                        return glm::dot(toEye, ray.direction) > 0.51 ? std::optional(shared::kOutcomeFacingCamera)
+                                                                     : std::nullopt;
+                    }),
+              1000u);
+}
+
+TEST_P(OutcomeTest, orthographicMirrorLandsWithinOnePixel) {
+    SyntheticCamera camera;
+    camera.orthoHeight = 3;
+    const Stage scene = floorAndWall();
+    const Picture picture = trace(scene, camera, kWidth, kHeight, settings());
+    size_t predicted = 0;
+    for (uint32_t i = 0; i < picture.pixels(); ++i) {
+        const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
+        if (!ray)
+            continue;
+        const glm::dvec3 end = ray->start + ray->direction * ((-3 - ray->start.z) / ray->direction.z);
+        const glm::dvec2 expected = camera.project(end, kWidth, kHeight);
+        const double way = glm::length(expected - camera.project(ray->start, kWidth, kHeight));
+        if (!onScreen(expected, 1.5) || way < 2) // selfCollisionSkip leaves out the first sample
+            continue;
+        ++predicted;
+        ASSERT_TRUE(picture.hit(i)) << i << ": " << reflect::kOutcomeNames[picture.outcome(i)] << " expected "
+                                    << expected.x << " " << expected.y;
+        ASSERT_LT(glm::length(picture.hitPX(i) - expected), 1) << i;
+        ASSERT_NEAR(picture.hitDistance[i * 4], glm::length(end - ray->start), 0.05);
+    }
+    EXPECT_GT(predicted, 500u);
+}
+
+TEST_P(OutcomeTest, hitDistanceIsThatInTheWorld) {
+    const SyntheticCamera camera;
+    const Stage scene = floorAndWall();
+    const Picture picture = trace(scene, camera, kWidth, kHeight, settings());
+    size_t hits = 0;
+    for (uint32_t i = 0; i < picture.pixels(); ++i) {
+        const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
+        if (!ray || !picture.hit(i))
+            continue;
+        ++hits;
+        const double expected = (-3 - ray->start.z) / ray->direction.z;
+        ASSERT_NEAR(picture.hitDistance[i * 4], expected, 0.01 * expected + 0.01) << i;
+    }
+    EXPECT_GT(hits, 1000u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, OutcomeTest, testing::Range<size_t>(0, reflect::techniques().size()),
+                         [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
+
+} // namespace
+} // namespace glint::test

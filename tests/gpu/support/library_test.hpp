@@ -1,0 +1,58 @@
+// Base of tests of the whole library: a synthetic picture in, everything that the library says of it out.
+#pragma once
+
+#include "gpu/support/synthetic_gbuffer.hpp"
+
+#include "shared/outcome.h"
+
+namespace glint::test {
+
+/// A frame's answers. Views are RGBA floats, row by row.
+struct Picture {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<float> composite;
+    std::vector<float> reflection;
+    std::vector<float> weight;
+    std::vector<float> hitUV;
+    std::vector<float> hitDistance;
+    std::vector<float> lookups;
+    std::vector<float> outcomeColor;
+    Statistics statistics;
+    std::vector<PassTime> passTimes;
+
+    size_t pixels() const { return size_t(width) * height; }
+    glm::vec3 color(size_t pixel) const {
+        return {composite[pixel * 4], composite[pixel * 4 + 1], composite[pixel * 4 + 2]};
+    }
+    glm::dvec2 hitPX(size_t pixel) const {
+        return {hitUV[pixel * 4] * static_cast<double>(width), hitUV[pixel * 4 + 1] * static_cast<double>(height)};
+    }
+    /// kOutcome*, told by its colour; every outcome has its own.
+    uint32_t outcome(size_t pixel) const;
+    bool hit(size_t pixel) const { return outcome(pixel) == shared::kOutcomeHit; }
+    /// Pixels with this outcome, as the statistics count them.
+    uint64_t counted(std::string_view outcome) const;
+    double meanWeight() const;
+};
+
+class LibraryTest : public GpuTest {
+protected:
+    /// All fades off: a hit has weight 1.
+    static Settings plainSettings();
+    static Reflections reflections(uint32_t width, uint32_t height, const Settings& settings = plainSettings());
+    /// Records one frame and asks for all there is to know.
+    static Picture trace(Reflections& reflections, const View& view);
+    static Picture trace(const SyntheticScene& scene, const SyntheticCamera& camera, uint32_t width, uint32_t height,
+                         const Settings& settings, const EnvironmentMap& environment = {});
+};
+
+/// A cube map with this radiance in every direction, or one a mip.
+struct TestEnvironment {
+    gpu::Image cube;
+    EnvironmentMap map;
+    static TestEnvironment make(gpu::Context& context, uint32_t size, uint32_t mips,
+                                const std::function<glm::vec3(const glm::dvec3& direction, uint32_t mip)>& radiance);
+};
+
+} // namespace glint::test

@@ -1,0 +1,98 @@
+// One test a file in cases/: renders what it says, with validation on, and holds the picture against its golden.
+// GLINT_UPDATE_GOLDENS=1 writes the goldens instead; look at each before it is committed.
+#include "image/golden.hpp"
+#include "image/image_case.hpp"
+#include "render/run_job.hpp"
+#include "render/views.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+namespace glint::test {
+namespace {
+
+const std::string kImageFolder = std::string(GLINT_SOURCE_DIR) + "/tests/image/";
+const GoldenPlaces kPlaces = {kImageFolder + "goldens", GLINT_IMAGE_FAILURES};
+
+std::string environmentVariable(const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr ? value : "";
+}
+
+std::string assetsFolder() {
+    const std::string given = environmentVariable("GLINT_ASSETS");
+    return given.empty() ? std::string(GLINT_SOURCE_DIR) + "/../shared/assets" : given;
+}
+
+std::vector<std::string> caseNames() {
+    std::vector<std::string> names;
+    std::error_code ignored; // without the folder there is no case, and GoogleTest complains
+    for (const auto& entry : std::filesystem::directory_iterator(kImageFolder + "cases", ignored))
+        if (entry.path().extension() == ".json")
+            names.push_back(entry.path().stem().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+/// One device for the whole program.
+gpu::Context& device() {
+    static const std::unique_ptr<gpu::Context> context = [] {
+        auto created = gpu::Context::create({.device = {}, .validation = true});
+        if (!created)
+            throw std::runtime_error(created.error().message);
+        return std::move(created).value();
+    }();
+    return *context;
+}
+
+/// As the program writes it to a PNG file.
+Result<std::vector<uint8_t>> displayed(const render::RenderedView& view) {
+    GLINT_TRY(info, render::findView(view.name));
+    return info->kind == render::ViewKind::Radiance ? view.rgb8 : render::displayBytes(info->kind, view.rgba);
+}
+
+class ImageTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(ImageTest, MatchesGolden) {
+    const std::string assets = assetsFolder();
+    const auto imageCase = readImageCase(kImageFolder + "cases/" + GetParam() + ".json", assets);
+    ASSERT_TRUE(imageCase.ok()) << imageCase.error().message;
+    if (imageCase->needsAssets && !std::filesystem::is_directory(assets))
+        GTEST_SKIP() << "needs the folder of test assets, which is not at " << assets << ": GLINT_ASSETS names another";
+
+    const auto job = cli::makeRenderJob(imageCase->options);
+    ASSERT_TRUE(job.ok()) << job.error().message;
+    const size_t messagesBefore = device().validationMessages().size();
+    const auto result = render::runJob(device(), *job);
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    for (size_t i = messagesBefore; i < device().validationMessages().size(); ++i)
+        ADD_FAILURE() << "validation: " << device().validationMessages()[i];
+
+    ASSERT_EQ(result->views.size(), 1u);
+    const auto rgb = displayed(result->views.front());
+    ASSERT_TRUE(rgb.ok()) << rgb.error().message;
+    const measure::DisplayPicture picture{result->width, result->height, *rgb};
+    ASSERT_EQ(picture.rgb.size(), 3 * picture.pixels());
+    if (environmentVariable("GLINT_UPDATE_GOLDENS") == "1") {
+        const auto written = writeGolden(*imageCase, picture, kPlaces);
+        ASSERT_TRUE(written.ok()) << written.error().message;
+    }
+    const Verdict verdict = compareWithGolden(*imageCase, picture, kPlaces, device().info().software);
+    fmt::print("{}: {}\n", GetParam(), verdict.message);
+    if (verdict.meanFlip)
+        RecordProperty("meanFlip", fmt::format("{:.6f}", *verdict.meanFlip));
+    EXPECT_TRUE(verdict.good) << verdict.message;
+}
+
+INSTANTIATE_TEST_SUITE_P(Image, ImageTest, testing::ValuesIn(caseNames()), [](const auto& tested) {
+    std::string name = tested.param; // GoogleTest takes letters, digits and underscores
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
+
+} // namespace
+} // namespace glint::test
