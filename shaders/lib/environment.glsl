@@ -32,4 +32,15 @@ float environmentMip(float perceptualRoughness, int mips) {
     return perceptualRoughness * float(mips - 1);
 }
 
+/// The split-sum table's outermost texel centres are 0 and 1: at roughness 1 the integral still falls steeply, and half
+/// a texel would be 2 % of a rough metal's light. The argument that a texel stands for:
+vec2 dfgArgument(ivec2 texel, int size) {
+    return vec2(texel) / float(size - 1);
+}
+
+/// Where the table holds an argument (NoV, perceptualRoughness), for filtered lookups.
+vec2 dfgUV(vec2 argument, int size) {
+    return (argument * float(size - 1) + 0.5) / float(size);
+}
+
 #endif

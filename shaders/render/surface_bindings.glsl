@@ -57,7 +57,7 @@ vec3 loadEnvironmentDiffuse(vec3 normal) {
 }
 
 vec2 loadDfg(float NoV, float perceptualRoughness) {
-    return textureLod(dfg, vec2(NoV, perceptualRoughness), 0.0).rg;
+    return textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg;
 }
 
 /// Unit, towards the eye.
