@@ -458,8 +458,9 @@ TEST_F(SettingsEffectTest, facingCameraFadesReturningRays) {
     EXPECT_GT(leftOut, 500u);
 }
 
-TEST_F(SettingsEffectTest, backfaceFadesGrazingHits) {
-    // The wall's normals lean so that rays meet it ever more edge-on.
+TEST_F(SettingsEffectTest, backfaceLeavesFrontHitsWhole) {
+    // The wall's normals lean so that rays meet it ever more edge-on. `linear` takes no hit from behind, where the fade
+    // would act, so all that can be said of it is that it takes nothing from hits on front faces.
     const SyntheticCamera camera;
     const auto leaning = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         auto hit = floorAndWall()(origin, direction);
