@@ -34,6 +34,10 @@ bool isOn(uint flag) {
     return (settings.flags & flag) != 0u;
 }
 
+/// dot(normal at the hit, -ray) below which a surface was met from behind. A little below 0, as shading normals lean;
+/// `fade.backface` fades what lies between.
+const float kBackFaceLimit = -0.17;
+
 // ---------------------------------------------------------------- the march
 
 struct March {
@@ -137,7 +141,7 @@ March march(ScreenRay ray, vec3 directionVS, float startOffset) {
                 // An opaque surface is met from its front. From behind, the ray either grazes the surface that it
                 // starts from, where shading normals disagree with depth, or meets a side that nobody sees.
                 vec3 hitNormalVS = unpackSurface(texelFetch(surface, ivec2(hit.px), 0).xy).normalVS;
-                if (dot(hitNormalVS, directionVS) < 0.0) {
+                if (dot(hitNormalVS, -directionVS) > kBackFaceLimit) {
                     hit = refineCrossing(ray, before, hit);
                     result.share = hit.share;
                     result.hitPX = hit.px;
@@ -156,12 +160,12 @@ March march(ScreenRay ray, vec3 directionVS, float startOffset) {
     bool endsBehind = before.rayZ >= before.sceneZ && before.share > 0.0;
     if (needed > iterations)
         result.outcome = kOutcomeOutOfSteps;
+    else if (clip && ray.screenEnd < 1.0)
+        result.outcome = kOutcomeOffScreen; // as the same ray would without clipping, whatever it passed behind
     else if (metBackFace)
         result.outcome = kOutcomeBackFace;
     else if (endsBehind)
         result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
-    else if (clip && ray.screenEnd < 1.0)
-        result.outcome = kOutcomeOffScreen;
     else if (ray.clippedNear)
         result.outcome = kOutcomeBehindCamera;
     else
