@@ -15,14 +15,14 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     Result<ImageCase> readCase(std::string_view json) const {
-        EXPECT_TRUE(writeFile(folder_ + "a-case.json", json).ok());
-        return readImageCase(folder_ + "a-case.json", "/some/assets");
+        EXPECT_TRUE(writeFile(folder_ + "a_case.json", json).ok());
+        return readImageCase(folder_ + "a_case.json", "/some/assets");
     }
     void expectBad(std::string_view json, std::string_view part) const {
         const auto read = readCase(json);
         ASSERT_FALSE(read.ok()) << json;
         EXPECT_NE(read.error().message.find(part), std::string::npos) << read.error().message;
-        EXPECT_NE(read.error().message.find("a-case.json"), std::string::npos) << read.error().message;
+        EXPECT_NE(read.error().message.find("a_case.json"), std::string::npos) << read.error().message;
     }
 
     /// 20 x 10 of one grey, `changed` of its pixels brighter by 100.
@@ -35,12 +35,12 @@ protected:
         return compareWithGolden(case_, {width, height, rgb}, places_, software);
     }
     bool isThere(const std::string& kind) const {
-        return std::filesystem::exists(places_.failures + "/a-case." + kind + ".png");
+        return std::filesystem::exists(places_.failures + "/a_case." + kind + ".png");
     }
 
     const std::string folder_ = testing::TempDir() + "glint_golden_test/";
     const GoldenPlaces places_ = {folder_ + "goldens", folder_ + "failures"};
-    ImageCase case_ = {.name = "a-case", .options = {}, .tolerance = {0.02, 0.01, 0.05}};
+    ImageCase case_ = {.name = "a_case", .options = {}, .tolerance = {0.02, 0.01, 0.05}};
 };
 
 TEST_F(GoldenTest, ReadsEveryKey) {
@@ -48,21 +48,21 @@ TEST_F(GoldenTest, ReadsEveryKey) {
         "size": [320, 180], "time": 1.5, "frames": 3, "seed": 7, "preset": "fast", "set": ["screen.step=4", "a=b"],
         "view": "weights", "tolerance": {"maxAbsDiff": 0.5, "failingFraction": 0.25, "meanFlip": 0.125}})");
     ASSERT_TRUE(read.ok()) << read.error().message;
-    EXPECT_EQ(read->name, "a-case");
+    EXPECT_EQ(read->name, "a_case");
     EXPECT_TRUE(read->needsAssets);
     EXPECT_EQ(read->tolerance.maxAbsDiff, 0.5);
     EXPECT_EQ(read->tolerance.failingFraction, 0.25);
     EXPECT_EQ(read->tolerance.meanFlip, 0.125);
     EXPECT_EQ(commandOf(*read), "scripts/glint render '/some/assets/a/b.glb' --size 320x180 --camera '1' --env 'sky' "
                                 "--preset 'fast' --set 'screen.step=4' --set 'a=b' --view 'weights' --time 1.5 "
-                                "--frames 3 --seed 7 -o a-case.png");
+                                "--frames 3 --seed 7 -o a_case.png");
 }
 
 TEST_F(GoldenTest, ACaseNeedsLittle) {
     const auto read = readCase(R"({"scene": "builtin:hall", "size": [2, 1]})");
     ASSERT_TRUE(read.ok()) << read.error().message;
     EXPECT_FALSE(read->needsAssets);
-    EXPECT_EQ(commandOf(*read), "scripts/glint render 'builtin:hall' --size 2x1 -o a-case.png");
+    EXPECT_EQ(commandOf(*read), "scripts/glint render 'builtin:hall' --size 2x1 -o a_case.png");
 }
 
 TEST_F(GoldenTest, MistakesInACaseAreNamed) {
@@ -78,6 +78,8 @@ TEST_F(GoldenTest, MistakesInACaseAreNamed) {
         const std::string json = std::string(R"({"scene": "a", "size": [2, 1], )") + wrong + "}";
         expectBad(json, "is unknown or has a value of another kind");
     }
+    ASSERT_TRUE(writeFile(folder_ + "a-case.json", R"({"scene": "a", "size": [2, 1]})").ok());
+    EXPECT_FALSE(readImageCase(folder_ + "a-case.json", "").ok());
     EXPECT_EQ(readImageCase(folder_ + "none.json", "").error().code, ErrorCode::NotFound);
 }
 
@@ -131,7 +133,7 @@ TEST_F(GoldenTest, AnotherSizeFails) {
 
 TEST_F(GoldenTest, ADamagedGoldenFails) {
     ASSERT_TRUE(writeGolden(case_, {20, 10, grey(0)}, places_).ok());
-    ASSERT_TRUE(writeFile(places_.goldens + "/a-case.png", "not a picture").ok());
+    ASSERT_TRUE(writeFile(places_.goldens + "/a_case.png", "not a picture").ok());
     EXPECT_FALSE(judge(grey(0)).good);
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace glint::test {
@@ -22,6 +23,10 @@ public:
     }
 
     Result<ImageCase> read(const Json& json) {
+        // GoogleTest's filters give '-' and others a meaning.
+        const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+        if (!std::ranges::all_of(case_.name, plain))
+            return invalidInput("{}: a case's name has small letters, digits and _ only", path_);
         if (!json.is_object())
             return invalidInput("{}: expected a JSON object", path_);
         for (const char* const needed : {"scene", "size"})

@@ -21,7 +21,7 @@ struct Tolerance {
 };
 
 struct ImageCase {
-    std::string name; ///< the file's, without .json
+    std::string name; ///< the file's, without .json; also the test's and the golden's
     cli::RenderOptions options;
     Tolerance tolerance;
     bool needsAssets = false;
