@@ -38,7 +38,9 @@ protected:
         return std::filesystem::exists(places_.failures + "/a_case." + kind + ".png");
     }
 
-    const std::string folder_ = testing::TempDir() + "glint_golden_test/";
+    /// Of this test alone: CTest runs several at once.
+    const std::string folder_ =
+        testing::TempDir() + "glint_golden_test_" + testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
     const GoldenPlaces places_ = {folder_ + "goldens", folder_ + "failures"};
     ImageCase case_ = {.name = "a_case", .options = {}, .tolerance = {0.02, 0.01, 0.05}};
 };
