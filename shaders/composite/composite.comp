@@ -8,6 +8,7 @@
 
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
+#include "lib/environment.glsl"
 #include "lib/outcome_color.glsl"
 #include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
@@ -39,7 +40,7 @@ vec3 falloff(vec3 reflectance) {
 
 /// The share of reflected light that this surface sends to the eye.
 vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
-    return settings.fresnel != 0u ? specularResponse(f0, 1.0, texture(dfg, vec2(NoV, perceptualRoughness)).rg) : f0;
+    return settings.fresnel != 0u ? specularResponse(f0, 1.0, textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg) : f0;
 }
 
 vec3 physical(vec3 lit, vec3 fallback, vec4 reflection, vec3 f0, float perceptualRoughness, float NoV) {

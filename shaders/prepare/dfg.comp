@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "lib/dfg.glsl"
+#include "lib/environment.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -14,6 +15,6 @@ void main() {
     ivec2 size = imageSize(dfg);
     if (any(greaterThanEqual(px, size)))
         return;
-    vec2 uv = (vec2(px) + 0.5) / vec2(size);
-    imageStore(dfg, px, vec4(integrateDfg(uv.x, uv.y), 0.0, 0.0));
+    vec2 argument = dfgArgument(px, size.x);
+    imageStore(dfg, px, vec4(integrateDfg(max(argument.x, 1e-3), argument.y), 0.0, 0.0));
 }

@@ -63,8 +63,11 @@ std::string defaultEnvironment(std::string_view scene) {
 
 Result<JobInputs> loadJobInputs(const RenderJob& job) {
     JobInputs inputs;
-    GLINT_TRY(scene, loadScene(job.scene));
-    inputs.scene = std::make_unique<scene::Scene>(std::move(scene));
+    Result<scene::Scene> scene = loadScene(job.scene);
+    if (!scene) // a file that asks for what no build of Glint reads is bad input, not a failure at work
+        return Error{scene.error().code == ErrorCode::Unsupported ? ErrorCode::InvalidInput : scene.error().code,
+                     scene.error().message};
+    inputs.scene = std::make_unique<scene::Scene>(std::move(scene).value());
     GLINT_TRY(pose, scene::pose(*inputs.scene, job.time));
     inputs.pose = std::move(pose);
 

@@ -177,11 +177,11 @@ protected:
         return must(gpu::downloadImageAsFloats(gpu(), composite));
     }
 
-    /// The table as the sampler reads it: bilinear between texel centres, clamped.
+    /// The table as it is read: bilinear, the outermost texels standing for 0 and 1.
     static glm::dvec2 sampledDfg(double NoV, double perceptualRoughness) {
         static const std::vector<float> texels = must(gpu::downloadImageAsFloats(gpu(), dfg()));
         const auto split = [](double at) {
-            const double t = glm::clamp(at * 64 - 0.5, 0.0, 63.0);
+            const double t = glm::clamp(at * 63, 0.0, 63.0);
             const auto low = std::min(static_cast<size_t>(t), size_t(62));
             return std::pair(low, t - static_cast<double>(low));
         };
@@ -251,12 +251,12 @@ TEST_F(CompositePassTest, splitSumTableIsTheIntegral) {
     const std::vector<float> texels = must(gpu::downloadImageAsFloats(gpu(), dfg()));
     for (uint32_t y = 1; y < 64; y += 8)
         for (const uint32_t x : {1u, 3u, 6u, 12u, 24u, 40u, 63u}) {
-            const glm::dvec2 expected = dfgByQuadrature((x + 0.5) / 64, (y + 0.5) / 64);
+            const glm::dvec2 expected = dfgByQuadrature(x / 63.0, y / 63.0);
             const glm::dvec2 found(texels[(y * 64 + x) * 4], texels[(y * 64 + x) * 4 + 1]);
             // Some degrees above a smooth surface it is the quadrature that has not converged.
             const double tolerance = x < 6 ? 0.015 : 0.006;
-            ASSERT_NEAR(found.x, expected.x, tolerance) << "NoV " << (x + 0.5) / 64 << " roughness " << (y + 0.5) / 64;
-            ASSERT_NEAR(found.y, expected.y, tolerance) << "NoV " << (x + 0.5) / 64 << " roughness " << (y + 0.5) / 64;
+            ASSERT_NEAR(found.x, expected.x, tolerance) << "NoV " << x / 63.0 << " roughness " << y / 63.0;
+            ASSERT_NEAR(found.y, expected.y, tolerance) << "NoV " << x / 63.0 << " roughness " << y / 63.0;
         }
     for (size_t i = 0; i < texels.size(); i += 4)
         ASSERT_LE(texels[i] + texels[i + 1], 1 + kHalf) << "no lobe reflects more than it receives";
