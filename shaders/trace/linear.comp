@@ -37,6 +37,9 @@ bool isOn(uint flag) {
 /// dot(normal at the hit, -ray) below which a surface was met from behind. A little below 0, as shading normals lean;
 /// `fade.backface` fades what lies between.
 const float kBackFaceLimit = -0.17;
+/// dot(normal at the hit, normal at the start) above which both may be one surface, which its own ray never meets from
+/// the front; 25 degrees.
+const float kOwnSurface = 0.9;
 
 // ---------------------------------------------------------------- the march
 
@@ -80,15 +83,15 @@ bool onScreen(vec2 px) {
 
 /// Where between two samples the ray met the surface: both gaps are linear there if they see the same surface. Across a
 /// depth edge the later sample alone knows the surface.
-Sample refineCrossing(ScreenRay ray, Sample before, Sample s) {
+Sample refineCrossing(ScreenRay ray, Sample before, Sample s, float pixels) {
     float gapBefore = before.sceneZ - before.rayZ;
     float gapBehind = s.rayZ - s.sceneZ;
     bool sameSurface = gapBefore > 0.0 && abs(before.sceneZ - s.sceneZ) <= slabThickness(s.sceneZ);
-    if (sameSurface) {
-        float share = mix(before.share, s.share, gapBefore / max(gapBefore + gapBehind, 1e-20));
-        s.share = share;
-        s.px = ray.startPX + ray.deltaPX * share;
-    }
+    if (sameSurface)
+        s.share = mix(before.share, s.share, gapBefore / max(gapBefore + gapBehind, 1e-20));
+    else if (before.share == 0.0 && s.share * pixels < 1.5)
+        s.share *= 0.51; // in a crease, within the very first pixel: its middle, which is still in the hit's own texel
+    s.px = ray.startPX + ray.deltaPX * s.share;
     return s;
 }
 
@@ -105,7 +108,7 @@ Sample refineBySinglePixels(ScreenRay ray, inout Sample before, Sample s, float 
     return s;
 }
 
-March march(ScreenRay ray, vec3 directionVS, float startOffset) {
+March march(ScreenRay ray, vec3 originNormalVS, vec3 directionVS, float startOffset) {
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
     bool clip = isOn(kTraceClipToFrustum);
     float pixels = max(max(abs(ray.deltaPX.x), abs(ray.deltaPX.y)), 1e-6);
@@ -141,8 +144,9 @@ March march(ScreenRay ray, vec3 directionVS, float startOffset) {
                 // An opaque surface is met from its front. From behind, the ray either grazes the surface that it
                 // starts from, where shading normals disagree with depth, or meets a side that nobody sees.
                 vec3 hitNormalVS = unpackSurface(texelFetch(surface, ivec2(hit.px), 0).xy).normalVS;
-                if (dot(hitNormalVS, -directionVS) > kBackFaceLimit) {
-                    hit = refineCrossing(ray, before, hit);
+                float limit = dot(hitNormalVS, originNormalVS) > kOwnSurface ? 0.0 : kBackFaceLimit;
+                if (dot(hitNormalVS, -directionVS) > limit) {
+                    hit = refineCrossing(ray, before, hit, pixels);
                     result.share = hit.share;
                     result.hitPX = hit.px;
                     result.outcome = kOutcomeHit;
@@ -237,7 +241,7 @@ void main() {
     ScreenRay ray = makeScreenRay(frame.constants, originVS, directionVS, settings.maxDistance);
     // Neighbours start at different fractions of a coarse step, so that a miss shows as grain and not as bands.
     float startOffset = settings.step > 1u ? float((px.x + px.y) & 3) * 0.25 : 0.0;
-    March end = march(ray, directionVS, startOffset);
+    March end = march(ray, origin.normalVS, directionVS, startOffset);
 
     vec2 endPX = end.outcome == kOutcomeHit ? end.hitPX : ray.startPX + ray.deltaPX * end.share;
     RayRecord record;

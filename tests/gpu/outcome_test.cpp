@@ -213,14 +213,17 @@ TEST_P(OutcomeTest, backFace) {
     const SyntheticCamera camera;
     Stage scene = floorAndWall();
     scene.cards[0].normalWS = {0, 0, -1};
-    EXPECT_GT(check(scene, camera, settings(),
+    Settings changed = settings();
+    changed.screen.maxDistance = 5;
+    EXPECT_GT(check(scene, camera, changed,
                     [&](const MirrorRay& ray) -> std::optional<uint32_t> {
                         const auto t = scene.cards[0].distance(ray.start, ray.direction);
-                        if (!t || !onScreen(camera.project(ray.start + ray.direction * *t, kWidth, kHeight), 2.5))
-                            return std::nullopt;
+                        const glm::dvec3 end = ray.start + ray.direction * 5.0;
+                        if (!t || *t > 4.9 || !onScreen(camera.project(end, kWidth, kHeight), 2.5))
+                            return std::nullopt; // one that leaves the picture behind the wall is offScreen
                         return shared::kOutcomeBackFace;
                     }),
-              1000u);
+              300u);
 }
 
 TEST_P(OutcomeTest, notTraced) {

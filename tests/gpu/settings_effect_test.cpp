@@ -458,14 +458,13 @@ TEST_F(SettingsEffectTest, facingCameraFadesReturningRays) {
     EXPECT_GT(leftOut, 500u);
 }
 
-TEST_F(SettingsEffectTest, backfaceLeavesFrontHitsWhole) {
-    // The wall's normals lean so that rays meet it ever more edge-on. `linear` takes no hit from behind, where the fade
-    // would act, so all that can be said of it is that it takes nothing from hits on front faces.
+TEST_F(SettingsEffectTest, backfaceFadesHitsFromBehind) {
+    // The wall's normals lean so that rays meet it ever more edge-on, and a little from behind.
     const SyntheticCamera camera;
     const auto leaning = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         auto hit = floorAndWall()(origin, direction);
         if (hit && hit->f0.x == 0) {
-            const double angle = 1.25 + 0.1 * (origin + direction * hit->distance).x;
+            const double angle = 1.45 + 0.1 * (origin + direction * hit->distance).x;
             hit->normalWS = {0, std::sin(angle), std::cos(angle)};
         }
         return hit;
@@ -474,14 +473,22 @@ TEST_F(SettingsEffectTest, backfaceLeavesFrontHitsWhole) {
     settings.fade.backface = true;
     const Picture picture = show(leaning, settings);
     uint64_t hitCount = 0;
+    uint64_t faded = 0;
     for (uint32_t i = 0; i < picture.pixels(); ++i) {
         if (!picture.hit(i))
             continue;
         ++hitCount;
-        // smoothstep(-0.17, 0, N.-R): hits are met from the front, where the formula is 1.
-        ASSERT_NEAR(picture.weight[i * 4], 1, kWeightStep);
+        const auto hit = leaning(camera.position, camera.rayThrough(static_cast<uint32_t>(picture.hitPX(i).x),
+                                                                    static_cast<uint32_t>(picture.hitPX(i).y), kWidth,
+                                                                    kHeight));
+        const glm::dvec3 toFloor = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const double NoR = glm::dot(hit->normalWS, -glm::dvec3(toFloor.x, -toFloor.y, toFloor.z));
+        faded += NoR < -0.02;
+        // The normal is stored in 16 bits, and the slope of the formula is at most 9.
+        ASSERT_NEAR(picture.weight[i * 4], glm::smoothstep(-0.17, 0.0, NoR), kWeightStep + 9 * 2e-4);
     }
     EXPECT_GT(hitCount, 300u);
+    EXPECT_GT(faded, 20u);
 }
 
 // ---------------------------------------------------------------- sky, composite, debug

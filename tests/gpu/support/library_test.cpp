@@ -49,8 +49,14 @@ double Picture::meanWeight() const {
 }
 
 Settings LibraryTest::plainSettings() {
+    // Numbers of the tests' own: defaults are chosen by measurement and may move.
     Settings settings;
     settings.fade.border = FadeBorder::None;
+    settings.screen.thicknessMode = ThicknessMode::Constant;
+    settings.screen.thickness = 0.1f;
+    settings.screen.selfCollisionSkip = 1;
+    settings.reflect.roughnessFadeStart = 0.3f;
+    settings.reflect.maxRoughness = 0.6f;
     return settings;
 }
 
