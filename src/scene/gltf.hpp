@@ -1,6 +1,6 @@
 // Reads glTF 2.0 files, text or binary, into a Scene. Strict: whatever the bytes are, the answer is a Scene whose every
-// index and size is sound, or one line that says what is wrong and where. What is read: docs and README of the
-// extensions named in gltf/extensions.cpp.
+// index and size is sound, or one line that says what is wrong and where. All of core glTF 2.0 is read, and the
+// extensions that gltf/extensions.cpp lists.
 #pragma once
 
 #include "base/result.hpp"

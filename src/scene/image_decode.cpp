@@ -4,11 +4,12 @@
 
 #include <webp/decode.h>
 
-// The one place where stb_image's functions live. HDR is for the environment files (scene/image files), not for glTF.
+// The one place where stb_image's functions live.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
-#define STBI_ONLY_HDR
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
 #define STBI_NO_STDIO
 #define STBI_MAX_DIMENSIONS 16384
 #if defined(__GNUC__)

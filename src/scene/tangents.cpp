@@ -1,12 +1,11 @@
 #include "scene/tangents.hpp"
 
+#include "scene/bit_key.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numeric>
-#include <string_view>
 #include <unordered_map>
 
 // The names follow the thesis: a triangle's first-order derivative of position by texture u is its tangent, the sign of
@@ -16,27 +15,18 @@ namespace {
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-/// Vertices with equal position, normal and texture coordinates are one vertex here, however the file stores them: the
-/// result must not depend on how a mesh is indexed.
-struct WeldKey {
-    std::array<float, 8> values;
-    bool operator==(const WeldKey& other) const { return std::memcmp(this, &other, sizeof(*this)) == 0; }
-};
-struct WeldHash {
-    size_t operator()(const WeldKey& key) const {
-        return std::hash<std::string_view>()({reinterpret_cast<const char*>(&key), sizeof(key)});
-    }
-};
-
+/// For each vertex the first that equals it. Vertices with equal position, normal and texture coordinates are one here,
+/// however the file stores them: the result must not depend on how a mesh is indexed.
 std::vector<uint32_t> weldVertices(const Geometry& geometry, const std::vector<glm::vec2>& uvs) {
-    std::unordered_map<WeldKey, uint32_t, WeldHash> ids;
+    std::unordered_map<BitKey<8>, uint32_t, BitKeyHash> ids;
     std::vector<uint32_t> welded(geometry.positions.size());
     for (size_t i = 0; i < welded.size(); ++i) {
         const glm::vec3 p = geometry.positions[i] + 0.0f; // -0 becomes 0
         const glm::vec3 n = geometry.normals[i] + 0.0f;
         const glm::vec2 uv = uvs[i] + 0.0f;
-        welded[i] =
-            ids.try_emplace({{p.x, p.y, p.z, n.x, n.y, n.z, uv.x, uv.y}}, static_cast<uint32_t>(i)).first->second;
+        const BitKey<8> key = {bitsOf(p.x), bitsOf(p.y), bitsOf(p.z),  bitsOf(n.x),
+                               bitsOf(n.y), bitsOf(n.z), bitsOf(uv.x), bitsOf(uv.y)};
+        welded[i] = ids.try_emplace(key, static_cast<uint32_t>(i)).first->second;
     }
     return welded;
 }

@@ -10,7 +10,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 17> kSupported = {
+constexpr std::array<std::string_view, 18> kSupported = {
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",
@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, 17> kSupported = {
     // Understood, not decoded: a texture that exists only as KTX2 is drawn white, with a warning (gltf/images.cpp).
     "KHR_texture_basisu",
     // Metadata only: nothing of it can be seen.
+    "KHR_xmp",
     "KHR_xmp_json_ld",
 };
 

@@ -1,11 +1,11 @@
 #include "scene/gltf/shading_frames.hpp"
 
+#include "scene/bit_key.hpp"
 #include "scene/gltf/vertices.hpp"
 #include "scene/normals.hpp"
 #include "scene/tangents.hpp"
 
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <unordered_map>
 
@@ -37,20 +37,6 @@ std::vector<glm::dvec3> facesAroundVertices(const Geometry& geometry) {
     }
     return sums;
 }
-
-/// Equal bits, not equal values: what is merged must be the very same vertex.
-struct SplitVertex {
-    uint32_t source;
-    glm::vec4 tangent;
-    bool operator==(const SplitVertex& other) const { return std::memcmp(this, &other, sizeof(*this)) == 0; }
-};
-static_assert(sizeof(SplitVertex) == 20, "no padding, since it is compared and hashed as bytes");
-
-struct SplitVertexHash {
-    size_t operator()(const SplitVertex& vertex) const {
-        return std::hash<std::string_view>()({reinterpret_cast<const char*>(&vertex), sizeof(vertex)});
-    }
-};
 
 } // namespace
 
@@ -93,16 +79,18 @@ void makeTangents(Document& document, Primitive& primitive, uint32_t texCoord) {
         return;
     const std::vector<glm::vec4> cornerTangents = computeTangents(geometry, texCoord);
 
-    std::unordered_map<SplitVertex, uint32_t, SplitVertexHash> newIndexOf;
+    std::unordered_map<BitKey<5>, uint32_t, BitKeyHash> newIndexOf; // old vertex and its tangent
     newIndexOf.reserve(geometry.positions.size());
     std::vector<uint32_t> sources;
     std::vector<glm::vec4> tangents;
     for (size_t corner = 0; corner < geometry.indices.size(); ++corner) {
-        const SplitVertex vertex{geometry.indices[corner], cornerTangents[corner]};
-        const auto [entry, isNew] = newIndexOf.try_emplace(vertex, static_cast<uint32_t>(sources.size()));
+        const uint32_t vertex = geometry.indices[corner];
+        const glm::vec4& t = cornerTangents[corner];
+        const BitKey<5> key = {vertex, bitsOf(t.x), bitsOf(t.y), bitsOf(t.z), bitsOf(t.w)};
+        const auto [entry, isNew] = newIndexOf.try_emplace(key, static_cast<uint32_t>(sources.size()));
         if (isNew) {
-            sources.push_back(vertex.source);
-            tangents.push_back(vertex.tangent);
+            sources.push_back(vertex);
+            tangents.push_back(t);
         }
         geometry.indices[corner] = entry->second;
     }

@@ -30,17 +30,17 @@ std::string percentDecode(std::string_view text) {
     return result;
 }
 
-constexpr std::array<int8_t, 256> makeBase64Values() {
-    std::array<int8_t, 256> values{};
+constexpr std::array<int, 256> makeBase64Values() {
+    std::array<int, 256> values{};
     values.fill(-1);
     constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < kAlphabet.size(); ++i)
-        values[static_cast<uint8_t>(kAlphabet[i])] = static_cast<int8_t>(i);
+        values[static_cast<uint8_t>(kAlphabet[i])] = static_cast<int>(i);
     return values;
 }
 
 Result<std::vector<uint8_t>> decodeBase64(std::string_view text) {
-    static constexpr std::array<int8_t, 256> kValues = makeBase64Values();
+    static constexpr std::array<int, 256> kValues = makeBase64Values();
     while (!text.empty() && text.back() == '=')
         text.remove_suffix(1);
     if (text.size() % 4 == 1)
