@@ -91,9 +91,12 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
         outcomes[name] = pixels;
     json["outcomes"] = std::move(outcomes);
     if (exact)
-        json["exact"] = {{"mirrorPixels", exact->mirrorPixels},       {"wrongPixels", exact->wrongPixels},
-                         {"wrongShare", exact->share()},              {"oneBouncePixels", exact->oneBouncePixels},
-                         {"oneBounceWrong", exact->oneBounceWrong},   {"oneBounceWrongShare", exact->oneBounceShare()}};
+        json["exact"] = {{"mirrorPixels", exact->mirrorPixels},
+                         {"wrongPixels", exact->wrongPixels},
+                         {"wrongShare", exact->share()},
+                         {"oneBouncePixels", exact->oneBouncePixels},
+                         {"oneBounceWrong", exact->oneBounceWrong},
+                         {"oneBounceWrongShare", exact->oneBounceShare()}};
     json["notes"] = result.notes;
     json["preset"] = job.settings.preset;
     json["settings"] = Json::parse(render::settingsJson(job.settings));

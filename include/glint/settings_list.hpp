@@ -30,7 +30,7 @@
     SETTING(float, thickness, 0.1f, "[0, 1e3]", "m",                                                                   \
         "Slab behind each depth sample that still counts as a hit; too small: holes, too large: streaks",              \
         "babylon:thickness compute-ssr:thickness")                                                                     \
-    SETTING(float, thicknessRelative, 0.05f, "[0, 1]", "of viewZ",                                                     \
+    SETTING(float, thicknessRelative, 0.01f, "[0, 1]", "of viewZ",                                                     \
         "The same slab as a fraction of the sample's distance; acts with thicknessMode relative",                      \
         "hdrp:depthBufferThickness")                                                                                   \
     SETTING(int, selfCollisionSkip, 0, "[0, 16]", "iterations",                                                        \
@@ -56,10 +56,10 @@
     SETTING(bool, fresnel, true, "", "",                                                                               \
         "Reflectance grows toward grazing angles (Schlick); off: F0 at every angle",                                   \
         "babylon:useFresnel")                                                                                          \
-    SETTING(float, roughnessFadeStart, 0.1f, "[0, 1]", "perceptual roughness",                                         \
+    SETTING(float, roughnessFadeStart, 0.2f, "[0, 1]", "perceptual roughness",                                         \
         "Up to here screen-space reflections have full weight",                                                        \
         "hdrp:smoothnessFadeStart=1-x")                                                                                \
-    SETTING(float, maxRoughness, 0.3f, "[0, 1]", "perceptual roughness",                                               \
+    SETTING(float, maxRoughness, 0.4f, "[0, 1]", "perceptual roughness",                                               \
         "From here on no screen-space ray is traced; at or below roughnessFadeStart: a hard edge just above it",       \
         "hdrp:minSmoothness=1-x")
 

@@ -63,9 +63,8 @@ Result<RayOracle> RayOracle::create(const scene::Scene& scene, const scene::Pose
         if (geometry.topology != scene::Topology::Triangles || material.alphaMode == scene::AlphaMode::Blend)
             continue;
         RTCGeometry triangles = rtcNewGeometry(state->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                                     RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                                                     geometry.positions.size()));
+        auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+            triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), geometry.positions.size()));
         for (size_t i = 0; i < geometry.positions.size(); ++i) {
             const glm::vec3 p = glm::vec3(item.localToWorld * glm::vec4(geometry.positions[i], 1));
             std::memcpy(vertices + 3 * i, &p, sizeof(p));
@@ -132,9 +131,9 @@ std::optional<OracleHit> RayOracle::trace(const glm::dvec3& originWS, const glm:
         const double v = static_cast<double>(query.hit.v);
         glm::dvec3 normal = geometric;
         if (!geometry.normals.empty())
-            normal = part.normalToWorld * (glm::dvec3(geometry.normals[triangle[0]]) * (1 - u - v) +
-                                           glm::dvec3(geometry.normals[triangle[1]]) * u +
-                                           glm::dvec3(geometry.normals[triangle[2]]) * v);
+            normal = part.normalToWorld *
+                     (glm::dvec3(geometry.normals[triangle[0]]) * (1 - u - v) +
+                      glm::dvec3(geometry.normals[triangle[1]]) * u + glm::dvec3(geometry.normals[triangle[2]]) * v);
         hit.normalWS = glm::normalize(hit.frontFace ? normal : -normal);
         return hit;
     }

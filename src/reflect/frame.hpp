@@ -46,9 +46,9 @@ struct FrameState {
     gpu::Buffer statisticsReadback;
     bool tablesMade = false; ///< dfg and the stand-ins hold their content
     View lastView;
-    bool upToDate = false; ///< the images belong to lastView; false if its frame had nothing to do
-    bool untraced = false;   ///< `traced` says that no ray was traced
-    bool ranPasses = false;  ///< by the last record()
+    bool upToDate = false;  ///< the images belong to lastView; false if its frame had nothing to do
+    bool untraced = false;  ///< `traced` says that no ray was traced
+    bool ranPasses = false; ///< by the last record()
     std::unique_ptr<gpu::Timers> timers;
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);

@@ -105,8 +105,7 @@ private:
         const RenderSettings& settings = job_.settings.render;
         context_.addShaders(gpu::shaders::render());
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
-        GLINT_TRY(renderer,
-                  Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
+        GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
         GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height));
         parameters_.camera = inputs_.camera;
@@ -115,8 +114,8 @@ private:
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
                                            handles.queueFamily, handles.getInstanceProcAddr}));
         library_ = std::make_unique<Context>(std::move(library));
-        GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height,
-                                                               job_.settings.reflections, job_.statistics, true}));
+        GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
+                                                               job_.statistics, true}));
         reflections_ = std::make_unique<Reflections>(std::move(reflections));
         GLINT_TRY(timers, gpu::Timers::create(context_));
         timers_ = std::move(timers);
@@ -209,7 +208,8 @@ private:
         view.rgba = std::move(rgba);
         if (info->kind == ViewKind::Radiance && job_.display)
             GLINT_CHECK(displayInto(view, image));
-        return context_.submitAndWait([&](VkCommandBuffer commands) { gpu::Frame(context_, commands).hand(image, kSampled); })
+        return context_.submitAndWait(
+                   [&](VkCommandBuffer commands) { gpu::Frame(context_, commands).hand(image, kSampled); })
                    ? Result<RenderedView>(std::move(view))
                    : Result<RenderedView>(makeError(ErrorCode::DeviceLost, "view '{}' was lost with the device", name));
     }

@@ -211,7 +211,8 @@ TEST_F(ErrorsTest, withEverySourceOffThePictureIsTheHosts) {
     EXPECT_EQ(recorded(), gbuffer.gbuffer.litRadiance.image);
     EXPECT_TRUE(made.passTimes().empty()) << "the newest frame had no pass";
     EXPECT_TRUE(made.statistics().outcomes.empty());
-    for (const std::string_view name : {"reflection", "weight", "weights", "source", "outcome", "hitDistance", "lookups"}) {
+    for (const std::string_view name :
+         {"reflection", "weight", "weights", "source", "outcome", "hitDistance", "lookups"}) {
         HostImage image;
         run([&](VkCommandBuffer commands) { image = must(made.recordView(commands, name)); });
         const std::vector<float> values = download(gpu(), image);

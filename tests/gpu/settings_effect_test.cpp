@@ -465,7 +465,7 @@ TEST_F(SettingsEffectTest, backfaceFadesHitsFromBehind) {
         auto hit = floorAndWall()(origin, direction);
         if (hit && hit->f0.x == 0) {
             const double angle = 1.45 + 0.1 * (origin + direction * hit->distance).x;
-            hit->normalWS = {0, std::sin(angle), std::cos(angle)};
+            hit->normalWS = {std::sin(angle), 0, std::cos(angle)}; // sideways: leaning up it could be the floor's own
         }
         return hit;
     };
@@ -478,9 +478,9 @@ TEST_F(SettingsEffectTest, backfaceFadesHitsFromBehind) {
         if (!picture.hit(i))
             continue;
         ++hitCount;
-        const auto hit = leaning(camera.position, camera.rayThrough(static_cast<uint32_t>(picture.hitPX(i).x),
-                                                                    static_cast<uint32_t>(picture.hitPX(i).y), kWidth,
-                                                                    kHeight));
+        const auto hit =
+            leaning(camera.position, camera.rayThrough(static_cast<uint32_t>(picture.hitPX(i).x),
+                                                       static_cast<uint32_t>(picture.hitPX(i).y), kWidth, kHeight));
         const glm::dvec3 toFloor = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
         const double NoR = glm::dot(hit->normalWS, -glm::dvec3(toFloor.x, -toFloor.y, toFloor.z));
         faded += NoR < -0.02;

@@ -91,7 +91,8 @@ TEST_F(ScenesTest, mirrorBoxesAreReflectedWithinOnePixel) {
             const glm::dvec2 found = glm::dvec2(hitUV[i], hitUV[i + 1]) * glm::dvec2(size);
             EXPECT_LT(glm::length(found - expected), 1) << size.x << "x" << size.y << " at " << px.x << "," << px.y;
             for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR(result.views[0].rgba[i + static_cast<size_t>(c)], box.color[c], 0.01 + 0.002 * box.color[c]);
+                EXPECT_NEAR(result.views[0].rgba[i + static_cast<size_t>(c)], box.color[c],
+                            0.01 + 0.002 * box.color[c]);
         }
     }
 }
@@ -109,8 +110,8 @@ TEST_F(ScenesTest, fewMirrorPixelsOfTheExactSceneAreWrong) {
 }
 
 TEST_F(ScenesTest, withEverySourceOffThePictureIsTheHostsBitForBit) {
-    const render::RenderResult result = run(makeJob("builtin:hall", 160, 90, {"composite", "scene"},
-                                                    {"screen.enabled=false", "sky.enabled=false"}));
+    const render::RenderResult result =
+        run(makeJob("builtin:hall", 160, 90, {"composite", "scene"}, {"screen.enabled=false", "sky.enabled=false"}));
     EXPECT_EQ(result.views[0].rgba, result.views[1].rgba);
     for (const auto& [name, milliseconds] : result.stats.passes)
         EXPECT_TRUE(name.starts_with("render/")) << name;
