@@ -36,7 +36,7 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
 
 /// "`babylon:attenuateScreenBorders` (false: none, true: smooth)"
 std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
-    const std::string name = fmt::format("`{}:{}`", alias.system, alias.name);
+    std::string name = fmt::format("`{}:{}`", alias.system, alias.name);
     switch (alias.transform) {
     case AliasTransform::Same: break;
     case AliasTransform::Choice:
