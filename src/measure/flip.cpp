@@ -106,7 +106,7 @@ std::vector<Out> filterAlong(bool rows, int width, int height, const std::vector
                 const int sx = rows ? std::clamp(x + tap, 0, width - 1) : x;
                 const int sy = rows ? y : std::clamp(y + tap, 0, height - 1);
                 sum += combine(in[size_t(sy) * size_t(width) + size_t(sx)],
-                               taps.weights[static_cast<size_t>(tap + taps.radius)]);
+                               taps.weights[static_cast<size_t>(tap) + static_cast<size_t>(taps.radius)]);
             }
             out.push_back(sum);
         }
