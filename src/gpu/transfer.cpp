@@ -87,7 +87,8 @@ Result<Buffer> uploadBuffer(Context& context, std::string name, std::span<const 
     const size_t size = std::max<size_t>(content.size(), 16);
     GLINT_TRY(staging,
               Buffer::create(context, {name + "/staging", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::Upload}));
-    std::memcpy(staging.mapped(), content.data(), content.size());
+    if (!content.empty())
+        std::memcpy(staging.mapped(), content.data(), content.size());
     GLINT_TRY(buffer, Buffer::create(context, {std::move(name), size, usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                                BufferHome::Device}));
     GLINT_CHECK(context.submitAndWait([&](VkCommandBuffer commands) {
