@@ -1,7 +1,7 @@
 // Puts the reflections into the host's picture: what they replace is taken out, never added to.
 //   physical  out = lit - w * fallbackSpecular + R, with R the reflected radiance under the material's specular response
 //   lerp      out = lit * (1 - m) + reflection * m, Babylon.js' model; what no source answered is the pixel's own colour
-// shared/SYSTEMS.md section A and docs/techniques/composite.md.
+// docs/techniques/composite.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-// A camera and a picture size, as matrices. Conventions: DESIGN.md section 4.
+// A camera and a picture size, as matrices. Conventions: docs/conventions.md.
 #pragma once
 
 #include "scene/camera.hpp"

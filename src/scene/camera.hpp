@@ -1,4 +1,4 @@
-// A camera in the world: where from, where to, with which lens. Conventions: DESIGN.md section 4.
+// A camera in the world: where from, where to, with which lens. Conventions: docs/conventions.md.
 #pragma once
 
 #include "base/result.hpp"

@@ -239,7 +239,7 @@ protected:
 constexpr shared::CompositeConstants kPhysical = {0, 1, 0, 1, 1, 1000};
 constexpr shared::CompositeConstants kLerp = {1, 1, 0, 1, 1, 1000};
 
-/// DESIGN.md 3: single scattering from the table, scaled up to lose nothing (Turquin 2019, eq. 16).
+/// docs/techniques/composite.md: single scattering from the table, scaled up to lose nothing (Turquin 2019, eq. 16).
 glm::dvec3 physicalResponse(const glm::vec3& f0, glm::dvec2 dfg) {
     const glm::dvec3 albedo = glm::dvec3(f0) * dfg.x + dfg.y;
     return albedo * (1.0 + glm::dvec3(f0) * (1 / (dfg.x + dfg.y) - 1));
