@@ -42,7 +42,7 @@ std::string unknownCommand(const CLI::App& program, int argc, const char* const*
 }
 
 int run(int argc, const char* const* argv, const render::RenderFunction& render) {
-    CLI::App program("Reflections for any Vulkan renderer: renders, measures and tunes them.", "glint");
+    CLI::App program("Reflections for any Vulkan renderer: renders scenes with them and measures the result.", "glint");
     program.set_help_all_flag("--help-all", "Print the help of every command");
     program.require_subcommand(1);
     Command chosen;

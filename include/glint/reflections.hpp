@@ -66,7 +66,8 @@ public:
     /// Errors: InvalidArgument says which image is missing or of another size.
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment = {});
 
-    /// Records the frame's passes. Never submits, waits or allocates. Call outside a render pass, after setInputs.
+    /// Records the frame's passes. Never submits or waits, and makes no Vulkan object and no device memory. Call
+    /// outside a render pass, after setInputs.
     /// Returns the picture with reflections (RGBA16F, ready for sampling), valid until the next call; with every
     /// source off no pass runs and that is litRadiance itself, bit for bit.
     HostImage record(VkCommandBuffer commands, const View& view);

@@ -26,7 +26,7 @@
         "babylon:enableSmoothReflections")                                                                             \
     SETTING(ThicknessMode, thicknessMode, ThicknessMode::Relative, "", "",                                             \
         "How deep a surface is behind its depth sample: constant (screen.thickness) or relative to its distance",      \
-        "hdrp:depthBufferThickness=relative")                                                                          \
+        "hdrp:depthBufferThickness=relative babylon:thickness=constant compute-ssr:thickness=constant")                \
     SETTING(float, thickness, 0.1f, "[0, 1e3]", "m",                                                                   \
         "Slab behind each depth sample that still counts as a hit; too small: holes, too large: streaks",              \
         "babylon:thickness compute-ssr:thickness")                                                                     \

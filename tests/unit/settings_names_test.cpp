@@ -39,6 +39,15 @@ TEST(SettingsNames, AliasOfSeveralSystemsIsAnErrorOtherwise) {
     EXPECT_EQ(errorOf("babylon:thickness", "1", "compute-ssr"), "");
 }
 
+TEST(SettingsNames, AThicknessInMetresActsWhateverModeIsTheDefault) {
+    for (const char* name : {"babylon:thickness", "compute-ssr:thickness"}) {
+        Settings settings;
+        ASSERT_TRUE(set(settings, name, "0.2").ok());
+        EXPECT_EQ(settings.screen.thickness, 0.2f) << name;
+        EXPECT_EQ(settings.screen.thicknessMode, ThicknessMode::Constant) << name;
+    }
+}
+
 TEST(SettingsNames, AliasesCarryTheirOwnMeaning) {
     Settings settings;
     ASSERT_TRUE(set(settings, "hdrp:minSmoothness", "0.75").ok());
