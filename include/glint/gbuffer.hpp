@@ -46,7 +46,7 @@ struct Conventions {
     uint32_t roughnessChannel = 3; ///< of `material`, [0, 3]
 };
 
-/// All images have one size, one sample a pixel, and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT).
+/// All images have one size (but for backDepth), one sample a pixel, and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT).
 struct GBuffer {
     HostImage depth;
     HostImage normal;   ///< shading normals; 16 bits a channel keep mirrors sharp, 8 do not
@@ -56,6 +56,9 @@ struct GBuffer {
     /// Optional: the part of litRadiance that stands in for reflections (environment or probe specular). Glint
     /// replaces exactly that. Absent: reflections are added to what is there.
     HostImage fallbackSpecular;
+    /// Optional: depth of the nearest surfaces that face away from the camera, drawn with the same camera and stored
+    /// as `depth` is; of any size. screen.thicknessMode backface takes each surface to reach back to it.
+    HostImage backDepth;
     Conventions conventions;
 };
 

@@ -32,6 +32,7 @@ enum class AliasTransform {
     InverseOnePlus, ///< 1/(n+1): a downsampling becomes a scale
     Choice,         ///< a switch picks one of two enum values: `whenFalse`, `whenTrue`
     Always,         ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
+    Instead,        ///< the same, but only in place of `whenFalse`: other modes stay
 };
 
 /// A parameter of another system that this setting answers to, as `system:name`.

@@ -14,8 +14,12 @@
 
 namespace glint {
 
-GLINT_SETTING_ENUM(March, Linear)
-GLINT_SETTING_ENUM(ThicknessMode, Constant, Relative)
+GLINT_SETTING_ENUM(March, Linear, Adaptive, Hiz)
+GLINT_SETTING_ENUM(ThicknessMode, Constant, Relative, Backface)
+GLINT_SETTING_ENUM(TargetFormat, Auto, Rgba8, Rgba16f)
+GLINT_SETTING_ENUM(GBufferMode, Prepass, Geometry)
+GLINT_SETTING_ENUM(DepthFormat, Float, Half)
+GLINT_SETTING_ENUM(ColorSource, Current, Previous)
 GLINT_SETTING_ENUM(ThresholdOn, F0, F0TimesStrength)
 GLINT_SETTING_ENUM(FadeBorder, None, Smooth, Linear)
 GLINT_SETTING_ENUM(CompositeModel, Physical, Lerp)
@@ -23,11 +27,20 @@ GLINT_SETTING_ENUM(CompositeModel, Physical, Lerp)
 struct ScreenSettings {
     GLINT_SCREEN_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct HizSettings {
+    GLINT_HIZ_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct AdaptiveSettings {
+    GLINT_ADAPTIVE_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct ReflectSettings {
     GLINT_REFLECT_SETTINGS(GLINT_SETTING_MEMBER)
 };
 struct RoughSettings {
     GLINT_ROUGH_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct BlurSettings {
+    GLINT_BLUR_SETTINGS(GLINT_SETTING_MEMBER)
 };
 struct FadeSettings {
     GLINT_FADE_SETTINGS(GLINT_SETTING_MEMBER)
@@ -38,6 +51,15 @@ struct SkySettings {
 struct CompositeSettings {
     GLINT_COMPOSITE_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct GBufferSettings {
+    GLINT_GBUFFER_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct InputSettings {
+    GLINT_INPUT_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct OutputSettings {
+    GLINT_OUTPUT_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct DebugSettings {
     GLINT_DEBUG_SETTINGS(GLINT_SETTING_MEMBER)
 };
@@ -45,11 +67,17 @@ struct DebugSettings {
 /// `Settings s; s.screen.maxDistance = 20;` Defaults are the preset `balanced`.
 struct Settings {
     ScreenSettings screen;
+    HizSettings hiz;
+    AdaptiveSettings adaptive;
     ReflectSettings reflect;
     RoughSettings rough;
+    BlurSettings blur;
     FadeSettings fade;
     SkySettings sky;
     CompositeSettings composite;
+    GBufferSettings gbuffer;
+    InputSettings input;
+    OutputSettings output;
     DebugSettings debug;
 };
 

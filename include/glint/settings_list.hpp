@@ -1,6 +1,7 @@
 // Every setting of the library, each stated once: SETTING(type, name, default, range, unit, meaning, aliases).
 // Aliases are names that other systems use, `system:name`, parted by spaces; `=1-x`, `=1/(n+1)`, `=a|b` (a switch: a
-// when false, b when true) and `=a` (implies a) say where the meaning differs. One alias may stand at several settings.
+// when false, b when true), `=a` (implies a) and `=a>b` (implies b where a was in force) say where the meaning differs.
+// One alias may stand at several settings.
 #pragma once
 
 // clang-format off
@@ -25,8 +26,9 @@
         "Refine each hit to one pixel; acts only with screen.step > 1",                                                \
         "babylon:enableSmoothReflections")                                                                             \
     SETTING(ThicknessMode, thicknessMode, ThicknessMode::Relative, "", "",                                             \
-        "How deep a surface is behind its depth sample: constant (screen.thickness) or relative to its distance",      \
-        "hdrp:depthBufferThickness=relative babylon:thickness=constant compute-ssr:thickness=constant")                \
+        "How deep a surface is behind its depth sample: constant, relative to distance, or from drawn back faces",     \
+        "hdrp:depthBufferThickness=relative babylon:thickness=relative>constant "                                      \
+        "compute-ssr:thickness=relative>constant babylon:enableAutomaticThicknessComputation=constant|backface")       \
     SETTING(float, thickness, 0.1f, "[0, 1e3]", "m",                                                                   \
         "Slab behind each depth sample that still counts as a hit; too small: holes, too large: streaks",              \
         "babylon:thickness compute-ssr:thickness")                                                                     \
@@ -38,7 +40,47 @@
         "babylon:selfCollisionNumSkip")                                                                                \
     SETTING(bool, clipToFrustum, true, "", "",                                                                         \
         "Clip the ray's end to what the screen shows",                                                                 \
-        "babylon:clipToFrustum")
+        "babylon:clipToFrustum")                                                                                       \
+    SETTING(int, backfaceDownsample, 0, "[0, 8]", "",                                                                  \
+        "The host draws back-face depth at size / (n + 1); coarser: cheaper, ragged silhouettes",                      \
+        "babylon:backfaceDepthTextureDownsample")                                                                      \
+    SETTING(bool, backfaceTransparents, true, "", "",                                                                  \
+        "Transparent surfaces count as solid in back-face depth",                                                      \
+        "babylon:backfaceForceDepthWriteTransparentMeshes")                                                            \
+    SETTING(float, resolutionScale, 1, "[0.1, 1]", "",                                                                 \
+        "Size of the traced image against the picture; the G-buffer stays whole",                                      \
+        "babylon:ssrDownsample=1/(n+1) compute-ssr:resolutionScale")                                                   \
+    SETTING(TargetFormat, targetFormat, TargetFormat::Auto, "", "",                                                    \
+        "Format of the traced radiance: rgba16f, rgba8 (clamped to [0, 1]), or auto, which is rgba16f",                \
+        "babylon:textureType")                                                                                         \
+    SETTING(ColorSource, colorSource, ColorSource::Current, "", "",                                                    \
+        "Where a hit takes its colour: this frame, or the previous one with its own reflections, reprojected",         \
+        "hdrp:colorSource")
+
+#define GLINT_HIZ_SETTINGS(SETTING)                                                                                    \
+    SETTING(int, minLevel, 0, "[0, 14]", "",                                                                           \
+        "Finest level of the depth pyramid that a ray visits; above 0: faster, blocky",                                \
+        "hdrp:rayMinLevel")                                                                                            \
+    SETTING(int, maxLevel, 10, "[0, 14]", "",                                                                          \
+        "Coarsest level that a ray visits",                                                                            \
+        "hdrp:rayMaxLevel")                                                                                            \
+    SETTING(int, maxIterations, 64, "[1, 1024]", "",                                                                   \
+        "Cells that a ray may visit; a ray that uses them up is a miss",                                               \
+        "hdrp:rayMaxIterations")                                                                                       \
+    SETTING(float, depthBias, 0.001f, "[0, 1]", "of viewZ",                                                            \
+        "How far behind a surface, on top of its thickness, a ray still meets it",                                     \
+        "hdrp:rayDepthSuccessBias")
+
+#define GLINT_ADAPTIVE_SETTINGS(SETTING)                                                                               \
+    SETTING(int, steps, 64, "[1, 128]", "",                                                                            \
+        "Fewest steps of a ray; long ones take up to twice as many",                                                   \
+        "compute-ssr:steps")                                                                                           \
+    SETTING(float, pixelSpacing, 8, "[1, 64]", "px",                                                                   \
+        "Steps are added so that they lie no farther apart on screen",                                                 \
+        "")                                                                                                            \
+    SETTING(int, refinements, 5, "[0, 16]", "",                                                                        \
+        "Halvings of the step that met something",                                                                     \
+        "")
 
 #define GLINT_REFLECT_SETTINGS(SETTING)                                                                                \
     SETTING(float, threshold, 0, "[0, 1]", "",                                                                         \
@@ -67,6 +109,17 @@
     SETTING(float, factor, 0, "[0, 1]", "",                                                                            \
         "Jitters each ray by its surface's roughness times this; 0: mirror directions only",                           \
         "babylon:roughnessFactor")
+
+#define GLINT_BLUR_SETTINGS(SETTING)                                                                                   \
+    SETTING(float, strength, 0, "[0, 1]", "",                                                                          \
+        "Blurs reflections by roughness and hit distance; 0: no blur",                                                 \
+        "babylon:blurDispersionStrength")                                                                              \
+    SETTING(int, quality, 2, "[1, 3]", "",                                                                             \
+        "Taps of the blur: 1 few, 3 many",                                                                             \
+        "babylon:blurQuality")                                                                                         \
+    SETTING(int, downsample, 0, "[0, 8]", "",                                                                          \
+        "Blurs at size / (n + 1)",                                                                                     \
+        "babylon:blurDownsample")
 
 #define GLINT_FADE_SETTINGS(SETTING)                                                                                   \
     SETTING(FadeBorder, border, FadeBorder::Linear, "", "",                                                            \
@@ -97,6 +150,24 @@
     SETTING(CompositeModel, model, CompositeModel::Physical, "", "",                                                   \
         "physical: replaces the host's fallback specular, energy kept; lerp: blends colours by reflectance (Babylon)", \
         "")
+
+#define GLINT_GBUFFER_SETTINGS(SETTING)                                                                                \
+    SETTING(GBufferMode, mode, GBufferMode::Prepass, "", "",                                                           \
+        "How the host draws it: prepass, the shading pass writes it too; geometry, a pass of its own",                 \
+        "babylon:forceGeometryBuffer=prepass|geometry")                                                                \
+    SETTING(DepthFormat, depthFormat, DepthFormat::Float, "", "",                                                      \
+        "Depth as rays see it: float, or half: linear viewZ in 16 bits, which shows more self-hits",                   \
+        "")
+
+#define GLINT_INPUT_SETTINGS(SETTING)                                                                                  \
+    SETTING(bool, colorIsGamma, false, "", "",                                                                         \
+        "litRadiance is sRGB-encoded: decoded when read",                                                              \
+        "babylon:inputTextureColorIsInGammaSpace")
+
+#define GLINT_OUTPUT_SETTINGS(SETTING)                                                                                 \
+    SETTING(bool, colorIsGamma, false, "", "",                                                                         \
+        "Encode the picture as sRGB",                                                                                  \
+        "babylon:generateOutputInGammaSpace")
 
 #define GLINT_DEBUG_SETTINGS(SETTING)                                                                                  \
     SETTING(bool, outcome, false, "", "",                                                                              \

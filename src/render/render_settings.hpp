@@ -16,7 +16,10 @@
         "")                                                                                                            \
     SETTING(bool, visible, true, "", "",                                                                               \
         "Draw the environment as the background; off: black, it still lights and reflects",                            \
-        "")
+        "")                                                                                                            \
+    SETTING(bool, isProbe, false, "", "",                                                                              \
+        "The image is a probe as Babylon.js renders it: its rows run from the bottom up",                              \
+        "babylon:environmentTextureIsProbe")
 
 #define GLINT_ANALYTIC_SKY_SETTINGS(SETTING)                                                                           \
     SETTING(float, elevation, 35, "[-10, 90]", "degrees",                                                              \
@@ -45,11 +48,17 @@
         "")                                                                                                            \
     SETTING(float, exposure, 0, "[-20, 20]", "EV",                                                                     \
         "Scales the picture by 2^exposure before the tone map",                                                        \
-        "")
+        "")                                                                                                            \
+    SETTING(Antialias, antialias, Antialias::None, "", "",                                                             \
+        "Antialiasing of edges: none, fxaa (over the finished picture) or msaa4 (four samples a pixel)",               \
+        "babylon:samples=none|msaa4")
 
 #define GLINT_MEASURE_SETTINGS(SETTING)                                                                                \
     SETTING(bool, exact, false, "", "",                                                                                \
         "Count wrong mirror pixels against the exact picture, into --stats; for scenes of emission and perfect mirrors", \
+        "")                                                                                                            \
+    SETTING(bool, hits, false, "", "",                                                                                 \
+        "Compare every ray with the exact one: precision, recall and position error, into --stats",                    \
         "")
 
 // clang-format on
@@ -58,6 +67,7 @@ namespace glint::render {
 
 GLINT_SETTING_ENUM(ShadowMode, None, Maps)
 GLINT_SETTING_ENUM(Tonemap, None, Neutral, Agx)
+GLINT_SETTING_ENUM(Antialias, None, Fxaa, Msaa4)
 
 struct EnvironmentSettings {
     GLINT_ENVIRONMENT_SETTINGS(GLINT_SETTING_MEMBER)
@@ -74,7 +84,6 @@ struct ShadowsSettings {
 struct DisplaySettings {
     GLINT_DISPLAY_SETTINGS(GLINT_SETTING_MEMBER)
 };
-
 struct MeasureSettings {
     GLINT_MEASURE_SETTINGS(GLINT_SETTING_MEMBER)
 };

@@ -146,7 +146,7 @@ TEST(SettingsTable, EveryAliasIsTaken) {
                 value = "0.25";
             else if (alias.transform == AliasTransform::Choice)
                 value = "false";
-            else if (alias.transform == AliasTransform::Always)
+            else if (alias.transform == AliasTransform::Always || alias.transform == AliasTransform::Instead)
                 value = "0.375"; // these stand beside a number in [0, 0.5]
             Settings settings;
             const std::string name = alias.system + ":" + alias.name;

@@ -88,6 +88,10 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
         alias.transform = AliasTransform::Choice;
         alias.whenFalse = choiceIndex(info, transform.substr(0, bar));
         alias.whenTrue = choiceIndex(info, transform.substr(bar + 1));
+    } else if (const size_t arrow = transform.find('>'); arrow != transform.npos) {
+        alias.transform = AliasTransform::Instead;
+        alias.whenFalse = choiceIndex(info, transform.substr(0, arrow));
+        alias.whenTrue = choiceIndex(info, transform.substr(arrow + 1));
     } else {
         alias.transform = AliasTransform::Always;
         alias.whenTrue = choiceIndex(info, transform);

@@ -29,7 +29,8 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::InverseOnePlus: return "1/(n+1)";
     case AliasTransform::Choice:
         return fmt::format("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
-    case AliasTransform::Always: return settingText(info, alias.whenTrue);
+    case AliasTransform::Always:
+    case AliasTransform::Instead: return settingText(info, alias.whenTrue);
     }
     return {};
 }
@@ -43,6 +44,9 @@ std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
         return fmt::format("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
                            settingText(info, alias.whenTrue));
     case AliasTransform::Always: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
+    case AliasTransform::Instead:
+        return fmt::format("{} (makes {} {})", name, settingText(info, alias.whenFalse),
+                           settingText(info, alias.whenTrue));
     case AliasTransform::OneMinus:
     case AliasTransform::InverseOnePlus: return fmt::format("{} ({})", name, transformText(info, alias));
     }

@@ -100,7 +100,8 @@ SettingType writtenType(const Match& match) {
     case AliasTransform::InverseOnePlus: return SettingType::Int;
     case AliasTransform::Choice: return SettingType::Bool;
     case AliasTransform::Same:
-    case AliasTransform::Always: break;
+    case AliasTransform::Always:
+    case AliasTransform::Instead: break;
     }
     return match.info->type;
 }
@@ -156,7 +157,8 @@ double transformed(const SettingAlias* alias, double value) {
     case AliasTransform::OneMinus: return 1 - value;
     case AliasTransform::InverseOnePlus: return 1 / (value + 1);
     case AliasTransform::Choice: return value != 0 ? alias->whenTrue : alias->whenFalse;
-    case AliasTransform::Always: return alias->whenTrue;
+    case AliasTransform::Always:
+    case AliasTransform::Instead: return alias->whenTrue;
     case AliasTransform::Same: break;
     }
     return value;
@@ -179,9 +181,12 @@ Error outOfRange(const SettingInfo& info, std::string_view value) {
 Result<SettingAssignment> makeAssignment(std::string_view name, const Match& match, const SettingInput& input) {
     const SettingInfo& info = *match.info;
     SettingAssignment assignment{&info, match.object, 0, false};
-    if (match.alias && match.alias->transform == AliasTransform::Always) {
+    const AliasTransform transform = match.alias ? match.alias->transform : AliasTransform::Same;
+    if (transform == AliasTransform::Always || transform == AliasTransform::Instead) {
         assignment.value = match.alias->whenTrue;
         assignment.implied = true;
+        if (transform == AliasTransform::Instead)
+            assignment.insteadOf = match.alias->whenFalse;
         return assignment;
     }
     GLINT_TRY(written, readValue(name, match, input));
@@ -234,6 +239,8 @@ Result<std::vector<SettingAssignment>> resolveSetting(SettingsTargets targets, s
 void assignSettings(std::span<const SettingAssignment> assignments) {
     for (const SettingAssignment& assignment : assignments) {
         std::byte* const at = static_cast<std::byte*>(assignment.object) + assignment.info->offset;
+        if (assignment.insteadOf && settingValue(*assignment.info, assignment.object) != *assignment.insteadOf)
+            continue;
         if (assignment.info->type == SettingType::Bool) {
             *reinterpret_cast<bool*>(at) = assignment.value != 0;
         } else if (assignment.info->type == SettingType::Float) {

@@ -5,6 +5,7 @@
 #include "base/result.hpp"
 #include "glint/setting_info.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,7 @@ struct SettingAssignment {
     void* object = nullptr;
     double value = 0; ///< in range, as in SettingInfo::defaultValue
     bool implied = false;
+    std::optional<double> insteadOf; ///< assigned only where this is the value so far
 };
 
 double settingValue(const SettingInfo& info, const void* object);

@@ -13,11 +13,17 @@ namespace glint {
 static std::vector<SettingInfo> makeTable() {
     std::vector<SettingInfo> rows;
     GLINT_SETTING_GROUP(rows, Settings, screen, GLINT_SCREEN_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, hiz, GLINT_HIZ_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, adaptive, GLINT_ADAPTIVE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, reflect, GLINT_REFLECT_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, rough, GLINT_ROUGH_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, blur, GLINT_BLUR_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, fade, GLINT_FADE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, sky, GLINT_SKY_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, composite, GLINT_COMPOSITE_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, gbuffer, GLINT_GBUFFER_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, input, GLINT_INPUT_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, output, GLINT_OUTPUT_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, debug, GLINT_DEBUG_SETTINGS)
     return rows;
 }
