@@ -49,9 +49,20 @@ ScreenRay makeScreenRay(FrameConstants frame, vec3 originVS, vec3 directionVS, f
     return ray;
 }
 
+/// Length of the whole line along its longer axis; never 0.
+float screenPixels(ScreenRay ray) {
+    return max(max(abs(ray.deltaPX.x), abs(ray.deltaPX.y)), 1e-6);
+}
+
 /// At `share` of the line on screen: viewZ of the ray in metres.
 float rayViewZ(ScreenRay ray, float share) {
     return mix(ray.startZOverW, ray.endZOverW, share) / mix(ray.startInvW, ray.endInvW, share);
+}
+
+/// At `share` of the line on screen: nearness (lib/nearness.glsl) of the ray, linear in `share`.
+float rayNearness(FrameConstants frame, ScreenRay ray, float share) {
+    return isOrthographic(frame) ? -mix(ray.startZOverW, ray.endZOverW, share)
+                                 : mix(ray.startInvW, ray.endInvW, share);
 }
 
 /// At `share` of the line on screen: metres travelled from the origin.

@@ -12,6 +12,8 @@ namespace glint::reflect {
 struct Pipelines {
     gpu::Pipeline surface;
     gpu::Pipeline dfg;
+    gpu::Pipeline classify;
+    gpu::Pipeline pyramid;
     std::vector<gpu::Pipeline> trace; ///< in the order of techniques()
     gpu::Pipeline combine;
     gpu::Pipeline composite;
@@ -35,6 +37,8 @@ struct FrameState {
 
     gpu::Buffer frameConstants;
     Prepared prepared;
+    Rays rays;
+    Pyramid pyramid;
     Traced traced;
     Reflected reflected;
     gpu::Image composite;
@@ -53,6 +57,8 @@ struct FrameState {
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
 
+    /// Makes what `settings` ask for and the state does not have yet.
+    Result<void> setSettings(const Settings& settings);
     bool anySource() const;
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
@@ -61,9 +67,14 @@ struct FrameState {
 
 private:
     Result<void> createImages();
+    Result<void> createRays();
+    Result<void> createPyramid();
+    TraceInputs traceInputs();
     Result<void> rehearse();
     void makeTables(gpu::Frame& frame);
     void prepare(gpu::Frame& frame, const View& view);
+    void classify(gpu::Frame& frame);
+    void makePyramid(gpu::Frame& frame);
     void trace(gpu::Frame& frame);
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);

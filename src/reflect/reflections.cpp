@@ -94,8 +94,7 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
 
 Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
-    state_->frame->desc.settings = settings;
-    return {};
+    return state_->frame->setSettings(settings);
 }
 
 Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {

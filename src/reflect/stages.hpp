@@ -20,6 +20,19 @@ struct Inputs {
 struct Prepared {
     gpu::Image viewZ;   ///< R32F, metres; kBackgroundZ where nothing was drawn
     gpu::Image surface; ///< RG32UI, lib/surface.glsl
+    gpu::Image backViewZ; ///< R32F, metres; absent unless screen.thicknessMode is backface
+};
+
+/// `trace/classify`: which pixels need a ray.
+struct Rays {
+    gpu::Buffer list; ///< shared::RayListHeader, then a word a ray
+};
+
+/// `prepare/pyramid`, for the marchers that ask for it.
+struct Pyramid {
+    gpu::Image cells; ///< RGBA32UI, lib/pyramid.glsl
+    gpu::Buffer tiles;
+    uint32_t levels = 0; ///< the coarsest one's number
 };
 
 /// `trace`: what the screen source answered.
