@@ -70,6 +70,19 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
         .write("viewZ", prepared.viewZ)
         .write("surface", prepared.surface)
         .dispatch(desc.width, desc.height);
+    prepareBackFaces(frame);
+}
+
+void FrameState::prepareBackFaces(gpu::Frame& frame) {
+    if (hasBackFaces || frame.rehearsing())
+        frame.pass(pipelines.backFaces)
+            .read("frame", frameConstants)
+            .read("backDepth", inputs.backDepth, kTexels)
+            .write("backViewZ", prepared.backViewZ)
+            .dispatch(prepared.backViewZ.width(), prepared.backViewZ.height());
+    else if (!noBackFaces)
+        frame.clear(prepared.backViewZ, {.float32 = {shared::kBackgroundZ}});
+    noBackFaces = !hasBackFaces && !frame.rehearsing();
 }
 
 void FrameState::trace(gpu::Frame& frame) {
@@ -161,6 +174,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
 Result<Pipelines> Pipelines::create(gpu::Context& context) {
     using gpu::Pipeline;
     GLINT_TRY(surface, Pipeline::compute(context, {"prepare/surface", 0, {}}));
+    GLINT_TRY(backFaces, Pipeline::compute(context, {"prepare/back_faces", 0, {}}));
     GLINT_TRY(dfg, Pipeline::compute(context, {"prepare/dfg", 0, {}}));
     std::vector<Pipeline> trace;
     for (const Technique& technique : techniques()) {
@@ -171,8 +185,8 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface),   std::move(dfg),  std::move(trace),     std::move(combine),
-                     std::move(composite), std::move(view), std::move(statistics)};
+    return Pipelines{std::move(surface), std::move(backFaces), std::move(dfg),  std::move(trace),
+                     std::move(combine), std::move(composite), std::move(view), std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -182,6 +196,7 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_TRY(pipelines, Pipelines::create(context));
     state->pipelines = std::move(pipelines);
     GLINT_CHECK(state->createImages());
+    GLINT_CHECK(state->expectBackFaces(0, 0));
     GLINT_TRY(timers, gpu::Timers::create(context));
     state->timers = std::move(timers);
     GLINT_CHECK(state->rehearse());
@@ -242,6 +257,24 @@ Result<void> FrameState::createImages() {
                                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferHome::Readback}));
     statisticsReadback = std::move(readback);
     std::memset(statisticsReadback.mapped(), 0, statisticsReadback.size()); // nothing is counted yet
+    return {};
+}
+
+Result<void> FrameState::expectBackFaces(uint32_t width, uint32_t height) {
+    hasBackFaces = width > 0 && height > 0;
+    if (prepared.backViewZ && !hasBackFaces)
+        return {};
+    width = std::max(width, 1u);
+    height = std::max(height, 1u);
+    if (prepared.backViewZ && prepared.backViewZ.width() == width && prepared.backViewZ.height() == height)
+        return {};
+    GLINT_TRY(image, gpu::Image::create(
+                         *context, {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, width, height, 1, 1, gpu::ImageShape::Flat,
+                                    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                        VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    lastBackViewZ = std::move(prepared.backViewZ);
+    prepared.backViewZ = std::move(image);
+    noBackFaces = false;
     return {};
 }
 
