@@ -70,11 +70,23 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
         .write("viewZ", prepared.viewZ)
         .write("surface", prepared.surface)
         .dispatch(desc.width, desc.height);
+    prepareBackFaces(frame);
+}
+
+void FrameState::prepareBackFaces(gpu::Frame& frame) {
+    if (hasBackFaces || frame.rehearsing())
+        frame.pass(pipelines.backFaces)
+            .read("frame", frameConstants)
+            .read("backDepth", inputs.backDepth, kTexels)
+            .write("backViewZ", prepared.backViewZ)
+            .dispatch(prepared.backViewZ.width(), prepared.backViewZ.height());
+    else if (!noBackFaces)
+        frame.clear(prepared.backViewZ, {.float32 = {shared::kBackgroundZ}});
+    noBackFaces = !hasBackFaces && !frame.rehearsing();
 }
 
 TraceInputs FrameState::traceInputs() {
-    const bool backFaces = static_cast<bool>(prepared.backViewZ);
-    return {frameConstants, inputs, prepared, rays, pyramid, backFaces ? prepared.backViewZ : black, backFaces};
+    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces};
 }
 
 void FrameState::classify(gpu::Frame& frame) {
@@ -87,18 +99,18 @@ void FrameState::classify(gpu::Frame& frame) {
         .write("radianceWeight", traced.radianceWeight)
         .write("rayRecord", traced.rayRecord)
         .readWrite("rays", rays.list)
-        .push(traceConstants(desc.settings, static_cast<bool>(prepared.backViewZ)))
+        .push(traceConstants(desc.settings, hasBackFaces))
         .dispatch(desc.width, desc.height);
 }
 
 void FrameState::makePyramid(gpu::Frame& frame) {
-    const shared::TraceConstants settings = traceConstants(desc.settings, static_cast<bool>(prepared.backViewZ));
+    const shared::TraceConstants settings = traceConstants(desc.settings, hasBackFaces);
     const shared::PyramidConstants constants = {settings.thickness, settings.thicknessRelative, settings.flags,
                                                 pyramid.levels};
     frame.pass(pipelines.pyramid)
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
-        .read("backViewZ", traceInputs().backViewZ)
+        .read("backViewZ", prepared.backViewZ)
         .write("pyramid", pyramid.cells)
         .readWrite("tiles", pyramid.tiles)
         .push(constants)
@@ -194,6 +206,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
 Result<Pipelines> Pipelines::create(gpu::Context& context) {
     using gpu::Pipeline;
     GLINT_TRY(surface, Pipeline::compute(context, {"prepare/surface", 0, {}}));
+    GLINT_TRY(backFaces, Pipeline::compute(context, {"prepare/back_faces", 0, {}}));
     GLINT_TRY(dfg, Pipeline::compute(context, {"prepare/dfg", 0, {}}));
     GLINT_TRY(classify, Pipeline::compute(context, {"trace/classify", sizeof(shared::TraceConstants), {}}));
     GLINT_TRY(pyramid, Pipeline::compute(context, {"prepare/pyramid", sizeof(shared::PyramidConstants), {}}));
@@ -206,8 +219,9 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface), std::move(dfg),       std::move(classify), std::move(pyramid),   std::move(trace),
-                     std::move(combine), std::move(composite), std::move(view),     std::move(statistics)};
+    return Pipelines{std::move(surface), std::move(backFaces), std::move(dfg),       std::move(classify),
+                     std::move(pyramid), std::move(trace),     std::move(combine),   std::move(composite),
+                     std::move(view),    std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -217,6 +231,7 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_TRY(pipelines, Pipelines::create(context));
     state->pipelines = std::move(pipelines);
     GLINT_CHECK(state->createImages());
+    GLINT_CHECK(state->expectBackFaces(0, 0));
     GLINT_CHECK(state->createRays());
     GLINT_CHECK(state->setSettings(desc.settings));
     GLINT_TRY(timers, gpu::Timers::create(context));
@@ -319,6 +334,24 @@ Result<void> FrameState::setSettings(const Settings& settings) {
     if (techniqueFor(settings.screen.march).usesPyramid && !pyramid.cells)
         GLINT_CHECK(createPyramid());
     desc.settings = settings;
+    return {};
+}
+
+Result<void> FrameState::expectBackFaces(uint32_t width, uint32_t height) {
+    hasBackFaces = width > 0 && height > 0;
+    if (prepared.backViewZ && !hasBackFaces)
+        return {};
+    width = std::max(width, 1u);
+    height = std::max(height, 1u);
+    if (prepared.backViewZ && prepared.backViewZ.width() == width && prepared.backViewZ.height() == height)
+        return {};
+    GLINT_TRY(image, gpu::Image::create(
+                         *context, {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, width, height, 1, 1, gpu::ImageShape::Flat,
+                                    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                        VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    lastBackViewZ = std::move(prepared.backViewZ);
+    prepared.backViewZ = std::move(image);
+    noBackFaces = false;
     return {};
 }
 

@@ -11,6 +11,7 @@ namespace glint::reflect {
 
 struct Pipelines {
     gpu::Pipeline surface;
+    gpu::Pipeline backFaces;
     gpu::Pipeline dfg;
     gpu::Pipeline classify;
     gpu::Pipeline pyramid;
@@ -34,6 +35,7 @@ struct FrameState {
     uint32_t environmentMips = 1;
     Conventions conventions;
     bool inputsSet = false;
+    bool hasBackFaces = false; ///< the host's backDepth is there and asked for
 
     gpu::Buffer frameConstants;
     Prepared prepared;
@@ -41,6 +43,7 @@ struct FrameState {
     Pyramid pyramid;
     Traced traced;
     Reflected reflected;
+    gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
     gpu::Image composite;
     gpu::Image dfg;
     gpu::Image viewImage;
@@ -48,7 +51,8 @@ struct FrameState {
     gpu::Image blackCube; ///< stands in for an absent environment
     gpu::Buffer statistics;
     gpu::Buffer statisticsReadback;
-    bool tablesMade = false; ///< dfg and the stand-ins hold their content
+    bool tablesMade = false;  ///< dfg and the stand-ins hold their content
+    bool noBackFaces = false; ///< prepared.backViewZ is cleared
     View lastView;
     bool upToDate = false;  ///< the images belong to lastView; false if its frame had nothing to do
     bool untraced = false;  ///< `traced` says that no ray was traced
@@ -60,6 +64,8 @@ struct FrameState {
     /// Makes what `settings` ask for and the state does not have yet.
     Result<void> setSettings(const Settings& settings);
     bool anySource() const;
+    /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
+    Result<void> expectBackFaces(uint32_t width, uint32_t height);
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
     /// Prepares first what the last frame did not need.
@@ -73,6 +79,7 @@ private:
     Result<void> rehearse();
     void makeTables(gpu::Frame& frame);
     void prepare(gpu::Frame& frame, const View& view);
+    void prepareBackFaces(gpu::Frame& frame);
     void classify(gpu::Frame& frame);
     void makePyramid(gpu::Frame& frame);
     void trace(gpu::Frame& frame);

@@ -13,6 +13,7 @@ struct Inputs {
     gpu::Image material;
     gpu::Image litRadiance;
     gpu::Image fallbackSpecular; ///< may be absent
+    gpu::Image backDepth;        ///< may be absent; own size
     gpu::Image environment;      ///< cube; may be absent
 };
 
@@ -20,7 +21,9 @@ struct Inputs {
 struct Prepared {
     gpu::Image viewZ;   ///< R32F, metres; kBackgroundZ where nothing was drawn
     gpu::Image surface; ///< RG32UI, lib/surface.glsl
-    gpu::Image backViewZ; ///< R32F, metres; absent unless screen.thicknessMode is backface
+    /// R32F, metres, of the size of the host's backDepth: where the nearest back face is; kBackgroundZ where there is
+    /// none. One texel of kBackgroundZ until a host hands over back faces and screen.thicknessMode asks for them.
+    gpu::Image backViewZ;
 };
 
 /// `trace/classify`: which pixels need a ray.

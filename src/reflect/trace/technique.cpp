@@ -27,7 +27,7 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Sett
     pass.read("frame", inputs.frameConstants)
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
-        .read("backViewZ", inputs.backViewZ)
+        .read("backViewZ", inputs.prepared.backViewZ)
         .read("surface", inputs.prepared.surface)
         .read("litRadiance", inputs.host.litRadiance, gpu::SamplerKind::NearestClamp)
         .write("radianceWeight", out.radianceWeight, 0, true)

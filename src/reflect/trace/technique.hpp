@@ -15,8 +15,7 @@ struct TraceInputs {
     Inputs& host;
     Prepared& prepared;
     Rays& rays;
-    Pyramid& pyramid;      ///< made if Technique::usesPyramid
-    gpu::Image& backViewZ; ///< a stand-in where no back faces are known
+    Pyramid& pyramid; ///< made if Technique::usesPyramid
     bool backFacesKnown = false;
 };
 
