@@ -6,8 +6,11 @@
 
 namespace glint::reflect {
 
+/// As many as compute_ssr takes at most: the longest rays have twice adaptive.steps, up to this.
+static constexpr uint32_t kMostAdaptiveSteps = 128;
+
 std::span<const Technique> techniques() {
-    static const Technique kTechniques[] = {kLinearTechnique, kHizTechnique};
+    static const Technique kTechniques[] = {kLinearTechnique, kAdaptiveTechnique, kHizTechnique};
     return kTechniques;
 }
 
@@ -22,6 +25,9 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Sett
                     Traced& out) {
     shared::TraceConstants constants = traceConstants(settings, inputs.backFacesKnown);
     constants.minLevel = std::min(constants.minLevel, inputs.pyramid.levels);
+    constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
+    constants.pixelSpacing = settings.adaptive.pixelSpacing;
+    constants.refinements = static_cast<uint32_t>(settings.adaptive.refinements);
     constants.maxLevel = std::min(constants.maxLevel, inputs.pyramid.levels);
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frameConstants)
@@ -46,7 +52,11 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     if (hiz)
         constants.thicknessRelative += settings.hiz.depthBias;
     constants.roughnessFactor = settings.rough.factor;
-    constants.maxSteps = static_cast<uint32_t>(hiz ? settings.hiz.maxIterations : settings.screen.maxSteps);
+    switch (settings.screen.march) {
+    case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
+    case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
+    case March::Hiz: constants.maxSteps = static_cast<uint32_t>(settings.hiz.maxIterations); break;
+    }
     constants.step = static_cast<uint32_t>(settings.screen.step);
     constants.selfCollisionSkip = static_cast<uint32_t>(settings.screen.selfCollisionSkip);
     constants.roughnessFadeStart = settings.reflect.roughnessFadeStart;

@@ -42,6 +42,7 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Sett
                     Traced& out);
 
 extern const Technique kLinearTechnique;
+extern const Technique kAdaptiveTechnique;
 extern const Technique kHizTechnique;
 
 } // namespace glint::reflect
