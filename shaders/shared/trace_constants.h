@@ -92,7 +92,8 @@ GLINT_CONSTANT(uint, kViewHitUv, 9);
 GLINT_CONSTANT(uint, kViewHitDistance, 10);
 GLINT_CONSTANT(uint, kViewLookups, 11);
 GLINT_CONSTANT(uint, kViewRayDirection, 12);
-GLINT_CONSTANT(uint, kViewCount, 13);
+GLINT_CONSTANT(uint, kViewRay, 13); // for programs: hitUV, outcome, lookups
+GLINT_CONSTANT(uint, kViewCount, 14);
 
 GLINT_SHARED_END
 
