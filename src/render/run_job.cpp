@@ -107,7 +107,8 @@ private:
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
-        GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height, gbufferOptions(job_.settings.reflections)));
+        GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height,
+                                      gbufferOptions(job_.settings.reflections, settings.display.antialias)));
         parameters_.camera = inputs_.camera;
 
         const gpu::AdoptedDevice handles = context_.handles();
