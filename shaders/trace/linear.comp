@@ -10,10 +10,9 @@
 
 #include "lib/fades.glsl"
 #include "lib/noise.glsl"
-#include "lib/ray_record.glsl"
-#include "lib/sanitize.glsl"
 #include "lib/screen_ray.glsl"
 #include "lib/surface.glsl"
+#include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,12 +22,12 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 } frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(set = 0, binding = 3) uniform sampler2D litRadiance;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D radianceWeight; // radiance, not multiplied by weight
-layout(set = 0, binding = 5, rg32ui) uniform writeonly uimage2D rayRecord;
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
 };
+
+#include "trace/hit_color.glsl"
+#include "trace/traced.glsl"
 
 bool isOn(uint flag) {
     return (settings.flags & flag) != 0u;
@@ -198,29 +197,25 @@ float hitWeight(March end, vec2 hitUV, float hitDistance, vec3 directionVS, floa
     return weight;
 }
 
-void store(ivec2 px, vec3 radiance, float weight, RayRecord record) {
-    imageStore(radianceWeight, px, vec4(radiance, weight));
-    imageStore(rayRecord, px, uvec4(packRayRecord(record), 0u, 0u));
-}
-
 void main() {
-    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+    ivec2 tracePX = ivec2(gl_GlobalInvocationID.xy);
+    if (!isTracePixel(frame.constants, tracePX))
         return;
+    ivec2 px = tracePixelToFull(frame.constants, tracePX);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
 
     float originZ = texelFetch(viewZ, px, 0).r;
     if (originZ >= kBackgroundZ) {
-        store(px, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeNone));
+        storeTraced(tracePX, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeNone));
         return;
     }
     Surface origin = unpackSurface(texelFetch(surface, px, 0).xy);
     if (origin.reflectivity <= settings.threshold) {
-        store(px, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeBelowThreshold));
+        storeTraced(tracePX, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeBelowThreshold));
         return;
     }
     if (fadeRoughness(origin.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness) <= 0.0) {
-        store(px, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeTooRough));
+        storeTraced(tracePX, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeTooRough));
         return;
     }
 
@@ -234,13 +229,13 @@ void main() {
     }
     float VoR = dot(-toSurfaceVS, directionVS);
     if (isOn(kFadeFacingCamera) && fadeFacingCamera(VoR) <= 0.0) {
-        store(px, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeFacingCamera));
+        storeTraced(tracePX, vec3(0.0), 0.0, RayRecord(uv, 0.0, 0u, kOutcomeFacingCamera));
         return;
     }
 
     ScreenRay ray = makeScreenRay(frame.constants, originVS, directionVS, settings.maxDistance);
     // Neighbours start at different fractions of a coarse step, so that a miss shows as grain and not as bands.
-    float startOffset = settings.step > 1u ? float((px.x + px.y) & 3) * 0.25 : 0.0;
+    float startOffset = settings.step > 1u ? float((tracePX.x + tracePX.y) & 3) * 0.25 : 0.0;
     March end = march(ray, origin.normalVS, directionVS, startOffset);
 
     vec2 endPX = end.outcome == kOutcomeHit ? end.hitPX : ray.startPX + ray.deltaPX * end.share;
@@ -253,8 +248,8 @@ void main() {
     vec3 radiance = vec3(0.0);
     float weight = 0.0;
     if (end.outcome == kOutcomeHit) {
-        radiance = sanitize(texelFetch(litRadiance, ivec2(end.hitPX), 0).rgb);
+        radiance = hitRadiance(ivec2(end.hitPX));
         weight = hitWeight(end, record.hitUV, record.hitDistance, directionVS, origin.perceptualRoughness, VoR);
     }
-    store(px, radiance, weight, record);
+    storeTraced(tracePX, radiance, weight, record);
 }

@@ -94,6 +94,7 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
 
 Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
+    GLINT_CHECK(state_->frame->makeImagesFor(settings));
     state_->frame->desc.settings = settings;
     return {};
 }
@@ -106,6 +107,10 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     GLINT_CHECK(checkImage(gbuffer.litRadiance, "litRadiance", desc));
     if (gbuffer.fallbackSpecular)
         GLINT_CHECK(checkImage(gbuffer.fallbackSpecular, "fallbackSpecular", desc));
+    if (gbuffer.motion)
+        GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
+    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
+        return invalidArgument("motionScale must be finite");
     if (gbuffer.conventions.roughnessChannel > 3)
         return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3",
                                gbuffer.conventions.roughnessChannel);
@@ -136,12 +141,15 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
               borrow(host.material, "material"),
               borrow(host.litRadiance, "litRadiance"),
               borrow(host.fallbackSpecular, "fallbackSpecular"),
+              borrow(host.motion, "motion"),
               borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
     state.lastView = view;
     state.ranPasses = state.anySource() || state.desc.settings.debug.outcome;
     state.upToDate = state.ranPasses;
-    if (!state.ranPasses)
+    if (!state.ranPasses) {
+        state.historyHeld = false;
         return host.litRadiance;
+    }
 
     gpu::Frame frame(*state.context, commands, state.timers.get());
     state.record(frame, view);
@@ -156,6 +164,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     giveBack(inputs.material, host.material);
     giveBack(inputs.litRadiance, host.litRadiance);
     giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
+    giveBack(inputs.motion, host.motion);
     giveBack(inputs.environment, state_->environment.cube);
     return handOut(state.composite);
 }

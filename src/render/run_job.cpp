@@ -170,6 +170,7 @@ private:
         inputs.material = lend(frame, g.material);
         inputs.litRadiance = lend(frame, g.litRadiance);
         inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
+        inputs.motion = lend(frame, g.motion);
         return inputs;
     }
 

@@ -6,15 +6,13 @@ namespace {
 
 void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
             Traced& out) {
-    frame.pass(pipeline)
-        .read("frame", inputs.frameConstants)
+    gpu::Pass pass = frame.pass(pipeline);
+    pass.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
-        .read("surface", inputs.prepared.surface)
-        .read("litRadiance", inputs.host.litRadiance, gpu::SamplerKind::NearestClamp)
-        .write("radianceWeight", out.radianceWeight)
-        .write("rayRecord", out.rayRecord)
-        .push(traceConstants(settings))
-        .dispatch(out.rayRecord.width(), out.rayRecord.height());
+        .read("surface", inputs.prepared.surface);
+    readHitColor(pass, inputs);
+    writeTraced(pass, out);
+    pass.push(traceConstants(settings)).dispatch(out.width, out.height);
 }
 
 } // namespace

@@ -9,13 +9,29 @@ std::span<const Technique> techniques() {
     return kTechniques;
 }
 
+gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs) {
+    constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
+    const auto orBlack = [&](gpu::Image& image) -> gpu::Image& { return image ? image : inputs.black; };
+    return pass.read("litRadiance", inputs.host.litRadiance, kTexels)
+        .read("prevColor", inputs.history ? inputs.history->color : inputs.black, kTexels)
+        .read("prevViewZ", inputs.history ? inputs.history->viewZ : inputs.black, kTexels)
+        .read("motion", orBlack(inputs.host.motion), kTexels);
+}
+
+gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out) {
+    return pass.write("radianceWeight", out.eightBits ? out.unused : out.radianceWeight)
+        .write("radianceWeight8", out.eightBits ? out.radianceWeight8 : out.unused8)
+        .write("rayRecord", out.rayRecord);
+}
+
 shared::TraceConstants traceConstants(const Settings& settings) {
     shared::TraceConstants constants = {};
     constants.maxDistance = settings.screen.maxDistance;
     constants.thickness = settings.screen.thicknessMode == ThicknessMode::Constant ? settings.screen.thickness : 0;
     constants.thicknessRelative =
         settings.screen.thicknessMode == ThicknessMode::Relative ? settings.screen.thicknessRelative : 0;
-    constants.roughnessFactor = settings.rough.factor;
+    // With a blur, roughness widens that instead: jitter would only make it noisy.
+    constants.roughnessFactor = settings.blur.strength > 0 ? 0 : settings.rough.factor;
     constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps);
     constants.step = static_cast<uint32_t>(settings.screen.step);
     constants.selfCollisionSkip = static_cast<uint32_t>(settings.screen.selfCollisionSkip);

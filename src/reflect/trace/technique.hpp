@@ -14,6 +14,8 @@ struct TraceInputs {
     gpu::Buffer& frameConstants;
     Inputs& host;
     Prepared& prepared;
+    History* history;  ///< null: hits take this frame's colour
+    gpu::Image& black; ///< stands in for what is absent
 };
 
 struct Technique {
@@ -28,6 +30,11 @@ struct Technique {
 
 /// Every marcher that there is. A new one is a line here, a shader and a file beside this one.
 std::span<const Technique> techniques();
+
+/// Binds what shaders/trace/hit_color.glsl reads.
+gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs);
+/// Binds what shaders/trace/traced.glsl writes.
+gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out);
 
 /// The settings that all marchers share.
 shared::TraceConstants traceConstants(const Settings& settings);

@@ -1,0 +1,127 @@
+// From the traced (or blurred) image to the picture's own size. A pixel mixes the four nearest source pixels, each by
+// nearness and by how far it shows the same surface (Kopf et al. 2007, "Joint Bilateral Upsampling"); what was not
+// traced does not count. Where none of the four shows its surface, the most similar one around speaks alone.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/fades.glsl"
+#include "shared/denoise_constants.h"
+#include "shared/frame_constants.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(set = 0, binding = 3) uniform usampler2D rayRecord;
+layout(set = 0, binding = 4) uniform sampler2D traced; // radiance, not multiplied by weight
+layout(set = 0, binding = 5) uniform sampler2D source; // the same, or that blurred
+layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D radianceWeight;
+layout(push_constant, scalar) uniform PushBlock {
+    UpsampleConstants settings;
+};
+
+#include "denoise/blur_radius.glsl"
+#include "denoise/neighbourhood.glsl"
+
+/// Below this a similarity is another surface.
+const float kOtherSurface = 0.01;
+
+/// Is a pixel of this surface one that rays start from?
+bool reflects(Place here) {
+    return !here.background && here.reflectivity > settings.threshold &&
+           fadeRoughness(here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness) > 0.0;
+}
+
+struct Tap {
+    vec4 premultiplied;
+    float similarity; // to the surface of the pixel that asks; 0: not traced
+    vec2 px;          // of the picture, whose surface it is
+};
+
+Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX) {
+    Tap tap = Tap(vec4(0.0), 0.0, vec2(0.0));
+    if (any(lessThan(imagePX, ivec2(0))) || any(greaterThanEqual(imagePX, ivec2(imageSize))))
+        return tap;
+    ivec2 tracePX = gridToTracePixel(imageSize, imagePX);
+    if (!wasTraced(rayOf(tracePX)))
+        return tap;
+    ivec2 tapPX = tracePixelToFull(frame.constants, tracePX);
+    tap.px = vec2(tapPX);
+    tap.similarity = sameSurface(here, placeOf(tapPX), length(vec2(tapPX - px)));
+    vec4 answer = texelFetch(image, imagePX, 0);
+    tap.premultiplied = vec4(answer.rgb * answer.a, answer.a);
+    return tap;
+}
+
+/// Top left of the four pixels of an image of this size whose own places in the picture surround `px`.
+ivec2 cornerOf(vec2 imageSize, ivec2 px) {
+    ivec2 corner = min(ivec2((vec2(px) + 0.5) * imageSize / frame.constants.size), ivec2(imageSize) - 1);
+    ivec2 cornerPX = tracePixelToFull(frame.constants, gridToTracePixel(imageSize, corner));
+    return corner - ivec2(greaterThan(cornerPX, px));
+}
+
+/// Premultiplied mean of the four; false if none of them shows the surface.
+bool mixFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, out vec4 mean) {
+    ivec2 corner = cornerOf(imageSize, px);
+    vec2 scale = frame.constants.size / imageSize;
+    vec4 sum = vec4(0.0);
+    float total = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        Tap tap = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1));
+        if (tap.similarity <= kOtherSurface)
+            continue;
+        vec2 near = max(1.0 - abs(tap.px - vec2(px)) / scale, 0.001);
+        float weight = tap.similarity * near.x * near.y;
+        sum += weight * tap.premultiplied;
+        total += weight;
+    }
+    mean = sum / max(total, 1e-12);
+    return total > 0.0;
+}
+
+/// The most similar traced pixel of the sixteen around.
+vec4 mostSimilar(Place here, ivec2 px) {
+    ivec2 corner = cornerOf(frame.constants.traceSize, px) - 1;
+    Tap best = Tap(vec4(0.0), kOtherSurface, vec2(0.0));
+    for (int i = 0; i < 16; ++i) {
+        Tap tap = takeTap(traced, frame.constants.traceSize, here, px, corner + ivec2(i & 3, i >> 2));
+        if (tap.similarity > best.similarity)
+            best = tap;
+    }
+    return best.premultiplied;
+}
+
+/// How much of a blur narrower than a pixel of the downsampled image is left to the traced image itself.
+float sharpShare(Place here, ivec2 px) {
+    RayRecord ray = rayOf(fullToTracePixel(frame.constants, px));
+    if (settings.keepSharp == 0u || !wasTraced(ray))
+        return 0.0;
+    float rayPX = length(ray.hitUV * frame.constants.size - (vec2(px) + 0.5));
+    float reach = blurReach(here.perceptualRoughness, rayPX, settings.strength, settings.roughnessFactor);
+    return 1.0 - clamp(reach * settings.sourceSize.y / frame.constants.size.y, 0.0, 1.0);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    Place here = placeOf(px);
+    if (!reflects(here)) {
+        imageStore(radianceWeight, px, vec4(0.0));
+        return;
+    }
+    vec4 answer = vec4(0.0);
+    float sharp = sharpShare(here, px);
+    bool found = sharp < 1.0 && mixFour(source, settings.sourceSize, here, px, answer);
+    if (!found || sharp > 0.0) {
+        vec4 unblurred;
+        if (!mixFour(traced, frame.constants.traceSize, here, px, unblurred))
+            unblurred = mostSimilar(here, px);
+        answer = found ? mix(answer, unblurred, sharp) : unblurred;
+    }
+    imageStore(radianceWeight, px, vec4(answer.a > 0.0 ? answer.rgb / answer.a : vec3(0.0), answer.a));
+}
