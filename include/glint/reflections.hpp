@@ -71,8 +71,8 @@ public:
     /// outside a render pass, after setInputs.
     /// Returns the picture with reflections (RGBA16F, ready for sampling), valid until the next call; with every
     /// source off no pass runs and that is litRadiance itself, bit for bit.
-    /// What the host draws over it is seen in the next frame's reflections with screen.colorSource previous, which reads
-    /// it once more: leave it in its layout.
+    /// What the host draws over it is seen in the next frame's reflections with screen.colorSource previous, which
+    /// reads it once more: leave it in its layout.
     HostImage record(VkCommandBuffer commands, const View& view);
 
     /// Records a debug view of the frame recorded last into an RGBA32F image (needs ReflectionsDesc::views): raw

@@ -16,12 +16,12 @@ struct BlurConstants {
 };
 
 struct UpsampleConstants {
-    float2 sourceSize;         // pixels of the image that is read
-    float threshold;           // as TraceConstants have these three: which pixels reflect at all
+    float2 sourceSize; // pixels of the image that is read
+    float threshold;   // as TraceConstants have these three: which pixels reflect at all
     float roughnessFadeStart;
     float maxRoughness;
-    uint keepSharp;            // 1: a blur narrower than a source pixel is read from the traced image itself
-    float strength;            // as BlurConstants
+    uint mirrorRays; // 1: rays were not jittered
+    float strength;  // as BlurConstants
     float roughnessFactor;
 };
 

@@ -1,6 +1,5 @@
 #include "reflect/denoise.hpp"
 
-#include "reflect/trace/technique.hpp"
 #include "shared/denoise_constants.h"
 
 #include <algorithm>
@@ -34,12 +33,12 @@ struct Grid {
 
 void recordBlur(gpu::Frame& frame, const DenoisePipelines& pipelines, const Settings& settings, DenoiseInputs inputs,
                 bool vertical, Grid source, Grid target) {
-    const shared::BlurConstants constants = {source.size(),           target.size(),          vertical,
-                                             maxTaps(settings),       settings.blur.strength, settings.rough.factor};
+    const shared::BlurConstants constants = {source.size(),     target.size(),          vertical,
+                                             maxTaps(settings), settings.blur.strength, settings.rough.factor};
     frame.pass(pipelines.blur)
-        .read("frame", inputs.frameConstants)
-        .read("viewZ", inputs.prepared.viewZ)
-        .read("surface", inputs.prepared.surface)
+        .read("frame", inputs.trace.frameConstants)
+        .read("viewZ", inputs.trace.prepared.viewZ)
+        .read("surface", inputs.trace.prepared.surface)
         .read("rayRecord", inputs.traced.rayRecord)
         .read("source", source.image)
         .write("blurred", target.image)
@@ -50,14 +49,18 @@ void recordBlur(gpu::Frame& frame, const DenoisePipelines& pipelines, const Sett
 void recordUpsample(gpu::Frame& frame, const DenoisePipelines& pipelines, const Settings& settings,
                     DenoiseInputs inputs, Grid source, gpu::Image& target) {
     const shared::TraceConstants trace = traceConstants(settings);
-    const bool keepSharp = source.width < inputs.traced.width || source.height < inputs.traced.height;
-    const shared::UpsampleConstants constants = {
-        source.size(), trace.threshold,        trace.roughnessFadeStart, trace.maxRoughness,
-        keepSharp,     settings.blur.strength, settings.rough.factor};
-    frame.pass(pipelines.upsample)
-        .read("frame", inputs.frameConstants)
-        .read("viewZ", inputs.prepared.viewZ)
-        .read("surface", inputs.prepared.surface)
+    const shared::UpsampleConstants constants = {source.size(),
+                                                 trace.threshold,
+                                                 trace.roughnessFadeStart,
+                                                 trace.maxRoughness,
+                                                 trace.roughnessFactor <= 0,
+                                                 settings.blur.strength,
+                                                 settings.rough.factor};
+    gpu::Pass pass = frame.pass(pipelines.upsample);
+    readHitColor(pass, inputs.trace);
+    pass.read("frame", inputs.trace.frameConstants)
+        .read("viewZ", inputs.trace.prepared.viewZ)
+        .read("surface", inputs.trace.prepared.surface)
         .read("rayRecord", inputs.traced.rayRecord)
         .read("traced", inputs.traced.target())
         .read("source", source.image)
@@ -73,8 +76,8 @@ void recordUpsample(gpu::Frame& frame, const DenoisePipelines& pipelines, const 
 void recordDenoise(gpu::Frame& frame, const DenoisePipelines& pipelines, const Settings& settings, DenoiseInputs inputs,
                    Denoised& out) {
     Traced& traced = inputs.traced;
-    const uint32_t width = inputs.prepared.viewZ.width();
-    const uint32_t height = inputs.prepared.viewZ.height();
+    const uint32_t width = inputs.trace.prepared.viewZ.width();
+    const uint32_t height = inputs.trace.prepared.viewZ.height();
     Grid source = {traced.target(), traced.width, traced.height};
     out.answer = &traced.target();
     if (blurs(settings)) {

@@ -4,6 +4,7 @@
 
 #include "glint/settings.hpp"
 #include "reflect/stages.hpp"
+#include "reflect/trace/technique.hpp"
 
 namespace glint::reflect {
 
@@ -15,8 +16,7 @@ struct DenoisePipelines {
 };
 
 struct DenoiseInputs {
-    gpu::Buffer& frameConstants;
-    Prepared& prepared;
+    TraceInputs trace; ///< what the rays were traced with
     Traced& traced;
 };
 

@@ -127,7 +127,7 @@ TraceInputs FrameState::traceInputs() {
 }
 
 void FrameState::denoise(gpu::Frame& frame) {
-    recordDenoise(frame, pipelines.denoise, desc.settings, {frameConstants, prepared, traced}, denoised);
+    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
 }
 
 /// While the screen source is off, its images say that no ray was traced.
@@ -263,10 +263,10 @@ constexpr VkImageUsageFlags kComposite =
 Result<void> makeImage(gpu::Context& context, const WantedImage& wanted) {
     if (*wanted.image)
         return {};
-    GLINT_TRY(image, gpu::Image::create(context, {wanted.name, wanted.format, wanted.width, wanted.height, 1,
-                                                  wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
-                                                  VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
-                                                      wanted.more}));
+    GLINT_TRY(image,
+              gpu::Image::create(context, {wanted.name, wanted.format, wanted.width, wanted.height, 1,
+                                           wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
+                                           VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
     *wanted.image = std::move(image);
     return {};
 }
@@ -278,14 +278,14 @@ Result<void> FrameState::makeImagesFor(const Settings& settings) {
     const uint32_t w = desc.width;
     const uint32_t h = desc.height;
     if (settings.screen.targetFormat == TargetFormat::Rgba8)
-        GLINT_CHECK(makeImage(*context, {&traced.radianceWeight8, "glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w,
-                                         h, kCleared}));
+        GLINT_CHECK(makeImage(
+            *context, {&traced.radianceWeight8, "glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared}));
     else
-        GLINT_CHECK(makeImage(*context, {&traced.radianceWeight, "glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT,
-                                         w, h, kCleared}));
+        GLINT_CHECK(makeImage(
+            *context, {&traced.radianceWeight, "glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared}));
     if (settings.screen.colorSource == ColorSource::Previous) {
-        GLINT_CHECK(makeImage(*context, {&history.color, "glint/previousComposite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h,
-                                         kComposite}));
+        GLINT_CHECK(makeImage(
+            *context, {&history.color, "glint/previousComposite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite}));
         GLINT_CHECK(makeImage(*context, {&history.viewZ, "glint/previousViewZ", VK_FORMAT_R32_SFLOAT, w, h, 0}));
     }
     return makeDenoiseImages(*context, settings, w, h, denoised);
@@ -339,7 +339,7 @@ Result<void> FrameState::rehearse() {
     prepare(frame, {});
     for (size_t i = 0; i < techniques().size(); ++i)
         techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);
-    rehearseDenoise(frame, pipelines.denoise, desc.settings, {frameConstants, prepared, traced}, denoised);
+    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
     combine(frame);
     compose(frame);
     if (desc.statistics)

@@ -51,13 +51,14 @@ struct FrameState {
     gpu::Buffer statisticsReadback;
     bool tablesMade = false; ///< dfg and the stand-ins hold their content
     View lastView;
-    bool upToDate = false;  ///< the images belong to lastView; false if its frame had nothing to do
-    bool untraced = false;  ///< `traced` says that no ray was traced
+    bool upToDate = false;                 ///< the images belong to lastView; false if its frame had nothing to do
+    bool untraced = false;                 ///< `traced` says that no ray was traced
     shared::FrameConstants lastFrame = {}; ///< of lastView
-    bool historyHeld = false; ///< `composite` and `prepared` hold the last frame's picture, for hits to take colours from
+    bool historyHeld =
+        false; ///< `composite` and `prepared` hold the last frame's picture, for hits to take colours from
     bool historyGamma = false; ///< and that picture is sRGB-encoded
     bool usesHistory = false;  ///< this frame's hits do
-    bool ranPasses = false; ///< by the last record()
+    bool ranPasses = false;    ///< by the last record()
     std::unique_ptr<gpu::Timers> timers;
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);

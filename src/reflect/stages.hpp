@@ -23,8 +23,8 @@ struct Prepared {
     gpu::Image surface; ///< RG32UI, lib/surface.glsl
 };
 
-/// `trace`: what the screen source answered, at the picture's size or smaller: screen.resolutionScale takes the top left
-/// part of the same images.
+/// `trace`: what the screen source answered, at the picture's size or smaller: screen.resolutionScale takes the top
+/// left part of the same images.
 struct Traced {
     gpu::Image radianceWeight;  ///< RGBA16F: radiance at the hit, weight [0, 1]; absent if only the next is wanted
     gpu::Image radianceWeight8; ///< RGBA8: the same with screen.targetFormat rgba8
