@@ -4,7 +4,7 @@
 #include "lib/pyramid.glsl"
 #include "trace/hit_test.glsl"
 
-layout(set = 0, binding = 8) uniform usampler2D pyramid;
+layout(set = 0, binding = 12) uniform usampler2D pyramid;
 
 /// Where a ray starts to look around: most leave a surface that is flat over this many pixels.
 const int kFirstLevel = 3;

@@ -173,6 +173,7 @@ private:
         inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
         if (g.backDepth)
             inputs.backDepth = lend(frame, g.backDepth);
+        inputs.motion = lend(frame, g.motion);
         return inputs;
     }
 
