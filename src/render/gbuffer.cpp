@@ -18,12 +18,20 @@ uint32_t largestImage(const gpu::Context& context) {
 
 } // namespace
 
+GBufferOptions gbufferOptions(const Settings& settings) {
+    GBufferOptions options;
+    options.backFaces = settings.screen.enabled && settings.screen.thicknessMode == ThicknessMode::Backface;
+    options.backFaceDownsample = static_cast<uint32_t>(settings.screen.backfaceDownsample);
+    options.backFaceTransparents = settings.screen.backfaceTransparents;
+    return options;
+}
+
 std::vector<VkFormat> GBuffer::colorFormats(const gpu::Context& context) {
     return {normalFormat(context), VK_FORMAT_R16G16B16A16_SFLOAT, kMotionFormat, kRadianceFormat,
             kRadianceFormat,       VK_FORMAT_R8G8B8A8_UNORM};
 }
 
-Result<GBuffer> GBuffer::create(gpu::Context& context, uint32_t width, uint32_t height) {
+Result<GBuffer> GBuffer::create(gpu::Context& context, uint32_t width, uint32_t height, const GBufferOptions& options) {
     const uint32_t largest = largestImage(context);
     if (width == 0 || height == 0 || width > largest || height > largest)
         return invalidArgument("a picture of {}x{} pixels cannot be made: each side may have 1 to {} on {}", width,
@@ -47,6 +55,13 @@ Result<GBuffer> GBuffer::create(gpu::Context& context, uint32_t width, uint32_t 
     GLINT_CHECK(make(result.litRadiance, "gbuffer/litRadiance", formats[3]));
     GLINT_CHECK(make(result.fallbackSpecular, "gbuffer/fallbackSpecular", formats[4]));
     GLINT_CHECK(make(result.albedo, "gbuffer/albedo", formats[5]));
+    if (options.backFaces) {
+        const uint32_t divisor = options.backFaceDownsample + 1;
+        width = (width + divisor - 1) / divisor;
+        height = (height + divisor - 1) / divisor;
+        GLINT_CHECK(
+            make(result.backDepth, "gbuffer/backDepth", kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT));
+    }
     return result;
 }
 

@@ -1,9 +1,21 @@
 // What the renderer hands to the reflections, and to whoever looks on. One image a channel, all of one size.
 #pragma once
 
+#include "glint/settings.hpp"
 #include "gpu/resources.hpp"
 
 namespace glint::render {
+
+/// How the G-buffer is drawn.
+struct GBufferOptions {
+    bool backFaces = false;          ///< also draw GBuffer::backDepth
+    uint32_t backFaceDownsample = 0; ///< n: at size / (n + 1), rounded up
+    bool backFaceTransparents = true;
+    bool operator==(const GBufferOptions&) const = default;
+};
+
+/// As the settings ask for it.
+GBufferOptions gbufferOptions(const Settings& settings);
 
 /// Every image is a colour attachment (depth: a depth attachment), can be sampled and copied from and to. Where nothing
 /// was drawn, depth and every channel but litRadiance (the background) and motion are 0.
@@ -15,9 +27,11 @@ struct GBuffer {
     gpu::Image litRadiance;      ///< RGBA16F: the whole lit picture, linear, scene-referred; a = 1 on surfaces
     gpu::Image fallbackSpecular; ///< RGBA16F: the environment's specular part of litRadiance, base layer only
     gpu::Image albedo;           ///< RGBA8_UNORM: base colour, linear, for debug views
+    gpu::Image backDepth;        ///< as deviceDepth, of the nearest back faces; absent unless asked for; own size
 
     /// Errors: InvalidArgument for a size that the device cannot make; OutOfMemory.
-    static Result<GBuffer> create(gpu::Context& context, uint32_t width, uint32_t height);
+    static Result<GBuffer> create(gpu::Context& context, uint32_t width, uint32_t height,
+                                  const GBufferOptions& options = {});
     /// The formats that `create` will choose: normal, material, motion, litRadiance, fallbackSpecular, albedo, in the
     /// order of the surface pass's outputs.
     static std::vector<VkFormat> colorFormats(const gpu::Context& context);

@@ -15,6 +15,7 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     GLINT_TRY(surfaces, SurfacePass::create(context, gpuScene));
     GLINT_TRY(transparent, TransparentPass::create(context, gpuScene));
     GLINT_TRY(background, BackgroundPass::create(context));
+    GLINT_TRY(backFaces, BackFacePass::create(context, gpuScene));
     GLINT_TRY(display, DisplayPass::create(context));
     GLINT_TRY(shadows, ShadowMaps::create(context, gpuScene));
     GLINT_TRY(viewBuffer,
@@ -28,6 +29,7 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     result.surfaces_ = std::move(surfaces);
     result.transparent_ = std::move(transparent);
     result.background_ = std::move(background);
+    result.backFaces_ = std::move(backFaces);
     result.display_ = std::move(display);
     result.shadows_ = std::move(shadows);
     result.viewBuffer_ = std::move(viewBuffer);
@@ -39,12 +41,14 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     return result;
 }
 
-Result<void> Renderer::resize(uint32_t width, uint32_t height) {
-    if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height)
+Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOptions& options) {
+    if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height &&
+        gbufferOptions_ == options)
         return {};
-    GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height));
+    GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height, options));
     GLINT_CHECK(transparent_.resize(*context_, scene_, width, height));
     gbuffer_ = std::move(gbuffer);
+    gbufferOptions_ = options;
     return rehearse();
 }
 
@@ -133,6 +137,8 @@ GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameter
     }
     surfaces_.draw(frame, view_, scene_, lightingInputs(), gbuffer_);
     background_.draw(frame, viewBuffer_, environment_, gbuffer_);
+    if (gbuffer_.backDepth || frame.rehearsing())
+        backFaces_.draw(frame, viewBuffer_, scene_, gbufferOptions_.backFaceTransparents, gbuffer_.backDepth);
     return gbuffer_;
 }
 

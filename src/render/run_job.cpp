@@ -107,7 +107,7 @@ private:
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
-        GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height));
+        GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height, gbufferOptions(job_.settings.reflections)));
         parameters_.camera = inputs_.camera;
 
         const gpu::AdoptedDevice handles = context_.handles();
@@ -170,6 +170,8 @@ private:
         inputs.material = lend(frame, g.material);
         inputs.litRadiance = lend(frame, g.litRadiance);
         inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
+        if (g.backDepth)
+            inputs.backDepth = lend(frame, g.backDepth);
         return inputs;
     }
 
