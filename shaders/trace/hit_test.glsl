@@ -72,29 +72,45 @@ const uint kMeetsBehind = 3u; // its slab, from behind
 const uint kGrazes = 4u;      // its slab, but it is the surface that the ray starts from
 const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
 
-/// Does the ray, coming from `beforeShare`, meet the surface at the sample `s`? `s` moves to where it does.
-uint meetSurface(Ray r, float beforeShare, inout Sample s, inout uint lookups) {
-    if (s.rayZ < s.sceneZ)
-        return kPasses;
+/// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if it
+/// shows the same surface, so that positions are exact, else `px`, so that no other surface lends its colour.
+vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
+    vec2 at = ray.startPX + ray.deltaPX * share;
+    ivec2 there = ivec2(floor(at));
+    if (there != px && onScreen(at)) {
+        float rayZ = rayViewZ(ray, share);
+        float sceneZ = texelFetch(viewZ, there, 0).r;
+        ++lookups;
+        if (abs(sceneZ - rayZ) <= kAtSurface * rayZ)
+            return at;
+    }
+    return clamp(at, vec2(px), vec2(px) + 0.999);
+}
+
+/// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
+/// `s` moves to where it does.
+uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+    ivec2 px = ivec2(s.px);
     vec3 normalVS = normalAt(s.px);
-    vec2 pixel = floor(s.px);
-    vec3 surfaceVS = viewPosition(frame.constants, (pixel + 0.5) * frame.constants.invSize, s.sceneZ);
-    vec2 beforePX = r.screen.startPX + r.screen.deltaPX * beforeShare;
-    float beforeZ = rayViewZ(r.screen, beforeShare);
-    vec3 beforeVS = viewPosition(frame.constants, beforePX * frame.constants.invSize, beforeZ);
-    vec3 hereVS = viewPosition(frame.constants, s.px * frame.constants.invSize, s.rayZ);
-    float heightBefore = dot(normalVS, beforeVS - surfaceVS);
+    vec3 surfaceVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, s.sceneZ);
+    vec2 fromPX = r.screen.startPX + r.screen.deltaPX * fromShare;
+    vec2 herePX = r.screen.startPX + r.screen.deltaPX * s.share;
+    float fromZ = rayViewZ(r.screen, fromShare);
+    vec3 fromVS = viewPosition(frame.constants, fromPX * frame.constants.invSize, fromZ);
+    vec3 hereVS = viewPosition(frame.constants, herePX * frame.constants.invSize, s.rayZ);
+    float heightFrom = dot(normalVS, fromVS - surfaceVS);
     float heightHere = dot(normalVS, hereVS - surfaceVS);
-    if (heightHere > 0.0 && heightBefore > 0.0)
-        return kPasses; // behind the pixel's centre, but not behind its plane
+    if (heightHere > 0.0 && heightFrom > 0.0)
+        return kPasses; // perhaps behind the pixel's centre, but not behind its plane
     bool faces = facesRay(normalVS, r);
-    if (faces && heightBefore >= 0.0) {
-        s.share = mix(beforeShare, s.share, clamp(heightBefore / max(heightBefore - heightHere, 1e-30), 0.0, 1.0));
-        // The colour is that of the pixel that was met, even where the plane is crossed just outside of it.
-        s.px = clamp(r.screen.startPX + r.screen.deltaPX * s.share, pixel, pixel + 0.999);
+    if (faces && heightFrom >= 0.0) {
+        // Heights are linear along the ray in 3D, shares on screen: over this step both are, closely.
+        float meets = heightFrom / max(heightFrom - heightHere, 1e-30);
+        s.share = mix(fromShare, s.share, clamp(meets, 0.0, 1.0));
+        s.px = placeOfHit(r.screen, s.share, px, lookups);
         return kMeets;
     }
-    float nearest = min(s.rayZ, beforeZ);
+    float nearest = min(s.rayZ, fromZ);
     if (faces && nearest <= s.sceneZ * (1.0 + kAtSurface))
         return kMeets;
     float slabZ = slabEnd(s.px, s.sceneZ, lookups);

@@ -96,7 +96,9 @@ March march(Ray r) {
                     if (flatCell && result.iterations > settings.selfCollisionSkip) {
                         // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
                         float meets = clamp((-0.5 * bounds.depth - above) / climb, share, last);
-                        Sample s = takeSample(ray, min(meets + 0.5 * pixelShare, last), result.lookups);
+                        Sample s = takeSample(ray, meets, result.lookups);
+                        s.share = meets + 0.5 * pixelShare;
+                        s.rayZ = rayViewZ(ray, s.share);
                         uint met = meetSurface(r, max(meets - 0.5 * pixelShare, 0.0), s, result.lookups);
                         if (met == kMeets && endsMarch(met, s, result))
                             return result;

@@ -11,7 +11,7 @@ uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, in
     float beforeShare = before.share;
     for (float share = beforeShare + pixelShare; share < s.share; share += pixelShare) {
         Sample fine = takeSample(r.screen, share, lookups);
-        uint met = meetSurface(r, beforeShare, fine, lookups);
+        uint met = fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
         if (met == kMeets || met == kMeetsSide || met == kMeetsBehind) {
             s = fine;
             return met;
