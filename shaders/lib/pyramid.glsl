@@ -4,29 +4,25 @@
 // a cell that shows one flat surface has bounds as thin as the depth's own rounding at every level: a ray that leaves a
 // floor is known to be in front of it at once, and one that meets a wall meets it in a large cell, without going down
 // to single pixels. With slope 0 this is the usual minimum and maximum of depth.
+// Each cell also bounds its four quarters, coarsely, so that one lookup tells which of them are worth another.
 //
 // Level 0 is viewZ itself. The others lie in one image of rgba32ui, level 1 at the left and the rest in a column beside
 // it, so that any size of picture has exact cells: ceil(size / 2^level) of them, none larger than it says.
 #ifndef GLINT_LIB_PYRAMID_GLSL
 #define GLINT_LIB_PYRAMID_GLSL
 
-/// What is solid in a cell, as depths below the plane of nearness front + dot(slope, d), d px from the cell's centre:
-/// every surface lies in [0, depth] and ends behind by `slab`; nothing is solid within `gap`. Between a column and the
-/// wall behind it a ray passes as freely as before both.
+/// What is solid in a cell, as depths (of nearness) below the plane front + dot(slope, d), d px from the cell's centre:
+/// every surface lies in [0, depth] and ends behind by `slab`.
 struct Cell {
     float front; // kEmptyCell: nothing is drawn here
     float depth; // kBroken: some pixel shows no surface
     float slab;
-    vec2 gap;    // from, to; equal: none
-    vec2 slope;  // a pixel
+    vec2 slope; // a pixel
+    vec2 quarters[4]; // the same for (0,0), (1,0), (0,1), (1,1): solid from, to; from > to: nothing
 };
 
 const float kEmptyCell = -1.0e37;
 const float kBroken = 1.0e37;
-
-Cell emptyCell() {
-    return Cell(kEmptyCell, 0.0, 0.0, vec2(0.0), vec2(0.0));
-}
 
 ivec2 pyramidLevelSize(ivec2 size, int level) {
     return (size + (1 << level) - 1) >> level;
@@ -40,28 +36,54 @@ ivec2 pyramidOffset(ivec2 size, int level) {
     return ivec2((size.x + 1) >> 1, ((size.y * ((1 << (level - 2)) - 1)) >> (level - 1)) + level - 2);
 }
 
-// Front and slab are floats, slopes halves of a picture's width, the gap 2 x 10 bits of the slab, and depth the upper 12
-// bits of a half of the front; all rounded so that the bounds stay bounds.
+// A cell in four words: front as a float; slopes as halves of a picture's width, which keeps them clear of the smallest
+// halves; twice two quarters of 2 x 6 bits, in 63rds of the slab; beside them depth and slab in quarter octaves of the
+// front. All rounded so that the bounds stay bounds.
+
+const float kOctaveZero = 160.0;
+
+uint packOctaves(float value, float unit) {
+    if (value >= kBroken)
+        return 255u;
+    return uint(clamp(ceil(4.0 * log2(max(value, 1e-37) / max(unit, 1e-37)) + 0.01) + kOctaveZero, 0.0, 255.0));
+}
+
+float unpackOctaves(uint packed, float unit) {
+    return packed == 255u ? kBroken : unit * exp2((float(packed) - kOctaveZero) * 0.25);
+}
+
+uint packQuarter(vec2 quarter, float slab) {
+    if (quarter.x > quarter.y)
+        return 63u; // from 63 to 0
+    vec2 steps = clamp(quarter / slab, 0.0, 1.0) * 63.0;
+    return uint(max(floor(steps.x - 0.01), 0.0)) | (uint(min(ceil(steps.y + 0.01), 63.0)) << 6);
+}
+
+vec2 unpackQuarter(uint packed, float slab) {
+    return vec2(packed & 63u, (packed >> 6) & 63u) * (slab / 63.0);
+}
 
 uvec4 packCell(Cell cell, float width) {
-    float relative = cell.depth >= kBroken ? 65504.0 : min(cell.depth / max(abs(cell.front), 1e-30), 65504.0);
-    uint depth = min((packHalf2x16(vec2(relative, 0.0)) & 0xffffu) + 16u, 0x7bffu) >> 4; // up, past the half's own rounding
-    vec2 gap = clamp(cell.gap / max(cell.slab, 1e-37), 0.0, 1.0) * 1023.0;
-    uvec2 steps = uvec2(min(ceil(gap.x) + 1.0, 1023.0), max(floor(gap.y) - 1.0, 0.0));
-    if (steps.y <= steps.x)
-        steps = uvec2(0u);
-    return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.slab), packHalf2x16(cell.slope * width),
-                 (depth << 20) | (steps.x << 10) | steps.y);
+    float unit = abs(cell.front);
+    uint slabOctaves = packOctaves(cell.slab, unit);
+    float slab = unpackOctaves(slabOctaves, unit);
+    return uvec4(floatBitsToUint(cell.front), packHalf2x16(cell.slope * width),
+                 packQuarter(cell.quarters[0], slab) | (packQuarter(cell.quarters[1], slab) << 12) |
+                     (packOctaves(cell.depth, unit) << 24),
+                 packQuarter(cell.quarters[2], slab) | (packQuarter(cell.quarters[3], slab) << 12) |
+                     (slabOctaves << 24));
 }
 
 Cell unpackCell(uvec4 packed, float invWidth) {
     Cell cell;
     cell.front = uintBitsToFloat(packed.x);
-    cell.slab = uintBitsToFloat(packed.y);
-    cell.slope = unpackHalf2x16(packed.z) * invWidth;
-    uint depth = packed.w >> 20;
-    cell.depth = depth >= 0x7bfu ? kBroken : unpackHalf2x16(depth << 4).x * abs(cell.front);
-    cell.gap = vec2((packed.w >> 10) & 0x3ffu, packed.w & 0x3ffu) * (cell.slab / 1023.0);
+    cell.slope = unpackHalf2x16(packed.y) * invWidth;
+    cell.depth = unpackOctaves(packed.z >> 24, abs(cell.front));
+    cell.slab = unpackOctaves(packed.w >> 24, abs(cell.front));
+    cell.quarters[0] = unpackQuarter(packed.z, cell.slab);
+    cell.quarters[1] = unpackQuarter(packed.z >> 12, cell.slab);
+    cell.quarters[2] = unpackQuarter(packed.w, cell.slab);
+    cell.quarters[3] = unpackQuarter(packed.w >> 12, cell.slab);
     return cell;
 }
 

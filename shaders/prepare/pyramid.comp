@@ -50,111 +50,106 @@ float slabNearness(ivec2 px, float z, bool orthographic) {
     return nearnessOf(orthographic, reach + settings.thickness + settings.thicknessRelative * z);
 }
 
-/// What is solid in a cell: intervals of nearness, relative to its plane.
-struct Solids {
-    float top[8];
-    float bottom[8];
-    int count;
-};
-
-void add(inout Solids solids, float top, float bottom) {
-    int at = solids.count++;
-    for (; at > 0 && solids.top[at - 1] < top; --at) { // the nearest first
-        solids.top[at] = solids.top[at - 1];
-        solids.bottom[at] = solids.bottom[at - 1];
-    }
-    solids.top[at] = top;
-    solids.bottom[at] = bottom;
+Cell emptyCell() {
+    Cell cell = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0), vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0)));
+    for (int i = 0; i < 4; ++i)
+        cell.quarters[i] = vec2(1.0, 0.0);
+    return cell;
 }
 
-/// Sets front, slab and the widest gap; `solids` has some.
-void boundSolids(inout Cell cell, Solids solids) {
-    cell.front = solids.top[0];
-    float bottom = solids.bottom[0];
-    float widest = 0.0;
-    cell.gap = vec2(0.0);
-    for (int i = 1; i < solids.count; ++i) {
-        float gap = bottom - solids.top[i];
-        if (gap > widest) {
-            widest = gap;
-            cell.gap = cell.front - vec2(bottom, solids.top[i]);
+/// What a cell above needs to know of this one, exactly.
+uvec4 packBounds(Cell cell) {
+    return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.depth), floatBitsToUint(cell.slab),
+                 packHalf2x16(cell.slope * width));
+}
+
+Cell unpackBounds(uvec4 packed) {
+    Cell cell = emptyCell();
+    cell.front = uintBitsToFloat(packed.x);
+    cell.depth = uintBitsToFloat(packed.y);
+    cell.slab = uintBitsToFloat(packed.z);
+    cell.slope = unpackHalf2x16(packed.w) / width;
+    return cell;
+}
+
+/// Makes the whole from its quarters, which say from where to where they are solid in nearness above the cell's plane
+/// of front 0 (from the nearest down).
+Cell cellOfQuarters(vec2 slope, vec2 solids[4], bool there[4], float lowestFront, bool broken) {
+    Cell cell = emptyCell();
+    cell.slope = slope;
+    float lowest = 1e37;
+    for (int i = 0; i < 4; ++i)
+        if (there[i]) {
+            cell.front = max(cell.front, solids[i].x);
+            lowest = min(lowest, solids[i].y);
         }
-        bottom = min(bottom, solids.bottom[i]);
-    }
-    cell.slab = cell.front - bottom;
+    for (int i = 0; i < 4; ++i)
+        if (there[i])
+            cell.quarters[i] = cell.front - solids[i];
+    cell.depth = broken ? kBroken : cell.front - lowestFront;
+    cell.slab = cell.front - lowest;
+    return cell;
 }
 
 /// Level 1 at `cell`, from its pixels.
 Cell cellOfPixels(ivec2 cell) {
     bool orthographic = isOrthographic(frame.constants);
-    float nearness[4];
-    float slab[4];
+    vec2 solids[4];
     bool seen[4];
-    bool allSeen = true;
+    bool all4 = true;
     bool broken = false;
+    bool any4 = false;
     for (int i = 0; i < 4; ++i) {
         ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
         bool inside = all(lessThan(px, size));
         float z = inside ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
         seen[i] = z < kBackgroundZ;
-        nearness[i] = seen[i] ? nearnessOf(orthographic, z) : 0.0;
-        slab[i] = seen[i] ? slabNearness(px, z, orthographic) : 0.0;
-        allSeen = allSeen && seen[i];
+        solids[i] = seen[i] ? vec2(nearnessOf(orthographic, z), slabNearness(px, z, orthographic)) : vec2(0.0);
+        all4 = all4 && seen[i];
+        any4 = any4 || seen[i];
         broken = broken || (inside && !seen[i]);
     }
-    Cell result = emptyCell();
-    if (allSeen)
-        result.slope = storedSlope(0.5 * vec2(nearness[1] - nearness[0] + nearness[3] - nearness[2],
-                                              nearness[2] - nearness[0] + nearness[3] - nearness[1]));
-    Solids solids;
-    solids.count = 0;
+    if (!any4)
+        return emptyCell();
+    vec2 slope = vec2(0.0);
+    if (all4)
+        slope = storedSlope(0.5 * vec2(solids[1].x - solids[0].x + solids[3].x - solids[2].x,
+                                       solids[2].x - solids[0].x + solids[3].x - solids[1].x));
     float low = 1e37;
     for (int i = 0; i < 4; ++i) {
-        if (!seen[i])
-            continue;
-        float along = dot(result.slope, vec2(i & 1, i >> 1) - 0.5);
-        add(solids, nearness[i] - along, slab[i] - along);
-        low = min(low, nearness[i] - along);
+        solids[i] -= dot(slope, vec2(i & 1, i >> 1) - 0.5);
+        if (seen[i])
+            low = min(low, solids[i].x);
     }
-    if (solids.count > 0) {
-        boundSolids(result, solids);
-        result.depth = broken ? kBroken : result.front - low;
-    }
-    return result;
+    return cellOfQuarters(slope, solids, seen, low, broken);
 }
 
 /// One cell from four of half its size, about planes of this slope.
 Cell boundCells(Cell children[4], float childSize, vec2 slope) {
-    Cell result = emptyCell();
-    result.slope = slope;
-    Solids solids;
-    solids.count = 0;
+    vec2 solids[4];
+    bool there[4];
     float low = 1e37;
     bool broken = false;
     for (int i = 0; i < 4; ++i) {
         Cell child = children[i];
         broken = broken || child.depth >= kBroken;
-        if (child.front == kEmptyCell)
-            continue;
+        there[i] = child.front > kEmptyCell;
         // Two planes differ most at a corner of the pixels' centres.
         vec2 tilt = abs(child.slope - slope);
         float apart = (tilt.x + tilt.y) * 0.5 * (childSize - 1.0);
         float front = child.front - dot(slope, (vec2(i & 1, i >> 1) - 0.5) * childSize);
-        low = min(low, front - (child.depth >= kBroken ? 0.0 : child.depth) - apart);
-        if (child.gap.y > child.gap.x) {
-            add(solids, front + apart, front - child.gap.x - apart);
-            add(solids, front - child.gap.y + apart, front - child.slab - apart);
-        } else {
-            add(solids, front + apart, front - child.slab - apart);
-        }
+        solids[i] = vec2(front + apart, front - child.slab - apart);
+        if (there[i])
+            low = min(low, front - (child.depth >= kBroken ? 0.0 : child.depth) - apart);
     }
-    boundSolids(result, solids);
-    result.depth = broken ? kBroken : result.front - low;
-    return result;
+    return cellOfQuarters(slope, solids, there, low, broken);
 }
 
-float solidShare(Cell cell) {
-    return cell.slab - (cell.gap.y - cell.gap.x);
+float solidIn(Cell cell) {
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i)
+        sum += max(cell.quarters[i].y - cell.quarters[i].x, 0.0);
+    return sum;
 }
 
 /// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1): about the
@@ -173,7 +168,7 @@ Cell cellOfCells(Cell children[4], float childSize) {
     for (int i = 0; i < 4; ++i)
         if (children[i].front > kEmptyCell) {
             Cell other = boundCells(children, childSize, children[i].slope);
-            if (solidShare(other) < solidShare(best))
+            if (solidIn(other) < solidIn(best))
                 best = other;
         }
     return best;
@@ -197,7 +192,7 @@ void reduceTile() {
     }
     Cell value = cellOfCells(children, 2.0);
     store(2, level2, value);
-    sharedCells[gl_LocalInvocationIndex] = packCell(value, width);
+    sharedCells[gl_LocalInvocationIndex] = packBounds(value);
 
     int across = 16; // cells a side in shared memory
     for (int level = 3; level <= int(kPyramidTileLevel); ++level) {
@@ -207,14 +202,14 @@ void reduceTile() {
         if (works) {
             for (int i = 0; i < 4; ++i) {
                 ivec2 child = thread * 2 + ivec2(i & 1, i >> 1);
-                children[i] = unpackCell(sharedCells[child.y * across + child.x], 1.0 / width);
+                children[i] = unpackBounds(sharedCells[child.y * across + child.x]);
             }
             value = cellOfCells(children, float(1 << (level - 1)));
             store(level, ivec2(gl_WorkGroupID.xy) * half_ + thread, value);
         }
         barrier();
         if (works)
-            sharedCells[thread.y * half_ + thread.x] = packCell(value, width);
+            sharedCells[thread.y * half_ + thread.x] = packBounds(value);
         across = half_;
     }
 }
@@ -232,12 +227,12 @@ void reduceTiles() {
             for (int i = 0; i < 4; ++i) {
                 ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
                 children[i] = all(lessThan(child, childSize))
-                                  ? unpackCell(tiles.cells[from + child.y * childSize.x + child.x], 1.0 / width)
+                                  ? unpackBounds(tiles.cells[from + child.y * childSize.x + child.x])
                                   : emptyCell(); // outside the picture
             }
             Cell value = cellOfCells(children, float(1 << (level - 1)));
             store(level, cell, value);
-            tiles.cells[to + k] = packCell(value, width);
+            tiles.cells[to + k] = packBounds(value);
         }
         memoryBarrierBuffer();
         barrier();
