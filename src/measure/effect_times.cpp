@@ -1,0 +1,97 @@
+#include "measure/effect_times.hpp"
+
+#include "measure/floor_pass.hpp"
+
+#include <algorithm>
+
+namespace glint::measure {
+namespace {
+
+using Times = std::vector<std::pair<std::string, double>>;
+using Samples = std::vector<std::pair<std::string, std::vector<double>>>;
+
+/// One sample a name and frame: a pass may run several times in a frame.
+void addSums(Samples& samples, const Times& passes) {
+    Times sums;
+    for (const auto& [name, milliseconds] : passes) {
+        const auto found = std::ranges::find(sums, name, &Times::value_type::first);
+        if (found == sums.end())
+            sums.emplace_back(name, milliseconds);
+        else
+            found->second += milliseconds;
+    }
+    for (const auto& [name, milliseconds] : sums) {
+        auto found = std::ranges::find(samples, name, &Samples::value_type::first);
+        if (found == samples.end())
+            found = samples.insert(samples.end(), {name, {}});
+        found->second.push_back(milliseconds);
+    }
+}
+
+} // namespace
+
+Spread Spread::of(std::vector<double> values) {
+    if (values.empty())
+        return {};
+    std::ranges::sort(values);
+    const auto at = [&](double share) {
+        return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+    };
+    return {at(0.5), at(0.95)};
+}
+
+double effectSum(const std::vector<std::pair<std::string, double>>& passes) {
+    double sum = 0;
+    for (const auto& [name, milliseconds] : passes)
+        if (name != "composite/statistics" && name != "prepare/dfg")
+            sum += milliseconds;
+    return sum;
+}
+
+void EffectTimes::add(const render::FrameTimes& times) {
+    addSums(passes_, times.effectPasses);
+    totals_.push_back(effectSum(times.effectPasses));
+    double floor = 0;
+    for (const auto& [name, milliseconds] : times.hostPasses)
+        if (name == FloorPass::kName)
+            floor += milliseconds;
+    floors_.push_back(floor);
+}
+
+void EffectTimes::addDrawn(const render::FrameTimes& times) {
+    Times drawn;
+    for (const auto& pass : times.hostPasses)
+        if (pass.first.starts_with("render/back_faces"))
+            drawn.push_back(pass);
+    addSums(hostPasses_, drawn);
+}
+
+std::vector<PassSpread> EffectTimes::passes() const {
+    std::vector<PassSpread> result;
+    for (const auto* samples : {&hostPasses_, &passes_})
+        for (const auto& [name, milliseconds] : *samples)
+            result.push_back({name, Spread::of(milliseconds)});
+    return result;
+}
+
+double EffectTimes::hostMs() const {
+    double sum = 0;
+    for (const auto& [name, milliseconds] : hostPasses_)
+        sum += Spread::of(milliseconds).median;
+    return sum;
+}
+
+Spread EffectTimes::total() const {
+    const Spread traced = Spread::of(totals_);
+    return {traced.median + hostMs(), traced.p95 + hostMs()};
+}
+
+double EffectTimes::floorMultiple() const {
+    std::vector<double> multiples;
+    for (size_t i = 0; i < totals_.size(); ++i)
+        if (floors_[i] > 0)
+            multiples.push_back((totals_[i] + hostMs()) / floors_[i]);
+    return Spread::of(multiples).median;
+}
+
+} // namespace glint::measure
