@@ -9,9 +9,10 @@
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
 #include "lib/environment.glsl"
+#include "lib/input_color.glsl"
 #include "lib/outcome_color.glsl"
-#include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
+#include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -62,9 +63,13 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
-    vec4 lit = texelFetch(litRadiance, px, 0);
+    bool fromGamma = (frame.constants.flags & kInputGamma) != 0u;
+    bool toGamma = (frame.constants.flags & kOutputGamma) != 0u;
+    vec4 stored = texelFetch(litRadiance, px, 0);
+    vec3 lit = linearColor(stored.rgb, fromGamma);
     float z = texelFetch(viewZ, px, 0).r;
-    vec3 result = lit.rgb; // untouched where nothing is reflected
+    vec3 result = lit;
+    bool untouched = true; // where nothing is reflected, the host's own bits
     vec4 reflection = texelFetch(reflected, px, 0);
     if (z < kBackgroundZ && reflection.a > 0.0) {
         Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
@@ -75,18 +80,28 @@ void main() {
         if (here.reflectivity > 0.0) {
             if (settings.model == 0u) {
                 bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
-                vec3 fallback = hasFallback ? sanitize(texelFetch(fallbackSpecular, px, 0).rgb) : vec3(0.0);
-                result = physical(sanitize(lit.rgb), fallback, reflection, f0, here.perceptualRoughness, NoV);
+                vec3 fallback = vec3(0.0);
+                if (hasFallback)
+                    fallback = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, fromGamma);
+                result = physical(lit, fallback, reflection, f0, here.perceptualRoughness, NoV);
             } else {
-                result = lerped(sanitize(lit.rgb), reflection, f0, NoV);
+                result = lerped(lit, reflection, f0, NoV);
             }
             result = sanitize(result); // two large halves make an infinite one
+            untouched = false;
         }
     }
-    if (settings.debugOutcome != 0u) {
-        RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
-        if (ray.outcome != kOutcomeNone)
+    if (settings.debugOutcome != 0u && z < kBackgroundZ) {
+        ivec2 tracePX = fullToTracePixel(frame.constants, px);
+        RayRecord ray = unpackRayRecord(texelFetch(rayRecord, tracePX, 0).xy);
+        if (ray.outcome != kOutcomeNone) {
             result = outcomeColor(ray, settings.maxSteps);
+            untouched = false;
+        }
     }
-    imageStore(composite, px, vec4(result, lit.a));
+    if (untouched && fromGamma == toGamma)
+        result = stored.rgb;
+    else if (toGamma)
+        result = encodeSrgb(result);
+    imageStore(composite, px, vec4(result, stored.a));
 }

@@ -25,7 +25,6 @@ March march(Ray r) {
     float startZ = rayViewZ(ray, 0.0);
     Sample before = Sample(0.0, ray.startPX, startZ, startZ);
     bool isInFront = true;
-    bool metBackFace = false;
     bool nearlyThickEnough = false;
     for (uint i = 1u; i <= steps; ++i) {
         result.iterations = i;
@@ -38,7 +37,6 @@ March march(Ray r) {
         Sample s = takeSample(ray, result.share, result.lookups);
         if (s.rayZ < s.sceneZ) {
             isInFront = true;
-            metBackFace = false;
             nearlyThickEnough = false;
         } else if (i > settings.selfCollisionSkip) {
             Sample hit = s;
@@ -46,13 +44,8 @@ March march(Ray r) {
             if (isInFront)
                 refine(ray, from, hit, result.lookups);
             uint met = meetSurface(r, from, hit, result.lookups);
-            if (met == kMeets) {
-                result.share = hit.share;
-                result.hitPX = hit.px;
-                result.outcome = kOutcomeHit;
+            if (endsMarch(met, hit, result))
                 return result;
-            }
-            metBackFace = metBackFace || met == kMeetsBehind;
             nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
             isInFront = false;
         }
@@ -61,8 +54,6 @@ March march(Ray r) {
 
     if (clip && ray.screenEnd < 1.0)
         result.outcome = kOutcomeOffScreen;
-    else if (metBackFace)
-        result.outcome = kOutcomeBackFace;
     else if (!isInFront)
         result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
     else if (ray.clippedNear)

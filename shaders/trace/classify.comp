@@ -8,8 +8,8 @@
 
 #include "lib/camera.glsl"
 #include "lib/fades.glsl"
-#include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
+#include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -20,15 +20,15 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 } frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D radianceWeight;
-layout(set = 0, binding = 4, rg32ui) uniform writeonly uimage2D rayRecord;
-layout(scalar, set = 0, binding = 5) buffer RaysBlock { // its header zeroed but for the group counts that stay 1
+layout(scalar, set = 0, binding = 10) buffer RaysBlock { // its header zeroed but for the group counts that stay 1
     RayListHeader header;
     uint pixels[];
 } rays;
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
 };
+
+#include "trace/traced.glsl"
 
 shared uint tileRays;
 shared uint tileStart;
@@ -59,10 +59,10 @@ uint placeInTile(bool needsRay) {
 }
 
 void main() {
-    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    bool inside = all(lessThan(px, ivec2(frame.constants.size)));
+    ivec2 tracePX = ivec2(gl_GlobalInvocationID.xy);
     bool needsRay = false;
-    if (inside) {
+    if (isTracePixel(frame.constants, tracePX)) {
+        ivec2 px = tracePixelToFull(frame.constants, tracePX);
         vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
         RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone);
         float z = texelFetch(viewZ, px, 0).r;
@@ -70,10 +70,8 @@ void main() {
             record.outcome = whyNoRay(z, unpackSurface(texelFetch(surface, px, 0).xy), uv);
             needsRay = record.outcome == kOutcomeNone;
         }
-        if (!needsRay) {
-            imageStore(radianceWeight, px, vec4(0.0));
-            imageStore(rayRecord, px, uvec4(packRayRecord(record), 0u, 0u));
-        }
+        if (!needsRay)
+            storeTraced(tracePX, vec3(0.0), 0.0, record);
     }
 
     if (gl_LocalInvocationIndex == 0u)
@@ -91,5 +89,5 @@ void main() {
     }
     barrier();
     if (needsRay)
-        rays.pixels[tileStart + place] = uint(px.x) | (uint(px.y) << 16);
+        rays.pixels[tileStart + place] = uint(tracePX.x) | (uint(tracePX.y) << 16);
 }

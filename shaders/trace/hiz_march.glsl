@@ -4,7 +4,7 @@
 #include "lib/pyramid.glsl"
 #include "trace/hit_test.glsl"
 
-layout(set = 0, binding = 8) uniform usampler2D pyramid;
+layout(set = 0, binding = 12) uniform usampler2D pyramid;
 
 /// Where a ray starts to look around: most leave a surface that is flat over this many pixels.
 const int kFirstLevel = 3;
@@ -52,7 +52,6 @@ March march(Ray r) {
     int maxLevel = int(settings.maxLevel);
     ivec2 screenSize = ivec2(frame.constants.size);
 
-    bool metBackFace = false;
     bool nearlyThickEnough = false;
     bool overX;
     // The first pixel is the ray's own.
@@ -95,15 +94,14 @@ March march(Ray r) {
                     bool flatCell = aboveFirst >= -rounding && aboveLast < -bounds.depth &&
                                     bounds.depth <= kFlatEnough * fall;
                     if (flatCell && result.iterations > settings.selfCollisionSkip) {
-                        float hitShare = clamp((-0.5 * bounds.depth - above) / climb, share, last);
-                        vec2 hitPX = ray.startPX + ray.deltaPX * hitShare;
-                        hitPX = clamp(hitPX, vec2(cell << level), vec2(min((cell + 1) << level, screenSize)) - 0.01);
-                        if (facesRay(normalAt(hitPX), r)) {
-                            result.share = hitShare;
-                            result.hitPX = hitPX;
-                            result.outcome = kOutcomeHit;
+                        // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
+                        float meets = clamp((-0.5 * bounds.depth - above) / climb, share, last);
+                        Sample s = takeSample(ray, meets, result.lookups);
+                        s.share = meets + 0.5 * pixelShare;
+                        s.rayZ = rayViewZ(ray, s.share);
+                        uint met = meetSurface(r, max(meets - 0.5 * pixelShare, 0.0), s, result.lookups);
+                        if (met == kMeets && endsMarch(met, s, result))
                             return result;
-                        }
                     }
                     if (level > minLevel) {
                         --level;
@@ -127,7 +125,6 @@ March march(Ray r) {
                         result.outcome = kOutcomeHit;
                         return result;
                     }
-                    metBackFace = true;
                 }
             }
         } else {
@@ -140,17 +137,11 @@ March march(Ray r) {
             s.sceneZ = texelFetch(viewZ, px, 0).r;
             ++result.lookups;
             if (s.rayZ < s.sceneZ) {
-                metBackFace = false;
                 nearlyThickEnough = false;
             } else if (result.iterations > settings.selfCollisionSkip) {
                 uint met = meetSurface(r, max(at - pixelShare, 0.0), s, result.lookups);
-                if (met == kMeets) {
-                    result.share = s.share;
-                    result.hitPX = s.px;
-                    result.outcome = kOutcomeHit;
+                if (endsMarch(met, s, result))
                     return result;
-                }
-                metBackFace = metBackFace || met == kMeetsBehind;
                 nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
             }
         }
@@ -169,9 +160,7 @@ March march(Ray r) {
         vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
         float sceneZ = texelFetch(viewZ, ivec2(endPX), 0).r;
         ++result.lookups;
-        if (metBackFace)
-            result.outcome = kOutcomeBackFace;
-        else if (rayViewZ(ray, 1.0) >= sceneZ)
+        if (rayViewZ(ray, 1.0) >= sceneZ)
             result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
         else if (ray.clippedNear)
             result.outcome = kOutcomeBehindCamera;

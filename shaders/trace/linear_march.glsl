@@ -11,8 +11,8 @@ uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, in
     float beforeShare = before.share;
     for (float share = beforeShare + pixelShare; share < s.share; share += pixelShare) {
         Sample fine = takeSample(r.screen, share, lookups);
-        uint met = meetSurface(r, beforeShare, fine, lookups);
-        if (met == kMeets || met == kMeetsBehind) {
+        uint met = fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
+        if (met == kMeets || met == kMeetsSide || met == kMeetsBehind) {
             s = fine;
             return met;
         }
@@ -35,8 +35,6 @@ March march(Ray r) {
 
     float startZ = rayViewZ(ray, 0.0);
     Sample before = Sample(0.0, ray.startPX, startZ, startZ);
-    bool wasInFront = false; // has the ray left its own surface?
-    bool metBackFace = false;
     bool nearlyThickEnough = false;
 
     for (uint i = 1u; i <= iterations; ++i) {
@@ -48,23 +46,16 @@ March march(Ray r) {
         }
         Sample s = takeSample(ray, result.share, result.lookups);
         if (s.rayZ < s.sceneZ) {
-            wasInFront = true;
-            metBackFace = false;
             nearlyThickEnough = false;
         } else if (i > settings.selfCollisionSkip) {
             Sample hit = s;
             uint met = meetSurface(r, before.share, hit, result.lookups);
-            if ((met == kMeets || met == kMeetsBehind) && settings.step > 1u && isOn(kTraceSmooth)) {
+            if (met != kPasses && met != kNearlyMeets && settings.step > 1u && isOn(kTraceSmooth)) {
                 hit = s;
                 met = refineBySinglePixels(r, before, hit, pixels, result.lookups);
             }
-            if (met == kMeets) {
-                result.share = hit.share;
-                result.hitPX = hit.px;
-                result.outcome = kOutcomeHit;
+            if (endsMarch(met, hit, result))
                 return result;
-            }
-            metBackFace = met == kMeetsBehind ? wasInFront : metBackFace;
             nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
         }
         before = s;
@@ -75,8 +66,6 @@ March march(Ray r) {
         result.outcome = kOutcomeOutOfSteps;
     else if (clip && ray.screenEnd < 1.0)
         result.outcome = kOutcomeOffScreen; // as the same ray would without clipping, whatever it passed behind
-    else if (metBackFace)
-        result.outcome = kOutcomeBackFace;
     else if (endsBehind)
         result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
     else if (ray.clippedNear)

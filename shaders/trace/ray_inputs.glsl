@@ -2,24 +2,21 @@
 #ifndef GLINT_TRACE_RAY_INPUTS_GLSL
 #define GLINT_TRACE_RAY_INPUTS_GLSL
 
-#include "lib/ray_record.glsl"
 #include "lib/screen_ray.glsl"
 #include "lib/surface.glsl"
+#include "shared/outcome.h"
 #include "shared/trace_constants.h"
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
 } frame;
-layout(scalar, set = 0, binding = 1) readonly buffer RaysBlock {
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
     RayListHeader header;
-    uint pixels[];
+    uint pixels[]; // of the traced image
 } rays;
-layout(set = 0, binding = 2) uniform sampler2D viewZ;
-layout(set = 0, binding = 3) uniform sampler2D backViewZ; // of any size
-layout(set = 0, binding = 4) uniform usampler2D surface;
-layout(set = 0, binding = 5) uniform sampler2D litRadiance;
-layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D radianceWeight; // radiance, not multiplied by weight
-layout(set = 0, binding = 7, rg32ui) uniform writeonly uimage2D rayRecord;
+layout(set = 0, binding = 11) uniform sampler2D backViewZ; // of any size
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
 };

@@ -1,8 +1,10 @@
 // One ray of the list: where it starts, the marcher's walk (`March march(Ray)`), and what its end is worth.
 #include "lib/fades.glsl"
 #include "lib/noise.glsl"
-#include "lib/sanitize.glsl"
+#include "lib/trace_pixel.glsl"
+#include "trace/hit_color.glsl"
 #include "trace/ray_inputs.glsl"
+#include "trace/traced.glsl"
 
 layout(local_size_x = 64) in; // kRaysPerGroup
 
@@ -36,7 +38,8 @@ void main() {
                  gl_LocalInvocationIndex;
     if (index >= rays.header.rayCount)
         return;
-    ivec2 px = ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16);
+    ivec2 tracePX = ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16);
+    ivec2 px = tracePixelToFull(frame.constants, tracePX);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     Surface origin = unpackSurface(texelFetch(surface, px, 0).xy);
     vec3 originVS = viewPosition(frame.constants, uv, texelFetch(viewZ, px, 0).r);
@@ -51,7 +54,7 @@ void main() {
     ray.screen = makeScreenRay(frame.constants, originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);
 
-    bool hit = end.outcome == kOutcomeHit;
+    bool hit = end.outcome == kOutcomeHit || end.outcome == kOutcomeSide;
     vec2 endPX = hit ? end.hitPX : ray.screen.startPX + ray.screen.deltaPX * end.share;
     RayRecord record;
     record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
@@ -62,9 +65,8 @@ void main() {
     vec4 answer = vec4(0.0);
     if (hit) {
         float VoR = dot(-toSurfaceVS, ray.directionVS);
-        answer.rgb = sanitize(texelFetch(litRadiance, ivec2(end.hitPX), 0).rgb);
+        answer.rgb = hitRadiance(ivec2(end.hitPX));
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
-    imageStore(radianceWeight, px, answer);
-    imageStore(rayRecord, px, uvec4(packRayRecord(record), 0u, 0u));
+    storeTraced(tracePX, answer.rgb, answer.a, record);
 }

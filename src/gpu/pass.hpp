@@ -149,6 +149,8 @@ public:
     /// Makes the rest of the mip chain from level 0 by box filtering (linear formats and sRGB alike).
     void makeMips(Image& image);
     void copy(Image& source, Image& target);
+    /// The mean of a colour image's samples, into an image with one sample a pixel.
+    void resolve(Image& source, Image& target);
     /// Into a readback buffer of the same size, visible to the CPU once the GPU is done.
     void copyBuffer(Buffer& source, Buffer& readback);
 

@@ -17,18 +17,24 @@ constexpr uint32_t kDfgSize = 64;
 /// A host's images are read texel by texel, and many of their formats (depth, 16-bit normals) need not be filterable.
 constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
 
+bool wantsHistory(const Settings& settings) {
+    return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
+}
+
 } // namespace
 
 // ---------------------------------------------------------------- the frame, top to bottom
 
 void FrameState::record(gpu::Frame& frame, const View& view) {
     makeTables(frame);
+    turnHistory();
     prepare(frame, view);
     if (desc.settings.screen.enabled) {
         classify(frame);
         if (techniqueFor(desc.settings.screen.march).usesPyramid)
             makePyramid(frame);
         trace(frame);
+        denoise(frame);
     } else {
         forgetTrace(frame);
     }
@@ -54,13 +60,50 @@ void FrameState::makeTables(gpu::Frame& frame) {
     tablesMade = !frame.rehearsing();
 }
 
+/// The last frame's picture becomes the history, and this frame's takes the place of the one before.
+void FrameState::turnHistory() {
+    const bool wanted = wantsHistory(desc.settings);
+    usesHistory = wanted && historyHeld;
+    if (wanted) {
+        std::swap(composite, history.color);
+        std::swap(prepared.viewZ, history.viewZ);
+        if (usesHistory) // the host may have drawn over it since
+            history.color.states()[0] = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, 0, 0,
+                                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    }
+    historyHeld = wanted && !desc.settings.debug.outcome; // debug colours are no light
+}
+
 void FrameState::prepare(gpu::Frame& frame, const View& view) {
+    const Settings& settings = desc.settings;
     shared::FrameConstants constants = makeFrameConstants(view, conventions, desc.width, desc.height);
-    constants.flags |=
-        (inputs.environment ? shared::kInputEnvironment : 0) | (inputs.fallbackSpecular ? shared::kInputFallback : 0);
+    const bool sameProjection = ((constants.flags ^ lastFrame.flags) & shared::kInputOrthographic) == 0;
+    usesHistory = usesHistory && sameProjection;
+    const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
+    flag(static_cast<bool>(inputs.environment), shared::kInputEnvironment);
+    flag(static_cast<bool>(inputs.fallbackSpecular), shared::kInputFallback);
+    flag(static_cast<bool>(inputs.motion), shared::kInputMotion);
+    flag(usesHistory, shared::kInputHistory);
+    flag(historyGamma, shared::kHistoryGamma);
+    flag(settings.input.colorIsGamma, shared::kInputGamma);
+    flag(settings.output.colorIsGamma, shared::kOutputGamma);
+    traced.eightBits = settings.screen.targetFormat == TargetFormat::Rgba8;
+    flag(traced.eightBits, shared::kTraceTarget8);
+    traced.width = tracedPixels(settings, desc.width);
+    traced.height = tracedPixels(settings, desc.height);
+    constants.traceSize = {traced.width, traced.height};
+    constants.traceScale = constants.size / constants.traceSize;
+    constants.motionScale = {conventions.motionScale[0], conventions.motionScale[1]};
+    constants.viewToPrevView = glm::mat4(glm::dmat4(lastFrame.worldToView) * glm::dmat4(constants.viewToWorld));
+    constants.prevViewToPixel = lastFrame.viewToPixel;
+    constants.prevUvToView = lastFrame.uvToView;
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
     constants.worldToEnvironment = glm::rotate(glm::mat4(1), -environmentRotation, glm::vec3(0, 1, 0));
+    if (!frame.rehearsing()) {
+        lastFrame = constants;
+        historyGamma = settings.output.colorIsGamma;
+    }
     frame.update(frameConstants, &constants, sizeof(constants));
     frame.pass(pipelines.surface)
         .read("frame", frameConstants)
@@ -86,21 +129,20 @@ void FrameState::prepareBackFaces(gpu::Frame& frame) {
 }
 
 TraceInputs FrameState::traceInputs() {
-    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces};
+    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces, usesHistory ? &history : nullptr, black};
 }
 
 void FrameState::classify(gpu::Frame& frame) {
     constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, 0};
     frame.update(rays.list, &kNoRays, sizeof(kNoRays));
-    frame.pass(pipelines.classify)
-        .read("frame", frameConstants)
+    gpu::Pass pass = frame.pass(pipelines.classify);
+    pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .write("radianceWeight", traced.radianceWeight)
-        .write("rayRecord", traced.rayRecord)
-        .readWrite("rays", rays.list)
+        .readWrite("rays", rays.list);
+    writeTraced(pass, traced, false)
         .push(traceConstants(desc.settings, hasBackFaces))
-        .dispatch(desc.width, desc.height);
+        .dispatch(traced.width, traced.height);
 }
 
 void FrameState::makePyramid(gpu::Frame& frame) {
@@ -124,11 +166,16 @@ void FrameState::trace(gpu::Frame& frame) {
     untraced = false;
 }
 
+void FrameState::denoise(gpu::Frame& frame) {
+    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
+}
+
 /// While the screen source is off, its images say that no ray was traced.
 void FrameState::forgetTrace(gpu::Frame& frame) {
-    if (untraced)
+    if (untraced && denoised.answer == &traced.target())
         return;
-    frame.clear(traced.radianceWeight, {});
+    denoised.answer = &traced.target();
+    frame.clear(traced.target(), {});
     frame.clear(traced.rayRecord, {});
     untraced = !frame.rehearsing();
 }
@@ -139,7 +186,7 @@ void FrameState::combine(gpu::Frame& frame) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("radianceWeight", traced.radianceWeight)
+        .read("radianceWeight", *denoised.answer)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
@@ -173,9 +220,10 @@ void FrameState::compose(gpu::Frame& frame) {
 void FrameState::countOutcomes(gpu::Frame& frame) {
     frame.fill(statistics, 0);
     frame.pass(pipelines.statistics)
+        .read("frame", frameConstants)
         .read("rayRecord", traced.rayRecord)
         .readWrite("statistics", statistics)
-        .dispatch(desc.width, desc.height);
+        .dispatch(traced.width, traced.height);
     frame.copyBuffer(statistics, statisticsReadback);
 }
 
@@ -192,7 +240,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("radianceWeight", traced.radianceWeight)
+        .read("radianceWeight", *denoised.answer)
         .read("rayRecord", traced.rayRecord)
         .read("reflected", reflected.reflected)
         .read("weights", reflected.weights)
@@ -215,13 +263,14 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
         GLINT_TRY(pipeline, Pipeline::compute(context, {technique.shader, sizeof(shared::TraceConstants), {}}));
         trace.push_back(std::move(pipeline));
     }
+    GLINT_TRY(denoise, DenoisePipelines::create(context));
     GLINT_TRY(combine, Pipeline::compute(context, {"hierarchy/combine", sizeof(shared::HierarchyConstants), {}}));
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface), std::move(backFaces), std::move(dfg),       std::move(classify),
-                     std::move(pyramid), std::move(trace),     std::move(combine),   std::move(composite),
-                     std::move(view),    std::move(statistics)};
+    return Pipelines{std::move(surface),   std::move(backFaces), std::move(dfg),     std::move(classify),
+                     std::move(pyramid),   std::move(trace),     std::move(denoise), std::move(combine),
+                     std::move(composite), std::move(view),      std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -240,28 +289,66 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     return state;
 }
 
-Result<void> FrameState::createImages() {
-    struct Wanted {
-        gpu::Image* image;
-        const char* name;
-        VkFormat format;
-        uint32_t width;
-        uint32_t height;
-        VkImageUsageFlags more; ///< besides being sampled and stored
-        gpu::ImageShape shape = gpu::ImageShape::Flat;
-    };
+namespace {
+
+struct WantedImage {
+    gpu::Image* image;
+    const char* name;
+    VkFormat format;
+    uint32_t width;
+    uint32_t height;
+    VkImageUsageFlags more; ///< besides being sampled and stored
+    gpu::ImageShape shape = gpu::ImageShape::Flat;
+};
+
+constexpr VkImageUsageFlags kCleared = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+constexpr VkImageUsageFlags kComposite =
+    VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT; ///< hosts blend over it
+
+/// Nothing to do if it is there already.
+Result<void> makeImage(gpu::Context& context, const WantedImage& wanted) {
+    if (*wanted.image)
+        return {};
+    GLINT_TRY(image,
+              gpu::Image::create(context, {wanted.name, wanted.format, wanted.width, wanted.height, 1,
+                                           wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
+                                           VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
+    *wanted.image = std::move(image);
+    return {};
+}
+
+} // namespace
+
+/// Nothing is ever taken away: frames in flight may still read it.
+Result<void> FrameState::makeImagesFor(const Settings& settings) {
     const uint32_t w = desc.width;
     const uint32_t h = desc.height;
-    constexpr VkImageUsageFlags kCleared = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    std::vector<Wanted> images = {
+    if (settings.screen.targetFormat == TargetFormat::Rgba8)
+        GLINT_CHECK(makeImage(
+            *context, {&traced.radianceWeight8, "glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared}));
+    else
+        GLINT_CHECK(makeImage(
+            *context, {&traced.radianceWeight, "glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared}));
+    if (settings.screen.colorSource == ColorSource::Previous) {
+        GLINT_CHECK(makeImage(
+            *context, {&history.color, "glint/previousComposite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite}));
+        GLINT_CHECK(makeImage(*context, {&history.viewZ, "glint/previousViewZ", VK_FORMAT_R32_SFLOAT, w, h, 0}));
+    }
+    return makeDenoiseImages(*context, settings, w, h, denoised);
+}
+
+Result<void> FrameState::createImages() {
+    const uint32_t w = desc.width;
+    const uint32_t h = desc.height;
+    std::vector<WantedImage> images = {
         {&prepared.viewZ, "glint/viewZ", VK_FORMAT_R32_SFLOAT, w, h, 0},
         {&prepared.surface, "glint/surface", VK_FORMAT_R32G32_UINT, w, h, 0},
-        {&traced.radianceWeight, "glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared},
+        {&traced.unused, "glint/unused", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, 0},
+        {&traced.unused8, "glint/unused8", VK_FORMAT_R8G8B8A8_UNORM, 1, 1, 0},
         {&traced.rayRecord, "glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared},
         {&reflected.reflected, "glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, 0},
         {&reflected.weights, "glint/weights", VK_FORMAT_R8G8B8A8_UNORM, w, h, 0},
-        {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h,
-         VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}, // hosts blend over it
+        {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite},
         {&dfg, "glint/dfg", VK_FORMAT_R16G16_SFLOAT, kDfgSize, kDfgSize, 0},
         {&black, "glint/black", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared},
         {&blackCube, "glint/blackCube", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared, gpu::ImageShape::Cube},
@@ -269,13 +356,8 @@ Result<void> FrameState::createImages() {
     if (desc.views)
         images.push_back({&viewImage, "glint/view", VK_FORMAT_R32G32B32A32_SFLOAT, w, h,
                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | kCleared});
-    for (const Wanted& wanted : images) {
-        GLINT_TRY(image, gpu::Image::create(*context,
-                                            {wanted.name, wanted.format, wanted.width, wanted.height, 1,
-                                             wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
-                                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
-        *wanted.image = std::move(image);
-    }
+    for (const WantedImage& wanted : images)
+        GLINT_CHECK(makeImage(*context, wanted));
 
     GLINT_TRY(constants,
               gpu::Buffer::create(*context, {"glint/frame", sizeof(shared::FrameConstants),
@@ -331,6 +413,7 @@ Result<void> FrameState::createPyramid() {
 }
 
 Result<void> FrameState::setSettings(const Settings& settings) {
+    GLINT_CHECK(makeImagesFor(settings));
     if (techniqueFor(settings.screen.march).usesPyramid && !pyramid.cells)
         GLINT_CHECK(createPyramid());
     desc.settings = settings;
@@ -363,6 +446,7 @@ Result<void> FrameState::rehearse() {
     makePyramid(frame);
     for (size_t i = 0; i < techniques().size(); ++i)
         techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);
+    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
     combine(frame);
     compose(frame);
     if (desc.statistics)

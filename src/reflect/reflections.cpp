@@ -140,6 +140,10 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     if (gbuffer.fallbackSpecular)
         GLINT_CHECK(checkImage(gbuffer.fallbackSpecular, "fallbackSpecular", desc));
     GLINT_CHECK(checkBackDepth(gbuffer.backDepth));
+    if (gbuffer.motion)
+        GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
+    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
+        return invalidArgument("motionScale must be finite");
     if (gbuffer.conventions.roughnessChannel > 3)
         return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3",
                                gbuffer.conventions.roughnessChannel);
@@ -168,12 +172,15 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
               borrow(host.litRadiance, "litRadiance"),
               borrow(host.fallbackSpecular, "fallbackSpecular"),
               borrow(host.backDepth, "backDepth"),
+              borrow(host.motion, "motion"),
               borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
     state.lastView = view;
     state.ranPasses = state.anySource() || state.desc.settings.debug.outcome;
     state.upToDate = state.ranPasses;
-    if (!state.ranPasses)
+    if (!state.ranPasses) {
+        state.historyHeld = false;
         return host.litRadiance;
+    }
 
     gpu::Frame frame(*state.context, commands, state.timers.get());
     state.record(frame, view);
@@ -189,6 +196,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     giveBack(inputs.litRadiance, host.litRadiance);
     giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
     giveBack(inputs.backDepth, host.backDepth);
+    giveBack(inputs.motion, host.motion);
     giveBack(inputs.environment, state_->environment.cube);
     return handOut(state.composite);
 }

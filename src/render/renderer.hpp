@@ -35,7 +35,8 @@ public:
                                    Environment&& environment, const RenderSettings& settings);
 
     /// Makes the G-buffer; call before the first frame and when its size or how it is drawn changes.
-    /// Errors: InvalidArgument for a size outside what the device can make; OutOfMemory.
+    /// Errors: InvalidArgument for a size outside what the device can make; Unsupported for a number of samples that it
+    /// cannot draw; OutOfMemory.
     Result<void> resize(uint32_t width, uint32_t height, const GBufferOptions& options = {});
     /// Takes new settings; makes larger shadow maps if they ask for some. `analyticSky` is the environment's matter:
     /// see Environment::createSky and setEnvironment. Errors: OutOfMemory.
@@ -61,6 +62,7 @@ public:
 private:
     explicit Renderer(gpu::Context& context) : context_(&context) {}
     Result<void> placeLights();
+    Result<void> makePasses(const GBufferOptions& options);
     Result<void> rehearse();
     void updateView(gpu::Frame& frame, const ViewParameters& parameters);
     LightingInputs lightingInputs();

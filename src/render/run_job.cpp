@@ -131,7 +131,8 @@ struct JobSession::State {
 
     Result<void> resizeGBuffer() {
         drawn_ = false;
-        return renderer_->resize(inputs_.width, inputs_.height, gbufferOptions(job_.settings.reflections));
+        return renderer_->resize(inputs_.width, inputs_.height,
+                                 gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias));
     }
 
     /// Made anew for other settings: some of them are decided when it is created.
@@ -206,6 +207,7 @@ struct JobSession::State {
         inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
         if (g.backDepth)
             inputs.backDepth = lend(frame, g.backDepth);
+        inputs.motion = lend(frame, g.motion);
         return inputs;
     }
 

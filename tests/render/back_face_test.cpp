@@ -111,7 +111,7 @@ TEST_F(BackFaceTest, CoarserIsSmallerRoundedUp) {
 TEST_F(BackFaceTest, SettingsDecide) {
     Settings settings;
     settings.screen.thicknessMode = ThicknessMode::Constant;
-    EXPECT_FALSE(render::gbufferOptions(settings).backFaces);
+    EXPECT_FALSE(render::gbufferOptions(settings, render::Antialias::None).backFaces);
     settings.screen.thicknessMode = ThicknessMode::Backface;
     settings.screen.backfaceDownsample = 3;
     settings.screen.backfaceTransparents = false;
@@ -119,9 +119,9 @@ TEST_F(BackFaceTest, SettingsDecide) {
     wanted.backFaces = true;
     wanted.backFaceDownsample = 3;
     wanted.backFaceTransparents = false;
-    EXPECT_EQ(render::gbufferOptions(settings), wanted);
+    EXPECT_EQ(render::gbufferOptions(settings, render::Antialias::None), wanted);
     settings.screen.enabled = false;
-    EXPECT_FALSE(render::gbufferOptions(settings).backFaces) << "nobody would read them";
+    EXPECT_FALSE(render::gbufferOptions(settings, render::Antialias::None).backFaces) << "nobody would read them";
 }
 
 } // namespace

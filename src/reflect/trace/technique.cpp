@@ -21,24 +21,33 @@ const Technique& techniqueFor(March march) {
     return *found;
 }
 
+gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs) {
+    constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
+    return pass.read("litRadiance", inputs.host.litRadiance, kTexels)
+        .read("prevColor", inputs.history ? inputs.history->color : inputs.black, kTexels)
+        .read("prevViewZ", inputs.history ? inputs.history->viewZ : inputs.black, kTexels)
+        .read("motion", inputs.host.motion ? inputs.host.motion : inputs.black, kTexels);
+}
+
+gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out, bool keep) {
+    return pass.write("radianceWeight", out.eightBits ? out.unused : out.radianceWeight, 0, keep)
+        .write("radianceWeight8", out.eightBits ? out.radianceWeight8 : out.unused8, 0, keep)
+        .write("rayRecord", out.rayRecord, 0, keep);
+}
+
 gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
                     Traced& out) {
     shared::TraceConstants constants = traceConstants(settings, inputs.backFacesKnown);
     constants.minLevel = std::min(constants.minLevel, inputs.pyramid.levels);
-    constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
-    constants.pixelSpacing = settings.adaptive.pixelSpacing;
-    constants.refinements = static_cast<uint32_t>(settings.adaptive.refinements);
     constants.maxLevel = std::min(constants.maxLevel, inputs.pyramid.levels);
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frameConstants)
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
         .read("backViewZ", inputs.prepared.backViewZ)
-        .read("surface", inputs.prepared.surface)
-        .read("litRadiance", inputs.host.litRadiance, gpu::SamplerKind::NearestClamp)
-        .write("radianceWeight", out.radianceWeight, 0, true)
-        .write("rayRecord", out.rayRecord, 0, true)
-        .push(constants);
+        .read("surface", inputs.prepared.surface);
+    readHitColor(pass, inputs);
+    writeTraced(pass, out, true).push(constants);
     return pass;
 }
 
@@ -51,12 +60,16 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
         settings.screen.thicknessMode == ThicknessMode::Relative ? settings.screen.thicknessRelative : 0;
     if (hiz)
         constants.thicknessRelative += settings.hiz.depthBias;
-    constants.roughnessFactor = settings.rough.factor;
+    // With a blur, roughness widens that instead: jitter would only make it noisy.
+    constants.roughnessFactor = settings.blur.strength > 0 ? 0 : settings.rough.factor;
     switch (settings.screen.march) {
     case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
     case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
     case March::Hiz: constants.maxSteps = static_cast<uint32_t>(settings.hiz.maxIterations); break;
     }
+    constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
+    constants.pixelSpacing = settings.adaptive.pixelSpacing;
+    constants.refinements = static_cast<uint32_t>(settings.adaptive.refinements);
     constants.step = static_cast<uint32_t>(settings.screen.step);
     constants.selfCollisionSkip = static_cast<uint32_t>(settings.screen.selfCollisionSkip);
     constants.roughnessFadeStart = settings.reflect.roughnessFadeStart;

@@ -17,6 +17,8 @@ struct TraceInputs {
     Rays& rays;
     Pyramid& pyramid; ///< made if Technique::usesPyramid
     bool backFacesKnown = false;
+    History* history;  ///< null: hits take this frame's colour
+    gpu::Image& black; ///< stands in for what is absent
 };
 
 struct Technique {
@@ -36,6 +38,11 @@ const Technique& techniqueFor(March march);
 
 /// Settings as the tracing shaders take them.
 shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKnown);
+
+/// Binds what shaders/trace/hit_color.glsl reads.
+gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs);
+/// Binds what shaders/trace/traced.glsl writes; `keep`: other passes wrote the rest of it.
+gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out, bool keep);
 
 /// The pass of any marcher over the listed rays, still without what only it reads.
 gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
