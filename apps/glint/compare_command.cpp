@@ -27,17 +27,8 @@ struct CompareOptions {
 Result<std::vector<ComparedConfig>> makeConfigs(const CompareOptions& options) {
     std::vector<ComparedConfig> configs;
     for (const std::string& text : options.configs) {
-        GLINT_TRY(request, readConfig(text));
-        RenderOptions render = options.scene;
-        render.frames = 1;
-        request.assignments.insert(request.assignments.begin(), options.scene.settings.assignments.begin(),
-                                   options.scene.settings.assignments.end());
-        render.settings = std::move(request);
-        auto job = makeRenderJob(render);
-        if (!job && job.error().message.starts_with("--set "))
-            return makeError(job.error().code, "--config {}: {}", printable(text), job.error().message.substr(6));
-        GLINT_CHECK(job);
-        configs.push_back({text, std::move(job).value()});
+        GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, text));
+        configs.push_back({text, std::move(job)});
     }
     return configs;
 }

@@ -59,4 +59,19 @@ Result<render::SettingsRequest> readConfig(std::string_view text) {
     return request;
 }
 
+Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std::string& scene,
+                                        const std::string& config) {
+    GLINT_TRY(request, readConfig(config));
+    request.assignments.insert(request.assignments.begin(), options.settings.assignments.begin(),
+                               options.settings.assignments.end());
+    RenderOptions one = options;
+    one.scene = scene;
+    one.frames = 1;
+    one.settings = std::move(request);
+    auto job = makeRenderJob(one);
+    if (!job && job.error().message.starts_with("--set "))
+        return makeError(job.error().code, "--config {}: {}", printable(config), job.error().message.substr(6));
+    return job;
+}
+
 } // namespace glint::cli

@@ -3,6 +3,7 @@
 
 #include "base/result.hpp"
 #include "render/program_settings.hpp"
+#include "render_options.hpp"
 
 #include <string>
 #include <string_view>
@@ -16,5 +17,10 @@ extern const char* const kConfigHelp;
 /// a .json file, then KEY=VALUE; the base and what follows are parted by + or a comma, assignments by commas. Errors:
 /// InvalidArgument names `--config` and the text. Keys and values are checked later, by render::loadSettings.
 Result<render::SettingsRequest> readConfig(std::string_view text);
+
+/// The job of a scene with one config. `options` has what all configs share: its assignments are weaker than theirs.
+/// Errors: as readConfig's and makeRenderJob's; they name `--config` and the text.
+Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std::string& scene,
+                                        const std::string& config);
 
 } // namespace glint::cli

@@ -39,6 +39,7 @@ render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
     reflections.reflect.roughnessFadeStart = 1;
     reflections.reflect.maxRoughness = 1;
     reflections.rough.factor = 0;
+    all.render.display.antialias = render::Antialias::None; // one surface a pixel
     return all;
 }
 

@@ -9,7 +9,7 @@
 namespace glint::cli {
 
 /// These settings with every reflective pixel traced along its mirror direction: no threshold, no roughness cut, no
-/// jitter. Hits are measured on it.
+/// jitter, one sample a pixel. Hits are measured on it.
 render::ProgramSettings hitSettings(const render::ProgramSettings& settings);
 
 /// The views that measureHits needs.

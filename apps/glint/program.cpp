@@ -49,6 +49,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render)
     if (render)
         addRenderCommand(program, chosen, render);
     addCompareCommand(program, chosen);
+    addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);
     if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())

@@ -36,24 +36,6 @@ std::string sceneList() {
     return joinText(names, ", ");
 }
 
-/// "1280x720"
-Result<void> readSize(const std::string& text, render::RenderJob& job) {
-    const char* const end = text.data() + text.size();
-    uint64_t width = 0, height = 0;
-    const auto [x, widthError] = std::from_chars(text.data(), end, width);
-    if (widthError != std::errc() || x == end || *x != 'x')
-        return invalidArgument("--size {}: expected WIDTHxHEIGHT, as in 1280x720", printable(text));
-    const auto [rest, heightError] = std::from_chars(x + 1, end, height);
-    if (heightError != std::errc() || rest != end)
-        return invalidArgument("--size {}: expected WIDTHxHEIGHT, as in 1280x720", printable(text));
-    const uint64_t largest = scene::kMaxImageSide;
-    if (width < 1 || height < 1 || width > largest || height > largest)
-        return invalidArgument("--size {}: each side must be 1 to {} pixels", printable(text), largest);
-    job.width = static_cast<uint32_t>(width);
-    job.height = static_cast<uint32_t>(height);
-    return {};
-}
-
 /// An EXR file always has the frame itself as its main layer; a PNG file shows the views that were asked for.
 Result<std::vector<std::string>> chooseViews(const RenderOptions& options, PictureKind kind) {
     std::vector<std::string> views;
@@ -79,6 +61,23 @@ std::vector<std::string> sceneDefaults(std::string_view scene) {
 }
 
 } // namespace
+
+Result<void> readSize(std::string_view option, const std::string& text, render::RenderJob& job) {
+    const char* const end = text.data() + text.size();
+    uint64_t width = 0, height = 0;
+    const auto [x, widthError] = std::from_chars(text.data(), end, width);
+    if (widthError != std::errc() || x == end || *x != 'x')
+        return invalidArgument("{} {}: expected WIDTHxHEIGHT, as in 1280x720", option, printable(text));
+    const auto [rest, heightError] = std::from_chars(x + 1, end, height);
+    if (heightError != std::errc() || rest != end)
+        return invalidArgument("{} {}: expected WIDTHxHEIGHT, as in 1280x720", option, printable(text));
+    const uint64_t largest = scene::kMaxImageSide;
+    if (width < 1 || height < 1 || width > largest || height > largest)
+        return invalidArgument("{} {}: each side must be 1 to {} pixels", option, printable(text), largest);
+    job.width = static_cast<uint32_t>(width);
+    job.height = static_cast<uint32_t>(height);
+    return {};
+}
 
 Result<void> checkFolder(std::string_view option, const std::string& file) {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
@@ -127,7 +126,7 @@ Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
     job.validate = options.validate;
     job.seed = options.seed;
     if (!options.size.empty())
-        GLINT_CHECK(readSize(options.size, job));
+        GLINT_CHECK(readSize("--size", options.size, job));
     if (!std::isfinite(options.time))
         return invalidArgument("--time {}: expected a number of seconds", options.time);
     job.time = options.time;

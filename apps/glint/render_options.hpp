@@ -35,6 +35,9 @@ void addSceneOptions(CLI::App& command, RenderOptions& options);
 /// What SCENE may be.
 std::string sceneHelp();
 
+/// "1280x720" into the job. Errors: InvalidArgument names the option.
+Result<void> readSize(std::string_view option, const std::string& text, render::RenderJob& job);
+
 /// Errors: NotFound if the folder that `file` is to be written to is not there.
 Result<void> checkFolder(std::string_view option, const std::string& file);
 

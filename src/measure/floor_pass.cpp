@@ -13,6 +13,8 @@ Result<FloorPass> FloorPass::create(gpu::Context& context, uint32_t width, uint3
 }
 
 void FloorPass::record(gpu::Frame& frame, render::GBuffer& gbuffer) {
+    if (gbuffer.deviceDepth.desc().samples > 1)
+        return;
     constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
     frame.pass(pipeline_)
         .read("depth", gbuffer.deviceDepth, kTexels)

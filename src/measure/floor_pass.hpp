@@ -12,6 +12,7 @@ public:
 
     /// `context` must know gpu::shaders::render(). Errors: OutOfMemory, Unsupported.
     static Result<FloorPass> create(gpu::Context& context, uint32_t width, uint32_t height);
+    /// Records nothing for a G-buffer with several samples a pixel, which no single read can stand for.
     void record(gpu::Frame& frame, render::GBuffer& gbuffer);
 
 private:
