@@ -29,13 +29,21 @@ public:
           walls_(sessions.size()) {}
 
     Result<std::vector<SeriesFigures>> run() {
+        std::vector<bool> drawnForEffect; // does the host draw anything for the effect alone?
         for (render::JobSession& session : sessions_) {
             GLINT_CHECK(session.resize(plan_.width, plan_.height));
-            GLINT_CHECK(session.renderFrame(0, framePlan(true, true))); // uploads, tables, the G-buffer
+            GLINT_TRY(first, session.renderFrame(0, framePlan(true, true))); // uploads, tables, the G-buffer
+            EffectTimes times;
+            times.addDrawn(first);
+            drawnForEffect.push_back(times.hostMs() > 0);
         }
-        GLINT_CHECK(rounds(plan_.warmUp, plan_.budgetSeconds / 4, false));
-        GLINT_CHECK(rounds(plan_.frames, plan_.budgetSeconds, true));
+        GLINT_CHECK(rounds(plan_.warmUp, 1, plan_.budgetSeconds / 4, false));
+        GLINT_CHECK(rounds(plan_.frames, kLeastFrames, plan_.budgetSeconds, true));
         for (size_t i = 0; i < sessions_.size(); ++i) {
+            if (drawnForEffect[i] && !plan_.redraw) {
+                GLINT_TRY(drawn, sessions_[i].renderFrame(++index_, framePlan(true, true)));
+                figures_[i].times.addDrawn(drawn);
+            }
             figures_[i].wallMs = Spread::of(walls_[i]);
             figures_[i].stats = sessions_[i].stats();
         }
@@ -56,10 +64,10 @@ private:
         return plan;
     }
 
-    Result<void> rounds(uint32_t count, double budgetSeconds, bool counted) {
+    Result<void> rounds(uint32_t count, uint32_t least, double budgetSeconds, bool counted) {
         const Clock::time_point start = Clock::now();
         for (uint32_t round = 0; round < count; ++round) {
-            if (round > 0 && budgetSeconds > 0 && secondsSince(start) > budgetSeconds)
+            if (round >= least && budgetSeconds > 0 && secondsSince(start) > budgetSeconds)
                 break;
             for (size_t i = 0; i < sessions_.size(); ++i) {
                 GLINT_TRY(off, sessions_[i].renderFrame(++index_, framePlan(plan_.redraw, false)));
@@ -67,22 +75,12 @@ private:
                 if (!counted)
                     continue;
                 figures_[i].times.add(on);
-                if (plan_.redraw || round == 0)
-                    GLINT_CHECK(addDrawn(i, on));
+                figures_[i].times.addFloor(off);
+                if (plan_.redraw)
+                    figures_[i].times.addDrawn(on);
                 walls_[i].push_back(on.wallMs - off.wallMs - countingMs(on));
             }
         }
-        return {};
-    }
-
-    /// What the host draws for the effect alone, from this frame or, where frames are not drawn, from one more.
-    Result<void> addDrawn(size_t i, const render::FrameTimes& on) {
-        if (plan_.redraw) {
-            figures_[i].times.addDrawn(on);
-            return {};
-        }
-        GLINT_TRY(drawn, sessions_[i].renderFrame(++index_, framePlan(true, true)));
-        figures_[i].times.addDrawn(drawn);
         return {};
     }
 

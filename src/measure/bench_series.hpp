@@ -9,13 +9,15 @@
 
 namespace glint::measure {
 
+constexpr uint32_t kLeastFrames = 3;
+
 struct SeriesPlan {
     uint32_t width = 0; ///< pixels
     uint32_t height = 0;
     std::optional<float> share; ///< of the surfaces that become mirrors (SharePass); none: the scene's own materials
     uint32_t warmUp = 10;       ///< frames of each settings that are not counted
     uint32_t frames = 30;       ///< that are; >= 1
-    double budgetSeconds = 0;   ///< fewer frames (one at least) when they take longer; 0: no limit
+    double budgetSeconds = 0;   ///< fewer frames (kLeastFrames at least) when they take longer; 0: no limit
     bool redraw = false;        ///< draw the whole frame each time; false: the G-buffer once, then the effect alone
 };
 

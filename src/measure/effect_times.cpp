@@ -51,11 +51,13 @@ double effectSum(const std::vector<std::pair<std::string, double>>& passes) {
 void EffectTimes::add(const render::FrameTimes& times) {
     addSums(passes_, times.effectPasses);
     totals_.push_back(effectSum(times.effectPasses));
-    double floor = 0;
+    addFloor(times);
+}
+
+void EffectTimes::addFloor(const render::FrameTimes& times) {
     for (const auto& [name, milliseconds] : times.hostPasses)
         if (name == FloorPass::kName)
-            floor += milliseconds;
-    floors_.push_back(floor);
+            floors_.push_back(milliseconds);
 }
 
 void EffectTimes::addDrawn(const render::FrameTimes& times) {
@@ -87,11 +89,7 @@ Spread EffectTimes::total() const {
 }
 
 double EffectTimes::floorMultiple() const {
-    std::vector<double> multiples;
-    for (size_t i = 0; i < totals_.size(); ++i)
-        if (floors_[i] > 0)
-            multiples.push_back((totals_[i] + hostMs()) / floors_[i]);
-    return Spread::of(multiples).median;
+    return floor().median > 0 ? total().median / floor().median : 0;
 }
 
 } // namespace glint::measure

@@ -28,13 +28,15 @@ double effectSum(const std::vector<std::pair<std::string, double>>& passes);
 class EffectTimes {
 public:
     void add(const render::FrameTimes& times);
+    /// A frame without the effect: its floor counts too, as a pass so short needs more samples.
+    void addFloor(const render::FrameTimes& times);
     /// A frame that was drawn: takes what the host draws for the reflections alone (back-face depth), which counts too.
     void addDrawn(const render::FrameTimes& times);
     size_t frames() const { return totals_.size(); }
     std::vector<PassSpread> passes() const; ///< in the order in which they run
     Spread total() const;
     Spread floor() const { return Spread::of(floors_); }
-    /// Median of total / floor, frame by frame: what slows both down at once cancels out. 0 without a floor.
+    /// Median of the effect over median of the floor; 0 without a floor.
     double floorMultiple() const;
     double hostMs() const; ///< medians of what addDrawn took; part of `total`
 

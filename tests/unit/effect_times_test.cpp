@@ -27,13 +27,17 @@ TEST(EffectTimes, SumsTheEffectsOwnPassesAndLeavesOutCountingAndTables) {
     EXPECT_EQ(times.passes()[1].ms.median, 3); // twice in a frame
 }
 
-TEST(EffectTimes, TheMultipleIsTakenFrameByFrame) {
-    EffectTimes times; // the machine slows down by 10 for one frame
-    times.add(frame(1, 9));
-    times.add(frame(10, 117));
-    times.add(frame(1, 9));
-    EXPECT_EQ(times.floorMultiple(), 12);
-    EXPECT_EQ(times.frames(), 3u);
+TEST(EffectTimes, TheFloorOfFramesWithoutTheEffectCountsToo) {
+    EffectTimes times;
+    times.add(frame(10, 9));
+    render::FrameTimes off = frame(2, 0);
+    off.effectPasses.clear();
+    times.addFloor(off);
+    times.addFloor(off);
+    EXPECT_EQ(times.frames(), 1u);
+    EXPECT_EQ(times.floor().median, 2);
+    EXPECT_EQ(times.floorMultiple(), 6);
+    EXPECT_EQ(EffectTimes().floorMultiple(), 0);
 }
 
 TEST(EffectTimes, WhatTheHostDrawsForTheEffectCounts) {
