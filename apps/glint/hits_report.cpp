@@ -82,6 +82,8 @@ Json hitFiguresJson(const measure::HitFigures& figures, const OutcomeNames& outc
     json["positionError95"] = figures.positionError95;
     json["lookupsPerRay"] = figures.lookupsMean;
     json["lookups95"] = figures.lookups95;
+    json["dipping"] = figures.dipping;
+    json["dippingWrong"] = figures.dippingWrong;
     json["outcomes"] = countsJson(figures.outcomes, outcomeNames);
     json["missedByOutcome"] = countsJson(figures.missedByOutcome, outcomeNames);
     Json wrong = Json::object();
