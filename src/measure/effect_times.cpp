@@ -3,6 +3,7 @@
 #include "measure/floor_pass.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint::measure {
 namespace {
@@ -35,7 +36,7 @@ Spread Spread::of(std::vector<double> values) {
         return {};
     std::ranges::sort(values);
     const auto at = [&](double share) {
-        return values[static_cast<size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+        return values[static_cast<size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
     };
     return {at(0.5), at(0.95)};
 }

@@ -26,8 +26,8 @@ struct ReportedRay {
 ReportedRay reportedRay(std::span<const float> rays, size_t pixel) {
     const float* ray = rays.data() + 4 * pixel;
     return {{ray[0], ray[1]},
-            std::min(static_cast<uint32_t>(ray[2] + 0.5f), shared::kOutcomeCount - 1),
-            static_cast<uint32_t>(ray[3] + 0.5f)};
+            std::min(static_cast<uint32_t>(ray[2]), shared::kOutcomeCount - 1),
+            static_cast<uint32_t>(ray[3])};
 }
 
 bool wasTraced(uint32_t outcome) {
