@@ -26,7 +26,8 @@ struct FrameConstants {
     float environmentMips; // mips that roughness 0..1 spreads over
     uint frameIndex;
     uint seed;
-    float2 padding;
+    uint metallicChannel; // of the material image
+    uint materialKind;    // kMaterial*, MaterialKind of glint/gbuffer.hpp
 };
 
 GLINT_CONSTANT(uint, kInputOrthographic, 1);
@@ -39,6 +40,13 @@ GLINT_CONSTANT(uint, kInputSmoothness, 64);   // the roughness channel holds 1 -
 GLINT_CONSTANT(uint, kInputLeftHanded, 128);  // the host's view space looks down +Z
 GLINT_CONSTANT(uint, kInputEnvironment, 256); // an environment cube is there
 GLINT_CONSTANT(uint, kInputFallback, 512);    // a fallbackSpecular image is there
+GLINT_CONSTANT(uint, kInputHalfDepth, 1024);  // viewZ is rounded to sixteen bits
+GLINT_CONSTANT(uint, kInputMaterial, 2048);   // a material image is there
+
+GLINT_CONSTANT(uint, kMaterialF0Roughness, 0);
+GLINT_CONSTANT(uint, kMaterialMetallicRoughness, 1);
+GLINT_CONSTANT(uint, kMaterialSpecularGlossiness, 2);
+GLINT_CONSTANT(uint, kMaterialStandard, 3);
 
 GLINT_CONSTANT(float, kBackgroundZ, 1.0e30f); // viewZ of pixels that show no surface
 

@@ -11,6 +11,7 @@ namespace glint::reflect {
 
 struct Pipelines {
     gpu::Pipeline surface;
+    gpu::Pipeline surfaceSamples; ///< of hosts with several samples a pixel
     gpu::Pipeline backFaces;
     gpu::Pipeline dfg;
     std::vector<gpu::Pipeline> trace; ///< in the order of techniques()
@@ -40,6 +41,7 @@ struct FrameState {
     Traced traced;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
+    gpu::Image lastEdge;
     gpu::Image composite;
     gpu::Image dfg;
     gpu::Image viewImage;
@@ -60,6 +62,8 @@ struct FrameState {
     bool anySource() const;
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);
+    /// Makes room for what hosts with several samples a pixel need. Errors: OutOfMemory.
+    Result<void> expectSamples(uint32_t samples);
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
     /// Prepares first what the last frame did not need.
@@ -70,6 +74,7 @@ private:
     Result<void> rehearse();
     void makeTables(gpu::Frame& frame);
     void prepare(gpu::Frame& frame, const View& view);
+    void prepareSurface(gpu::Frame& frame, bool manySamples);
     void prepareBackFaces(gpu::Frame& frame);
     void trace(gpu::Frame& frame);
     void forgetTrace(gpu::Frame& frame);

@@ -21,7 +21,9 @@ constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
 /// Ours, as the library takes it: brought into the layout that we promise.
 HostImage lend(gpu::Frame& frame, gpu::Image& image) {
     frame.hand(image, kSampled);
-    return {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    host.samples = image.desc().samples;
+    return host;
 }
 
 /// The library's, as our own passes take it.
@@ -197,8 +199,8 @@ private:
                 GLINT_CHECK(displayInto(view, radiance));
             return view;
         }
-        if (name == "albedo" || name == "reflectivity") {
-            GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, name == "albedo" ? g.albedo : g.material));
+        if (name == "albedo") {
+            GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, g.albedo));
             view.rgba = std::move(rgba);
             return view;
         }
