@@ -1,9 +1,10 @@
 // prepare/surface for hosts with several samples a pixel. A pixel's samples may lie on different surfaces, whose mean is
 // a surface that does not exist: a wall and the floor far behind it average to a depth where nothing is and a normal
 // that faces nowhere, and mirrors show both as a rim. So one sample speaks for the pixel, depth, normal and material
-// together: the nearest. Rays then meet thin things at their full width, and what it hides goes on beside it, where
-// composite finds its reflection. The other samples are counted: those of the same surface are its coverage; of the rest
-// the nearest is kept as the pixel's second surface.
+// together: one of the surface that most samples show, of the nearest if two show as many. (The nearest sample of all,
+// the other sensible rule, widens things by a pixel; measured against a picture with sixteen times the pixels it is
+// farther off.) Its share of the pixel is its coverage; of the other samples the nearest is kept as the pixel's second
+// surface, whose reflection composite finds beside it.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -32,19 +33,6 @@ HostSurface loadSample(ivec2 px, int index) {
                        texelFetch(material, px, index), texelFetch(baseColor, px, index).rgb);
 }
 
-int nearestSample(ivec2 px, int count) {
-    int nearest = 0;
-    float nearestZ = kBackgroundZ;
-    for (int i = 0; i < count; ++i) {
-        float z = hostViewZ(frame.constants, texelFetch(depth, px, i).r);
-        if (z < nearestZ) {
-            nearestZ = z;
-            nearest = i;
-        }
-    }
-    return nearest;
-}
-
 /// How far the surface's plane goes away from the eye over one pixel, metres.
 float slopeOverPixel(ivec2 px, HostSurface here) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
@@ -61,43 +49,78 @@ bool sameSurface(HostSurface a, HostSurface b, float depthTolerance) {
            maxComponent(abs(a.f0 - b.f0)) < 1.0 / 128.0 && abs(a.perceptualRoughness - b.perceptualRoughness) < 1.0 / 64.0;
 }
 
+float depthTolerance(ivec2 px, HostSurface here) {
+    return 2.0 * slopeOverPixel(px, here) + 1e-3 * here.viewZ;
+}
+
+/// The samples that show one surface.
+struct Group {
+    HostSurface surface;
+    float depthTolerance;
+    int members;    // 0: the background
+    float depthSum; // of what a plane is linear in on the screen: 1 / viewZ, or viewZ of an orthographic camera
+};
+
+Group groupOf(ivec2 px, int index, int count) {
+    HostSurface surface = loadSample(px, index);
+    Group group = Group(surface, depthTolerance(px, surface), 0, 0.0);
+    for (int i = 0; surface.viewZ < kBackgroundZ && i < count; ++i) {
+        HostSurface other = loadSample(px, i);
+        if (other.viewZ < kBackgroundZ && sameSurface(surface, other, group.depthTolerance)) {
+            ++group.members;
+            group.depthSum += isOrthographic(frame.constants) ? other.viewZ : 1.0 / other.viewZ;
+        }
+    }
+    return group;
+}
+
+Group mostSeen(ivec2 px, int count) {
+    Group best = groupOf(px, 0, count);
+    for (int i = 1; best.members < count && i < count; ++i) {
+        Group group = groupOf(px, i, count);
+        if (group.members > best.members ||
+            (group.members == best.members && group.surface.viewZ < best.surface.viewZ))
+            best = group;
+    }
+    return best;
+}
+
+/// What `front` leaves of the pixel: the nearest of it stands for all.
+Edge secondSurface(ivec2 px, Group front, int count) {
+    HostSurface nearest = front.surface;
+    nearest.viewZ = kBackgroundZ;
+    int members = 0;
+    for (int i = 0; i < count; ++i) {
+        HostSurface other = loadSample(px, i);
+        if (other.viewZ >= kBackgroundZ || sameSurface(front.surface, other, front.depthTolerance))
+            continue;
+        ++members;
+        if (other.viewZ < nearest.viewZ)
+            nearest = other;
+    }
+    return Edge(nearest.f0, float(members) / float(count), nearest.viewZ, nearest.normalVS);
+}
+
+/// Where one surface fills the pixel, its samples lie around the centre, and so its depth there is their mean.
+float depthOf(Group group, int count) {
+    if (group.members < count)
+        return group.surface.viewZ;
+    float mean = group.depthSum / float(count);
+    return isOrthographic(frame.constants) ? mean : 1.0 / mean;
+}
+
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
     int count = textureSamples(depth);
-    int nearest = nearestSample(px, count);
-    HostSurface front = loadSample(px, nearest);
-    float depthTolerance = 2.0 * slopeOverPixel(px, front) + 1e-3 * front.viewZ;
-    bool orthographic = isOrthographic(frame.constants);
-    int same = 0;
-    int other = 0;
-    float depthSum = 0.0; // of what a plane is linear in on the screen: 1 / viewZ, or viewZ of an orthographic camera
-    HostSurface second = front;
-    second.viewZ = kBackgroundZ;
-    for (int i = 0; i < count; ++i) {
-        HostSurface here = loadSample(px, i);
-        if (here.viewZ >= kBackgroundZ)
-            continue;
-        if (sameSurface(front, here, depthTolerance)) {
-            ++same;
-            depthSum += orthographic ? here.viewZ : 1.0 / here.viewZ;
-        } else {
-            ++other;
-            if (here.viewZ < second.viewZ)
-                second = here;
-        }
-    }
-    float z = front.viewZ;
-    if (same == count) { // one surface: its samples lie around the pixel's centre, and so its depth there is their mean
-        float mean = depthSum / float(count);
-        z = orthographic ? mean : 1.0 / mean;
-    }
-    float coverage = z < kBackgroundZ ? float(same) / float(count) : 1.0;
-    imageStore(viewZ, px, vec4(storedViewZ(frame.constants, z)));
+    Group front = mostSeen(px, count);
+    HostSurface here = front.surface;
+    float coverage = front.members > 0 ? float(front.members) / float(count) : 1.0;
+    imageStore(viewZ, px, vec4(storedViewZ(frame.constants, depthOf(front, count))));
     imageStore(surface, px,
-               uvec4(packSurface(Surface(front.normalVS, front.perceptualRoughness, maxComponent(front.f0))), 0u, 0u));
-    imageStore(resolvedMaterial, px, vec4(front.f0, coverage));
+               uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));
+    imageStore(resolvedMaterial, px, vec4(here.f0, coverage));
     if (coverage < 1.0)
-        imageStore(edge, px, packEdge(Edge(second.f0, float(other) / float(count), second.viewZ, second.normalVS)));
+        imageStore(edge, px, packEdge(secondSurface(px, front, count)));
 }
