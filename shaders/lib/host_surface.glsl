@@ -21,12 +21,15 @@ float hostViewZ(FrameConstants frame, float depth) {
     return z > 0.0 ? z : kBackgroundZ;
 }
 
-/// As rays see it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance.
+/// As rays see it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance. Rounded to the nearest half,
+/// ties to even, by hand: a compiler may take packing and unpacking for nothing and leave both out.
 float storedViewZ(FrameConstants frame, float z) {
     const float kLargestHalf = 65504.0;
     if ((frame.flags & kInputHalfDepth) == 0u || z >= kBackgroundZ)
         return z;
-    return unpackHalf2x16(packHalf2x16(vec2(min(z, kLargestHalf), 0.0))).x;
+    uint bits = floatBitsToUint(min(z, kLargestHalf));
+    bits += 0xfffu + ((bits >> 13) & 1u);
+    return uintBitsToFloat(bits & ~0x1fffu); // ten bits of mantissa are left
 }
 
 vec3 hostNormalVS(FrameConstants frame, vec3 stored) {

@@ -62,7 +62,8 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
                        (desc.settings.gbuffer.depthFormat == DepthFormat::Half ? shared::kInputHalfDepth : 0);
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
-    constants.worldToEnvironment = glm::rotate(glm::mat4(1), -environmentRotation, glm::vec3(0, 1, 0));
+    constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environmentFlipY ? -1 : 1, 1)),
+                                               -environmentRotation, glm::vec3(0, 1, 0));
     frame.update(frameConstants, &constants, sizeof(constants));
     prepareSurface(frame, inputs.depth.desc().samples > 1);
     if (frame.rehearsing())

@@ -31,6 +31,7 @@ struct FrameState {
     Inputs inputs;
     float environmentStrength = 1;
     float environmentRotation = 0;
+    bool environmentFlipY = false;
     uint32_t environmentMips = 1;
     Conventions conventions;
     bool inputsSet = false;

@@ -182,6 +182,7 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     frame.conventions = gbuffer.conventions;
     frame.environmentStrength = environment.strength;
     frame.environmentRotation = environment.rotation;
+    frame.environmentFlipY = environment.flipY;
     frame.environmentMips = std::max(environment.mips, 1u);
     frame.inputsSet = true;
     state_->note();

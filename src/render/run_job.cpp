@@ -46,9 +46,20 @@ glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed) {
     return {toMatrix4(view.worldToView), toMatrix4(view.viewToClip), frameIndex, seed};
 }
 
+/// A picture whose rows ran from the bottom up.
+scene::HdrImage turnedOver(const scene::HdrImage& image) {
+    scene::HdrImage result = {image.width, image.height, {}};
+    for (uint32_t y = image.height; y-- > 0;)
+        result.rgb.insert(result.rgb.end(), image.rgb.begin() + std::ptrdiff_t{y} * image.width,
+                          image.rgb.begin() + std::ptrdiff_t{y + 1} * image.width);
+    return result;
+}
+
 Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings) {
     switch (inputs.environment) {
-    case EnvironmentKind::Image: return Environment::create(context, inputs.environmentImage);
+    case EnvironmentKind::Image:
+        return Environment::create(context, settings.environment.isProbe ? turnedOver(inputs.environmentImage)
+                                                                         : inputs.environmentImage);
     case EnvironmentKind::Sky:
         return Environment::createSky(context, settings.analyticSky.elevation, settings.analyticSky.azimuth,
                                       settings.analyticSky.turbidity);
