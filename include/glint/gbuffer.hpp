@@ -18,6 +18,7 @@ struct HostImage {
     VkImageLayout layout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
     VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT; ///< that last wrote it
     VkAccessFlags2 access = VK_ACCESS_2_MEMORY_WRITE_BIT;                ///< with which they did
+    uint32_t samples = 1;                                                ///< a pixel
     explicit operator bool() const { return image != VK_NULL_HANDLE; }
 };
 
@@ -34,6 +35,16 @@ enum class NormalEncoding : uint8_t {
 };
 enum class Handedness : uint8_t { Right, Left }; ///< of view space: looks down -Z or +Z
 
+/// What GBuffer::material holds.
+enum class MaterialKind : uint8_t {
+    F0Roughness,        ///< F0 in rgb, linear; roughness in a channel
+    MetallicRoughness,  ///< metallic and roughness in a channel each, beside GBuffer::baseColor: glTF's own model
+    SpecularGlossiness, ///< specular colour (F0) in rgb, linear; glossiness, 1 - perceptual roughness, in a channel
+    /// A specular colour in rgb, linear, and no roughness: all that it reflects is sharp. Without an image every
+    /// surface has (1, 1, 1), a full mirror.
+    Standard,
+};
+
 /// Defaults are Glint's own conventions.
 struct Conventions {
     DepthKind depth = DepthKind::Device;
@@ -43,17 +54,22 @@ struct Conventions {
     NormalSpace normalSpace = NormalSpace::World;
     NormalEncoding normalEncoding = NormalEncoding::Octahedral;
     bool smoothness = false;       ///< the roughness channel holds 1 - perceptualRoughness
-    uint32_t roughnessChannel = 3; ///< of `material`, [0, 3]
+    uint32_t roughnessChannel = 3; ///< of `material`, [0, 3]; glossiness too
+    MaterialKind material = MaterialKind::F0Roughness;
+    uint32_t metallicChannel = 2; ///< of `material`, [0, 3]; MaterialKind::MetallicRoughness only
     /// Stored motion times this is previous UV - current UV, x and y: {-1, -1} for the opposite sign, {0.5f, -0.5f} for
     /// clip space with +Y up, {1 / width, 1 / height} for pixels. Jitter is left out of motion.
     float motionScale[2] = {1, 1};
 };
 
-/// All images have one size (but for backDepth), one sample a pixel, and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT).
+/// All images have one size (but for backDepth) and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT). A host that draws with
+/// several samples a pixel hands over depth, normal, material and baseColor with all of them, unresolved: their means
+/// would be surfaces that do not exist. The others are means over the samples, one a pixel.
 struct GBuffer {
     HostImage depth;
-    HostImage normal;   ///< shading normals; 16 bits a channel keep mirrors sharp, 8 do not
-    HostImage material; ///< F0 in rgb, linear; perceptual roughness in one channel
+    HostImage normal;    ///< shading normals; 16 bits a channel keep mirrors sharp, 8 do not
+    HostImage material;  ///< as Conventions::material says; absent only with MaterialKind::Standard
+    HostImage baseColor; ///< linear base colour in rgb; MaterialKind::MetallicRoughness only
     /// The host's whole lit picture, linear and scene-referred: where reflected colours come from.
     HostImage litRadiance;
     /// Optional: the part of litRadiance that stands in for reflections (environment or probe specular). Glint

@@ -22,6 +22,7 @@ struct EnvironmentMap {
     uint32_t mips = 1;
     float strength = 1; ///< factor on its radiance
     float rotation = 0; ///< radians about world +Y, counter-clockwise seen from above
+    bool flipY = false; ///< the cube is upside down, as probes that Babylon.js renders are
 };
 
 struct ReflectionsDesc {

@@ -8,8 +8,10 @@
 
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
+#include "lib/edge.glsl"
 #include "lib/environment.glsl"
 #include "lib/input_color.glsl"
+#include "lib/math.glsl"
 #include "lib/outcome_color.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
@@ -29,6 +31,7 @@ layout(set = 0, binding = 6) uniform sampler2D reflected;
 layout(set = 0, binding = 7) uniform usampler2D rayRecord;
 layout(set = 0, binding = 8) uniform sampler2D dfg;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D composite;
+layout(set = 0, binding = 10) uniform usampler2D edge;
 layout(push_constant, scalar) uniform PushBlock {
     CompositeConstants settings;
 };
@@ -44,19 +47,113 @@ vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
     return settings.fresnel != 0u ? specularResponse(f0, 1.0, textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg) : f0;
 }
 
-vec3 physical(vec3 lit, vec3 fallback, vec4 reflection, vec3 f0, float perceptualRoughness, float NoV) {
-    vec3 response = falloff(physicalResponse(f0, perceptualRoughness, NoV));
-    return lit - reflection.a * fallback + reflection.rgb * response;
+/// One of the surfaces that a pixel shows. With one sample a pixel there is one, with coverage 1.
+struct Share {
+    float coverage; // [0, 1]
+    vec3 f0;
+    float perceptualRoughness;
+    float NoV;
+    vec4 reflection; // weighted radiance, total weight
+    vec3 lit;        // of this surface, as well as it is known
+};
+
+float viewCosine(ivec2 px, float z, vec3 normalVS) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
+    return clamp(dot(normalVS, -toSurfaceVS), 0.0, 1.0);
 }
 
-vec3 lerped(vec3 lit, vec4 reflection, vec3 f0, float NoV) {
-    vec3 fresnel = F_Schlick(f0, 1.0, NoV);
-    vec3 m = clamp(falloff(settings.fresnel != 0u ? fresnel : f0), 0.0, 1.0);
-    vec3 color = reflection.rgb;
+vec3 loadLit(ivec2 px) {
+    return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
+}
+
+/// Of the pixels around `px`, itself among them, the one whose surface is most like this one; -1 if none is.
+/// `whole`: only pixels that show nothing else.
+ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
+    ivec2 best = ivec2(-1);
+    float bestDifference = 0.3; // a quarter of the distance, or 45 degrees
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 at = clamp(px + ivec2(x, y), ivec2(0), ivec2(frame.constants.size) - 1);
+            if (whole && texelFetch(material, at, 0).a < 1.0)
+                continue;
+            Surface there = unpackSurface(texelFetch(surface, at, 0).xy);
+            float difference = abs(texelFetch(viewZ, at, 0).r - z) / z + (1.0 - dot(there.normalVS, normalVS));
+            if (difference < bestDifference) {
+                bestDifference = difference;
+                best = at;
+            }
+        }
+    return best;
+}
+
+/// Its light, where the pixel itself shows others too.
+vec3 litNearby(ivec2 px, float z, vec3 normalVS) {
+    ivec2 at = likestPixel(px, z, normalVS, true);
+    return loadLit(at.x >= 0 ? at : px);
+}
+
+Share frontShare(ivec2 px, float z, Surface here) {
+    vec4 resolved = texelFetch(material, px, 0);
+    vec3 f0 = here.reflectivity > 0.0 ? resolved.rgb : vec3(0.0);
+    vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadLit(px);
+    return Share(resolved.a, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS),
+                 texelFetch(reflected, px, 0), lit);
+}
+
+/// The second surface of an edge: no ray was traced for it, but its neighbour has the answer. If it has none, nothing is
+/// replaced.
+Share secondShare(ivec2 px, float frontCoverage) {
+    Share none = Share(0.0, vec3(0.0), 1.0, 1.0, vec4(0.0), vec3(0.0));
+    if (frontCoverage >= 1.0)
+        return none;
+    Edge second = unpackEdge(texelFetch(edge, px, 0));
+    if (second.coverage <= 0.0)
+        return none;
+    ivec2 at = likestPixel(px, second.viewZ, second.normalVS, false);
+    if (at.x < 0)
+        return none;
+    vec3 lit = settings.model != 0u ? litNearby(px, second.viewZ, second.normalVS) : vec3(0.0);
+    return Share(second.coverage, second.f0, unpackSurface(texelFetch(surface, at, 0).xy).perceptualRoughness,
+                 viewCosine(px, second.viewZ, second.normalVS), texelFetch(reflected, at, 0), lit);
+}
+
+vec3 response(Share share) {
+    return maxComponent(share.f0) > 0.0 ? falloff(physicalResponse(share.f0, share.perceptualRoughness, share.NoV))
+                                        : vec3(0.0);
+}
+
+/// `fallback` is the mean over all that the pixel shows, and so knows of coverage already. Where its surfaces were
+/// answered with different weights, each is taken to have the part that its response claims.
+vec3 physical(vec3 lit, vec3 fallback, Share front, Share second) {
+    vec3 frontResponse = response(front);
+    vec3 secondResponse = response(second);
+    vec3 weight = vec3(front.reflection.a);
+    if (second.coverage > 0.0) {
+        vec3 frontPart = front.coverage * frontResponse;
+        vec3 secondPart = second.coverage * secondResponse;
+        weight = (frontPart * front.reflection.a + secondPart * second.reflection.a) /
+                 max(frontPart + secondPart, vec3(1e-6));
+    }
+    return lit - weight * fallback + front.coverage * (front.reflection.rgb * frontResponse) +
+           second.coverage * (second.reflection.rgb * secondResponse);
+}
+
+vec3 lerpedSurface(Share share) {
+    vec3 fresnel = F_Schlick(share.f0, 1.0, share.NoV);
+    vec3 m = clamp(falloff(settings.fresnel != 0u ? fresnel : share.f0), 0.0, 1.0);
+    vec3 color = share.reflection.rgb;
     if (settings.fresnel == 0u) // as Babylon.js: without it in the factor, the colour itself takes the Fresnel term
         color *= fresnel;
-    color = clamp(color, 0.0, 1000.0) + (1.0 - reflection.a) * lit;
-    return lit * (1.0 - m) + color * m;
+    color = clamp(color, 0.0, 1000.0) + (1.0 - share.reflection.a) * share.lit;
+    return maxComponent(share.f0) > 0.0 ? share.lit * (1.0 - m) + color * m : share.lit;
+}
+
+vec3 lerped(vec3 lit, Share front, Share second) {
+    if (front.coverage >= 1.0)
+        return lerpedSurface(front);
+    return lit + front.coverage * (lerpedSurface(front) - front.lit) +
+           second.coverage * (lerpedSurface(second) - second.lit);
 }
 
 void main() {
@@ -70,23 +167,15 @@ void main() {
     float z = texelFetch(viewZ, px, 0).r;
     vec3 result = lit;
     bool untouched = true; // where nothing is reflected, the host's own bits
-    vec4 reflection = texelFetch(reflected, px, 0);
-    if (z < kBackgroundZ && reflection.a > 0.0) {
-        Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
-        vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-        vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
-        float NoV = clamp(dot(here.normalVS, -toSurfaceVS), 0.0, 1.0);
-        vec3 f0 = clamp(sanitize(texelFetch(material, px, 0).rgb), 0.0, 1.0);
-        if (here.reflectivity > 0.0) {
-            if (settings.model == 0u) {
-                bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
-                vec3 fallback = vec3(0.0);
-                if (hasFallback)
-                    fallback = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, fromGamma);
-                result = physical(lit, fallback, reflection, f0, here.perceptualRoughness, NoV);
-            } else {
-                result = lerped(lit, reflection, f0, NoV);
-            }
+    if (z < kBackgroundZ) {
+        Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy));
+        Share second = secondShare(px, front.coverage);
+        if (maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a > 0.0) {
+            bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
+            vec3 fallback = vec3(0.0);
+            if (hasFallback)
+                fallback = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, fromGamma);
+            result = settings.model == 0u ? physical(lit, fallback, front, second) : lerped(lit, front, second);
             result = sanitize(result); // two large halves make an infinite one
             untouched = false;
         }

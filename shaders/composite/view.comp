@@ -21,6 +21,7 @@ layout(set = 0, binding = 4) uniform usampler2D rayRecord;
 layout(set = 0, binding = 5) uniform sampler2D reflected;
 layout(set = 0, binding = 6) uniform sampler2D weights;
 layout(set = 0, binding = 7, rgba32f) uniform writeonly image2D view;
+layout(set = 0, binding = 8) uniform sampler2D material;
 layout(push_constant, scalar) uniform PushBlock {
     ViewConstants settings;
 };
@@ -77,7 +78,7 @@ void main() {
         value.rgb = vec3(background ? 0.0 : here.perceptualRoughness);
         break;
     case kViewReflectivity:
-        value.rgb = vec3(background ? 0.0 : here.reflectivity);
+        value.rgb = background ? vec3(0.0) : texelFetch(material, px, 0).rgb;
         break;
     case kViewHitUv:
         value.rg = hit ? ray.hitUV : vec2(0.0);

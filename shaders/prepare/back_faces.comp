@@ -4,7 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "lib/camera.glsl"
+#include "lib/host_surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -18,6 +18,6 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, imageSize(backViewZ))))
         return;
-    float z = viewZFromDepth(frame.constants, texelFetch(backDepth, px, 0).r);
-    imageStore(backViewZ, px, vec4(z > 0.0 ? z : kBackgroundZ)); // a NaN depth is none too
+    float z = hostViewZ(frame.constants, texelFetch(backDepth, px, 0).r);
+    imageStore(backViewZ, px, vec4(storedViewZ(frame.constants, z)));
 }

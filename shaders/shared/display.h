@@ -1,4 +1,4 @@
-// Push constants of the display pass.
+// Push constants of the display passes.
 #ifndef GLINT_SHARED_DISPLAY_H
 #define GLINT_SHARED_DISPLAY_H
 
@@ -14,6 +14,10 @@ struct DisplayConstants {
     uint2 size;     ///< pixels
     float exposure; ///< a factor, not EV
     uint tonemap;   ///< kTonemap...
+};
+
+struct FxaaConstants {
+    uint2 size; ///< pixels
 };
 
 GLINT_SHARED_END

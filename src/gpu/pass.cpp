@@ -193,6 +193,17 @@ Pass& Pass::color(Image& image, const VkClearColorValue* clear, uint32_t mip) {
     return *this;
 }
 
+Pass& Pass::resolve(Image& image) {
+    frame_.use(image, 0, 1,
+               {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+                VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, true, true});
+    VkRenderingAttachmentInfo& info = colors_[colorCount_ - 1].info;
+    info.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+    info.resolveImageView = image.mipView(0);
+    info.resolveImageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    return *this;
+}
+
 Pass& Pass::depth(Image& image, bool clear, bool writes) {
     constexpr VkPipelineStageFlags2 kStages =
         VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT;

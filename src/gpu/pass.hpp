@@ -69,6 +69,8 @@ public:
 
     /// Colour attachments in the order of the shader's outputs. Without `clear` the content is kept.
     Pass& color(Image& image, const VkClearColorValue* clear = nullptr, uint32_t mip = 0);
+    /// The mean of the last colour attachment's samples goes here too, at the end of the pass.
+    Pass& resolve(Image& image);
     Pass& depth(Image& image, bool clear, bool writes = true); ///< cleared to 0: infinitely far
     /// Shows one layer of an array image as the depth attachment.
     Pass& depthView(Image& image, VkImageView layerView, bool clear);

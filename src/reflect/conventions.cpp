@@ -70,17 +70,21 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
     const double nearZ = hostZSign * (z32 - nearNdc * w33) / (nearNdc * w23 - z22);
     frame.nearZ = static_cast<float>(orthographic ? nearZ : std::max(nearZ, 1e-6));
 
-    frame.flags = (orthographic ? shared::kInputOrthographic : 0) | (reversed ? shared::kInputReversedDepth : 0) |
-                  (leftHanded ? shared::kInputLeftHanded : 0) |
-                  (conventions.depth == DepthKind::LinearViewZ ? shared::kInputLinearDepth : 0) |
-                  (conventions.normalSpace == NormalSpace::View ? shared::kInputNormalView : 0) |
-                  (conventions.smoothness ? shared::kInputSmoothness : 0);
+    frame.flags =
+        (orthographic ? shared::kInputOrthographic : 0) | (reversed ? shared::kInputReversedDepth : 0) |
+        (leftHanded ? shared::kInputLeftHanded : 0) |
+        (conventions.depth == DepthKind::LinearViewZ ? shared::kInputLinearDepth : 0) |
+        (conventions.normalSpace == NormalSpace::View ? shared::kInputNormalView : 0) |
+        (conventions.smoothness || conventions.material == MaterialKind::SpecularGlossiness ? shared::kInputSmoothness
+                                                                                            : 0);
     const NormalEncoding encoding = conventions.normalEncoding;
     if (encoding == NormalEncoding::Octahedral || encoding == NormalEncoding::OctahedralUnorm)
         frame.flags |= shared::kInputNormalOctahedral;
     if (encoding == NormalEncoding::Unorm || encoding == NormalEncoding::OctahedralUnorm)
         frame.flags |= shared::kInputNormalUnorm;
     frame.roughnessChannel = std::min(conventions.roughnessChannel, 3u);
+    frame.metallicChannel = std::min(conventions.metallicChannel, 3u);
+    frame.materialKind = static_cast<uint32_t>(conventions.material);
     frame.frameIndex = view.frameIndex;
     frame.seed = view.seed;
     return frame;

@@ -82,7 +82,9 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(static_cast<bool>(inputs.environment), shared::kInputEnvironment);
     flag(static_cast<bool>(inputs.fallbackSpecular), shared::kInputFallback);
+    flag(static_cast<bool>(inputs.material), shared::kInputMaterial);
     flag(static_cast<bool>(inputs.motion), shared::kInputMotion);
+    flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
     flag(usesHistory, shared::kInputHistory);
     flag(historyGamma, shared::kHistoryGamma);
     flag(settings.input.colorIsGamma, shared::kInputGamma);
@@ -99,21 +101,34 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     constants.prevUvToView = lastFrame.uvToView;
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
-    constants.worldToEnvironment = glm::rotate(glm::mat4(1), -environmentRotation, glm::vec3(0, 1, 0));
+    constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environmentFlipY ? -1 : 1, 1)),
+                                                -environmentRotation, glm::vec3(0, 1, 0));
     if (!frame.rehearsing()) {
         lastFrame = constants;
         historyGamma = settings.output.colorIsGamma;
     }
     frame.update(frameConstants, &constants, sizeof(constants));
-    frame.pass(pipelines.surface)
-        .read("frame", frameConstants)
+    prepareSurface(frame, inputs.depth.desc().samples > 1);
+    if (frame.rehearsing())
+        prepareSurface(frame, true);
+    prepareBackFaces(frame);
+}
+
+void FrameState::prepareSurface(gpu::Frame& frame, bool manySamples) {
+    // What this kind of host does not have is not looked at: any image stands in that has as many samples.
+    gpu::Image& material = inputs.material ? inputs.material : inputs.normal;
+    gpu::Pass pass = frame.pass(manySamples ? pipelines.surfaceSamples : pipelines.surface);
+    pass.read("frame", frameConstants)
         .read("depth", inputs.depth, kTexels)
         .read("normal", inputs.normal, kTexels)
-        .read("material", inputs.material, kTexels)
+        .read("material", material, kTexels)
+        .read("baseColor", inputs.baseColor ? inputs.baseColor : material, kTexels)
         .write("viewZ", prepared.viewZ)
         .write("surface", prepared.surface)
-        .dispatch(desc.width, desc.height);
-    prepareBackFaces(frame);
+        .write("resolvedMaterial", prepared.material);
+    if (manySamples)
+        pass.write("edge", prepared.edge);
+    pass.dispatch(desc.width, desc.height);
 }
 
 void FrameState::prepareBackFaces(gpu::Frame& frame) {
@@ -206,7 +221,8 @@ void FrameState::compose(gpu::Frame& frame) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("material", inputs.material, kTexels)
+        .read("material", prepared.material, kTexels)
+        .read("edge", prepared.edge)
         .read("litRadiance", inputs.litRadiance, kTexels)
         .read("fallbackSpecular", inputs.fallbackSpecular ? inputs.fallbackSpecular : black, kTexels)
         .read("reflected", reflected.reflected)
@@ -240,6 +256,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
+        .read("material", prepared.material, kTexels)
         .read("radianceWeight", *denoised.answer)
         .read("rayRecord", traced.rayRecord)
         .read("reflected", reflected.reflected)
@@ -254,6 +271,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
 Result<Pipelines> Pipelines::create(gpu::Context& context) {
     using gpu::Pipeline;
     GLINT_TRY(surface, Pipeline::compute(context, {"prepare/surface", 0, {}}));
+    GLINT_TRY(surfaceSamples, Pipeline::compute(context, {"prepare/surface_samples", 0, {}}));
     GLINT_TRY(backFaces, Pipeline::compute(context, {"prepare/back_faces", 0, {}}));
     GLINT_TRY(dfg, Pipeline::compute(context, {"prepare/dfg", 0, {}}));
     GLINT_TRY(classify, Pipeline::compute(context, {"trace/classify", sizeof(shared::TraceConstants), {}}));
@@ -268,9 +286,9 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface),   std::move(backFaces), std::move(dfg),     std::move(classify),
-                     std::move(pyramid),   std::move(trace),     std::move(denoise), std::move(combine),
-                     std::move(composite), std::move(view),      std::move(statistics)};
+    return Pipelines{std::move(surface),   std::move(surfaceSamples), std::move(backFaces), std::move(dfg),
+                     std::move(classify),  std::move(pyramid),        std::move(trace),     std::move(denoise),
+                     std::move(combine),   std::move(composite),      std::move(view),      std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -281,6 +299,7 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     state->pipelines = std::move(pipelines);
     GLINT_CHECK(state->createImages());
     GLINT_CHECK(state->expectBackFaces(0, 0));
+    GLINT_CHECK(state->expectSamples(1));
     GLINT_CHECK(state->createRays());
     GLINT_CHECK(state->setSettings(desc.settings));
     GLINT_TRY(timers, gpu::Timers::create(context));
@@ -343,6 +362,7 @@ Result<void> FrameState::createImages() {
     std::vector<WantedImage> images = {
         {&prepared.viewZ, "glint/viewZ", VK_FORMAT_R32_SFLOAT, w, h, 0},
         {&prepared.surface, "glint/surface", VK_FORMAT_R32G32_UINT, w, h, 0},
+        {&prepared.material, "glint/material", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, 0},
         {&traced.unused, "glint/unused", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, 0},
         {&traced.unused8, "glint/unused8", VK_FORMAT_R8G8B8A8_UNORM, 1, 1, 0},
         {&traced.rayRecord, "glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared},
@@ -435,6 +455,19 @@ Result<void> FrameState::expectBackFaces(uint32_t width, uint32_t height) {
     lastBackViewZ = std::move(prepared.backViewZ);
     prepared.backViewZ = std::move(image);
     noBackFaces = false;
+    return {};
+}
+
+Result<void> FrameState::expectSamples(uint32_t samples) {
+    const uint32_t width = samples > 1 ? desc.width : 1;
+    const uint32_t height = samples > 1 ? desc.height : 1;
+    if (prepared.edge && prepared.edge.width() >= width && prepared.edge.height() >= height)
+        return {};
+    GLINT_TRY(image, gpu::Image::create(*context, {"glint/edge", VK_FORMAT_R32G32B32A32_UINT, width, height, 1, 1,
+                                                   gpu::ImageShape::Flat,
+                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT}));
+    lastEdge = std::move(prepared.edge);
+    prepared.edge = std::move(image);
     return {};
 }
 

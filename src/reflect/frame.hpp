@@ -13,6 +13,7 @@ namespace glint::reflect {
 
 struct Pipelines {
     gpu::Pipeline surface;
+    gpu::Pipeline surfaceSamples; ///< of hosts with several samples a pixel
     gpu::Pipeline backFaces;
     gpu::Pipeline dfg;
     gpu::Pipeline classify;
@@ -35,6 +36,7 @@ struct FrameState {
     Inputs inputs;
     float environmentStrength = 1;
     float environmentRotation = 0;
+    bool environmentFlipY = false;
     uint32_t environmentMips = 1;
     Conventions conventions;
     bool inputsSet = false;
@@ -49,6 +51,7 @@ struct FrameState {
     History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
+    gpu::Image lastEdge;
     gpu::Image composite;
     gpu::Image dfg;
     gpu::Image viewImage;
@@ -76,6 +79,8 @@ struct FrameState {
     bool anySource() const;
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);
+    /// Makes room for what hosts with several samples a pixel need. Errors: OutOfMemory.
+    Result<void> expectSamples(uint32_t samples);
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
     /// Prepares first what the last frame did not need.
@@ -91,6 +96,7 @@ private:
     void turnHistory();
     void prepare(gpu::Frame& frame, const View& view);
     Result<void> makeImagesFor(const Settings& settings);
+    void prepareSurface(gpu::Frame& frame, bool manySamples);
     void prepareBackFaces(gpu::Frame& frame);
     void classify(gpu::Frame& frame);
     void makePyramid(gpu::Frame& frame);

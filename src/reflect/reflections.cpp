@@ -7,6 +7,7 @@
 #include "reflect/views.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -27,9 +28,9 @@ gpu::Image borrow(const HostImage& host, const char* name, uint32_t mips = 1, ui
     state.writeStages = host.stages;
     state.writeAccess = host.access;
     state.layout = host.layout;
-    return gpu::Image::borrow(host.image, host.view,
-                              {name, host.format, host.width, host.height, mips, layers, gpu::ImageShape::Flat, 0},
-                              state);
+    return gpu::Image::borrow(
+        host.image, host.view,
+        {name, host.format, host.width, host.height, mips, layers, gpu::ImageShape::Flat, 0, host.samples}, state);
 }
 
 HostImage handOut(const gpu::Image& image) {
@@ -53,6 +54,38 @@ Result<void> checkImage(const HostImage& image, const char* name, const Reflecti
         return invalidArgument("the G-buffer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
                                image.width, image.height, desc.width, desc.height);
     return checkLayout(image, name);
+}
+
+/// Images of surfaces keep all of a host's samples, and all of them as many; images of light have their mean.
+Result<void> checkSamples(const HostImage& image, const char* name, uint32_t wanted) {
+    if (image && image.samples != wanted)
+        return invalidArgument(
+            "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material and "
+            "baseColor have the same number, all others 1",
+            name, image.samples, wanted);
+    return {};
+}
+
+/// What describes surfaces: depth, normal and whatever the kind of material asks for.
+Result<void> checkSurface(const GBuffer& gbuffer, const ReflectionsDesc& desc) {
+    const Conventions& conventions = gbuffer.conventions;
+    GLINT_CHECK(checkImage(gbuffer.depth, "depth", desc));
+    GLINT_CHECK(checkImage(gbuffer.normal, "normal", desc));
+    if (gbuffer.material || conventions.material != MaterialKind::Standard)
+        GLINT_CHECK(checkImage(gbuffer.material, "material", desc));
+    if (gbuffer.baseColor || conventions.material == MaterialKind::MetallicRoughness)
+        GLINT_CHECK(checkImage(gbuffer.baseColor, "baseColor", desc));
+    const uint32_t samples = gbuffer.depth.samples;
+    if (samples < 1 || samples > 16 || !std::has_single_bit(samples))
+        return invalidArgument("the G-buffer's `depth` has {} samples a pixel: 1, 2, 4, 8 or 16", samples);
+    GLINT_CHECK(checkSamples(gbuffer.normal, "normal", samples));
+    GLINT_CHECK(checkSamples(gbuffer.material, "material", samples));
+    GLINT_CHECK(checkSamples(gbuffer.baseColor, "baseColor", samples));
+    if (conventions.roughnessChannel > 3)
+        return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3", conventions.roughnessChannel);
+    if (conventions.metallicChannel > 3)
+        return invalidArgument("metallicChannel is {}: an image has channels 0 to 3", conventions.metallicChannel);
+    return {};
 }
 
 /// Back faces may have a size of their own.
@@ -133,9 +166,7 @@ Result<void> Reflections::setSettings(const Settings& settings) {
 
 Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
     const ReflectionsDesc& desc = state_->frame->desc;
-    GLINT_CHECK(checkImage(gbuffer.depth, "depth", desc));
-    GLINT_CHECK(checkImage(gbuffer.normal, "normal", desc));
-    GLINT_CHECK(checkImage(gbuffer.material, "material", desc));
+    GLINT_CHECK(checkSurface(gbuffer, desc));
     GLINT_CHECK(checkImage(gbuffer.litRadiance, "litRadiance", desc));
     if (gbuffer.fallbackSpecular)
         GLINT_CHECK(checkImage(gbuffer.fallbackSpecular, "fallbackSpecular", desc));
@@ -144,9 +175,10 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
         GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
     if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
         return invalidArgument("motionScale must be finite");
-    if (gbuffer.conventions.roughnessChannel > 3)
-        return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3",
-                               gbuffer.conventions.roughnessChannel);
+    GLINT_CHECK(checkSamples(gbuffer.litRadiance, "litRadiance", 1));
+    GLINT_CHECK(checkSamples(gbuffer.fallbackSpecular, "fallbackSpecular", 1));
+    GLINT_CHECK(checkSamples(gbuffer.backDepth, "backDepth", 1));
+    GLINT_CHECK(checkSamples(gbuffer.motion, "motion", 1));
     GLINT_CHECK(checkEnvironment(environment));
 
     state_->gbuffer = gbuffer;
@@ -155,9 +187,11 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     frame.conventions = gbuffer.conventions;
     frame.environmentStrength = environment.strength;
     frame.environmentRotation = environment.rotation;
+    frame.environmentFlipY = environment.flipY;
     frame.environmentMips = std::max(environment.mips, 1u);
     frame.inputsSet = true;
     state_->note();
+    GLINT_CHECK(frame.expectSamples(gbuffer.depth.samples));
     return state_->expectBackFaces();
 }
 
@@ -169,6 +203,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     inputs = {borrow(host.depth, "depth"),
               borrow(host.normal, "normal"),
               borrow(host.material, "material"),
+              borrow(host.baseColor, "baseColor"),
               borrow(host.litRadiance, "litRadiance"),
               borrow(host.fallbackSpecular, "fallbackSpecular"),
               borrow(host.backDepth, "backDepth"),
@@ -193,6 +228,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     giveBack(inputs.depth, host.depth);
     giveBack(inputs.normal, host.normal);
     giveBack(inputs.material, host.material);
+    giveBack(inputs.baseColor, host.baseColor);
     giveBack(inputs.litRadiance, host.litRadiance);
     giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
     giveBack(inputs.backDepth, host.backDepth);

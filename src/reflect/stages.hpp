@@ -10,7 +10,8 @@ namespace glint::reflect {
 struct Inputs {
     gpu::Image depth;
     gpu::Image normal;
-    gpu::Image material;
+    gpu::Image material;  ///< may be absent
+    gpu::Image baseColor; ///< may be absent
     gpu::Image litRadiance;
     gpu::Image fallbackSpecular; ///< may be absent
     gpu::Image backDepth;        ///< may be absent; own size
@@ -20,8 +21,10 @@ struct Inputs {
 
 /// `prepare`: the G-buffer in Glint's own conventions.
 struct Prepared {
-    gpu::Image viewZ;   ///< R32F, metres; kBackgroundZ where nothing was drawn
-    gpu::Image surface; ///< RG32UI, lib/surface.glsl
+    gpu::Image viewZ;    ///< R32F, metres; kBackgroundZ where nothing was drawn
+    gpu::Image surface;  ///< RG32UI, lib/surface.glsl
+    gpu::Image material; ///< RGBA16F: F0; share of the pixel that shows this surface, 1 but for hosts with many samples
+    gpu::Image edge;     ///< RGBA32UI, lib/edge.glsl: the second surface where that share is below 1; else one texel
     /// R32F, metres, of the size of the host's backDepth: where the nearest back face is; kBackgroundZ where there is
     /// none. One texel of kBackgroundZ until a host hands over back faces and screen.thicknessMode asks for them.
     gpu::Image backViewZ;

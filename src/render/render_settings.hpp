@@ -51,7 +51,7 @@
         "")                                                                                                            \
     SETTING(Antialias, antialias, Antialias::None, "", "",                                                             \
         "Antialiasing of edges: none, fxaa (over the finished picture) or msaa4 (four samples a pixel)",               \
-        "babylon:samples=none|msaa4")
+        "babylon:samples=1:none|4:msaa4")
 
 #define GLINT_MEASURE_SETTINGS(SETTING)                                                                                \
     SETTING(bool, exact, false, "", "",                                                                                \

@@ -43,6 +43,7 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOpti
     if (!gbuffer_.litRadiance || options.mode != gbufferOptions_.mode || options.samples != gbufferOptions_.samples)
         GLINT_CHECK(makePasses(options));
     GLINT_CHECK(transparent_.resize(*context_, scene_, width, height));
+    GLINT_CHECK(display_.resize(*context_, width, height, settings_.display));
     gbuffer_ = std::move(gbuffer);
     gbufferOptions_ = options;
     return rehearse();
@@ -68,6 +69,9 @@ Result<void> Renderer::rehearse() {
 
 Result<void> Renderer::setSettings(const RenderSettings& settings) {
     settings_ = settings;
+    if (gbuffer_.litRadiance)
+        GLINT_CHECK(
+            display_.resize(*context_, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height(), settings_.display));
     return placeLights();
 }
 

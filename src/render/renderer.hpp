@@ -39,7 +39,8 @@ public:
     /// cannot draw; OutOfMemory.
     Result<void> resize(uint32_t width, uint32_t height, const GBufferOptions& options = {});
     /// Takes new settings; makes larger shadow maps if they ask for some. `analyticSky` is the environment's matter:
-    /// see Environment::createSky and setEnvironment. Errors: OutOfMemory.
+    /// see Environment::createSky and setEnvironment; samples a pixel are the G-buffer's: see resize.
+    /// Errors: OutOfMemory.
     Result<void> setSettings(const RenderSettings& settings);
     Result<void> setEnvironment(Environment&& environment);
     /// Another moment of the same scene (GpuScene::setPose).

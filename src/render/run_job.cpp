@@ -23,7 +23,9 @@ constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
 /// Ours, as the library takes it: brought into the layout that we promise.
 HostImage lend(gpu::Frame& frame, gpu::Image& image) {
     frame.hand(image, kSampled);
-    return {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    host.samples = image.desc().samples;
+    return host;
 }
 
 /// The library's, as our own passes take it.
@@ -46,9 +48,20 @@ glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed) {
     return {toMatrix4(view.worldToView), toMatrix4(view.viewToClip), frameIndex, seed};
 }
 
+/// A picture whose rows ran from the bottom up.
+scene::HdrImage turnedOver(const scene::HdrImage& image) {
+    scene::HdrImage result = {image.width, image.height, {}};
+    for (uint32_t y = image.height; y-- > 0;)
+        result.rgb.insert(result.rgb.end(), image.rgb.begin() + std::ptrdiff_t{y} * image.width,
+                          image.rgb.begin() + std::ptrdiff_t{y + 1} * image.width);
+    return result;
+}
+
 Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings) {
     switch (inputs.environment) {
-    case EnvironmentKind::Image: return Environment::create(context, inputs.environmentImage);
+    case EnvironmentKind::Image:
+        return Environment::create(context, settings.environment.isProbe ? turnedOver(inputs.environmentImage)
+                                                                         : inputs.environmentImage);
     case EnvironmentKind::Sky:
         return Environment::createSky(context, settings.analyticSky.elevation, settings.analyticSky.azimuth,
                                       settings.analyticSky.turbidity);
@@ -232,8 +245,8 @@ struct JobSession::State {
                 GLINT_CHECK(displayInto(view, radiance));
             return view;
         }
-        if (name == "albedo" || name == "reflectivity") {
-            GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, name == "albedo" ? g.albedo : g.material));
+        if (name == "albedo") {
+            GLINT_TRY(rgba, gpu::downloadImageAsFloats(context_, g.albedo));
             view.rgba = std::move(rgba);
             return view;
         }

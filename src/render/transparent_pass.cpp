@@ -74,22 +74,20 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
         const auto belongs = [&](uint32_t i) { return items[i].topology == static_cast<scene::Topology>(topology); };
         if (!frame.rehearsing() && std::none_of(order_.begin(), order_.end(), belongs))
             continue;
-        surfacePass(frame, pipelines_[topology], scene, inputs)
-            .read("behind", behind_)
-            .color(target)
-            .depth(gbuffer.shadedDepth(), false, false)
-            .draw([&](gpu::Draws& draws) {
-                for (const uint32_t i : order_) {
-                    if (!belongs(i))
-                        continue;
-                    if (items[i].doubleSided) // its far side first
-                        drawItem(draws, items[i], i, VK_CULL_MODE_FRONT_BIT);
-                    drawItem(draws, items[i], i, VK_CULL_MODE_BACK_BIT);
-                }
-            });
+        gpu::Pass pass = surfacePass(frame, pipelines_[topology], scene, inputs);
+        pass.read("behind", behind_).color(target).depth(gbuffer.shadedDepth(), false, false);
+        if (spread_)
+            pass.resolve(hdr);
+        pass.draw([&](gpu::Draws& draws) {
+            for (const uint32_t i : order_) {
+                if (!belongs(i))
+                    continue;
+                if (items[i].doubleSided) // its far side first
+                    drawItem(draws, items[i], i, VK_CULL_MODE_FRONT_BIT);
+                drawItem(draws, items[i], i, VK_CULL_MODE_BACK_BIT);
+            }
+        });
     }
-    if (spread_)
-        frame.resolve(target, hdr);
 }
 
 } // namespace glint::render

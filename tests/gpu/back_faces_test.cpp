@@ -38,13 +38,11 @@ TEST_F(BackFacesTest, BecomeMetresInTheirOwnSize) {
         };
         const auto frame =
             must(reflect::FrameState::create(library().gpu(), {kWidth, kHeight, backfaceSettings(), false, false}));
-        frame->inputs = {borrowed(host.depth),
-                         borrowed(host.normal),
-                         borrowed(host.material),
-                         borrowed(host.litRadiance),
-                         {},
-                         borrowed(back),
-                         {}};
+        frame->inputs.depth = borrowed(host.depth);
+        frame->inputs.normal = borrowed(host.normal);
+        frame->inputs.material = borrowed(host.material);
+        frame->inputs.litRadiance = borrowed(host.litRadiance);
+        frame->inputs.backDepth = borrowed(back);
         must(frame->expectBackFaces(11, 6));
         run([&](VkCommandBuffer commands) {
             gpu::Frame recording(library().gpu(), commands);

@@ -139,7 +139,7 @@ protected:
         std::vector<glm::uvec2> record;
         for (const Pixel& pixel : pixels) {
             viewZ.push_back(static_cast<float>(pixel.viewZ));
-            material.emplace_back(pixel.f0, pixel.perceptualRoughness);
+            material.emplace_back(pixel.f0, 1); // one surface fills the pixel
             lit.emplace_back(pixel.lit, 0.25f);
             fallback.emplace_back(pixel.fallback, 0);
             reflected.push_back(pixel.answer);
@@ -154,6 +154,8 @@ protected:
         gpu::Image fallbackImage = upload("test/fallback", kWide, bytesOf(fallback));
         gpu::Image reflectedImage = upload("test/reflected", kWide, bytesOf(reflected));
         gpu::Image recordImage = upload("test/record", VK_FORMAT_R32G32_UINT, bytesOf(record));
+        gpu::Image edge =
+            uploadTestImage(gpu(), "test/edge", VK_FORMAT_R32G32B32A32_UINT, 1, 1, bytesOf(std::vector<glm::uvec4>(1)));
         gpu::Image composite = output("test/composite", VK_FORMAT_R16G16B16A16_SFLOAT);
         static const gpu::Pipeline pipeline =
             must(gpu::Pipeline::compute(gpu(), {"composite/composite", sizeof(constants), {}}));
@@ -165,6 +167,7 @@ protected:
                 .read("viewZ", viewZImage)
                 .read("surface", surface)
                 .read("material", materialImage)
+                .read("edge", edge)
                 .read("litRadiance", litImage)
                 .read("fallbackSpecular", fallbackImage)
                 .read("reflected", reflectedImage)

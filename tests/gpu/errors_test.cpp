@@ -96,6 +96,27 @@ TEST_F(ErrorsTest, missingOrWrongImagesAreNamed) {
     GBuffer channel = right.gbuffer;
     channel.conventions.roughnessChannel = 4;
     EXPECT_THAT(inputsError(made, channel), HasSubstr("roughnessChannel is 4"));
+    channel = right.gbuffer;
+    channel.conventions.metallicChannel = 4;
+    EXPECT_THAT(inputsError(made, channel), HasSubstr("metallicChannel is 4"));
+    GBuffer metallic = right.gbuffer;
+    metallic.conventions.material = MaterialKind::MetallicRoughness;
+    EXPECT_THAT(inputsError(made, metallic), AllOf(HasSubstr("`baseColor`"), HasSubstr("missing")));
+}
+
+TEST_F(ErrorsTest, sampleCountsMustAgree) {
+    Reflections made = reflections(kWidth, kHeight);
+    const SyntheticGBuffer right = host();
+    for (HostImage GBuffer::*member : {&GBuffer::normal, &GBuffer::material, &GBuffer::litRadiance}) {
+        GBuffer wrong = right.gbuffer;
+        (wrong.*member).samples = 4;
+        EXPECT_THAT(inputsError(made, wrong), HasSubstr("4 samples"));
+    }
+    for (const uint32_t samples : {0u, 3u, 32u}) {
+        GBuffer wrong = right.gbuffer;
+        wrong.depth.samples = wrong.normal.samples = wrong.material.samples = samples;
+        EXPECT_THAT(inputsError(made, wrong), AllOf(HasSubstr("`depth`"), HasSubstr(std::to_string(samples))));
+    }
 }
 
 TEST_F(ErrorsTest, brokenEnvironmentsAreRefused) {

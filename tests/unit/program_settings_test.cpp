@@ -46,6 +46,23 @@ TEST_F(ProgramSettingsTest, BareAliasesFollowThePreset) {
               "write 'babylon:thickness' or 'compute-ssr:thickness'");
 }
 
+TEST_F(ProgramSettingsTest, NumbersOfOtherSystemsPickAChoice) {
+    const auto antialias = [](const std::string& assignment) {
+        const auto loaded = loadSettings({{}, "babylon", "", {"display.antialias=fxaa", assignment}});
+        EXPECT_TRUE(loaded.ok()) << loaded.error().message;
+        return loaded->render.display.antialias;
+    };
+    EXPECT_EQ(antialias("samples=1"), Antialias::None);
+    EXPECT_EQ(antialias("samples=4"), Antialias::Msaa4);
+    EXPECT_EQ(antialias("babylon:samples=4"), Antialias::Msaa4);
+    EXPECT_EQ(errorOf({{}, "", "", {"babylon:samples=3"}}),
+              "--set babylon:samples=3: babylon:samples: expected 1 or 4, got '3'");
+    EXPECT_EQ(errorOf({{}, "", "", {"babylon:samples=true"}}),
+              "--set babylon:samples=true: babylon:samples: expected a whole number, got 'true'");
+    const std::string page = settingsPage();
+    EXPECT_NE(page.find("`babylon:samples` (1: none, 4: msaa4)"), page.npos);
+}
+
 TEST_F(ProgramSettingsTest, ErrorsSayWhere) {
     EXPECT_EQ(errorOf({{}, "", "", {"screen.step"}}), "--set screen.step: expected KEY=VALUE");
     EXPECT_EQ(errorOf({{}, "", "", {"display.tonmap=agx"}}),

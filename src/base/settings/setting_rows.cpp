@@ -84,6 +84,13 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
         alias.transform = AliasTransform::OneMinus;
     } else if (transform == "1/(n+1)") {
         alias.transform = AliasTransform::InverseOnePlus;
+    } else if (transform.find(':') != transform.npos) {
+        alias.transform = AliasTransform::Numbered;
+        for (const std::string_view part : split(transform, '|')) {
+            const size_t mark = std::min(part.find(':'), part.size() - 1);
+            alias.numbers.emplace_back(static_cast<int>(readNumber(info.key, part.substr(0, mark))),
+                                       choiceIndex(info, part.substr(mark + 1)));
+        }
     } else if (const size_t bar = transform.find('|'); bar != transform.npos) {
         alias.transform = AliasTransform::Choice;
         alias.whenFalse = choiceIndex(info, transform.substr(0, bar));

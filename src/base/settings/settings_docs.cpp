@@ -29,6 +29,12 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::InverseOnePlus: return "1/(n+1)";
     case AliasTransform::Choice:
         return fmt::format("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
+    case AliasTransform::Numbered: {
+        std::vector<std::string> parts;
+        for (const auto& [number, choice] : alias.numbers)
+            parts.push_back(fmt::format("{}:{}", number, settingText(info, choice)));
+        return joinText(parts, "|");
+    }
     case AliasTransform::Always:
     case AliasTransform::Instead: return settingText(info, alias.whenTrue);
     }
@@ -43,6 +49,12 @@ std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::Choice:
         return fmt::format("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
                            settingText(info, alias.whenTrue));
+    case AliasTransform::Numbered: {
+        std::vector<std::string> parts;
+        for (const auto& [number, choice] : alias.numbers)
+            parts.push_back(fmt::format("{}: {}", number, settingText(info, choice)));
+        return fmt::format("{} ({})", name, joinText(parts, ", "));
+    }
     case AliasTransform::Always: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
     case AliasTransform::Instead:
         return fmt::format("{} (makes {} {})", name, settingText(info, alias.whenFalse),

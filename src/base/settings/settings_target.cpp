@@ -97,7 +97,8 @@ Result<std::vector<Match>> findSettings(SettingsTargets targets, std::string_vie
 SettingType writtenType(const Match& match) {
     switch (match.alias ? match.alias->transform : AliasTransform::Same) {
     case AliasTransform::OneMinus: return SettingType::Float;
-    case AliasTransform::InverseOnePlus: return SettingType::Int;
+    case AliasTransform::InverseOnePlus:
+    case AliasTransform::Numbered: return SettingType::Int;
     case AliasTransform::Choice: return SettingType::Bool;
     case AliasTransform::Same:
     case AliasTransform::Always:
@@ -152,6 +153,17 @@ Result<double> readValue(std::string_view name, const Match& match, const Settin
     return readChoice(name, *match.info, input);
 }
 
+/// The enum value behind a number of the other system's.
+Result<double> numbered(std::string_view name, const SettingAlias& alias, double value, const SettingInput& input) {
+    std::vector<std::string> known;
+    for (const auto& [number, choice] : alias.numbers) {
+        if (number == value)
+            return static_cast<double>(choice);
+        known.push_back(fmt::format("{}", number));
+    }
+    return wrongType(name, listText(known, " or "), input);
+}
+
 double transformed(const SettingAlias* alias, double value) {
     switch (alias ? alias->transform : AliasTransform::Same) {
     case AliasTransform::OneMinus: return 1 - value;
@@ -159,6 +171,7 @@ double transformed(const SettingAlias* alias, double value) {
     case AliasTransform::Choice: return value != 0 ? alias->whenTrue : alias->whenFalse;
     case AliasTransform::Always:
     case AliasTransform::Instead: return alias->whenTrue;
+    case AliasTransform::Numbered:
     case AliasTransform::Same: break;
     }
     return value;
@@ -190,7 +203,11 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
         return assignment;
     }
     GLINT_TRY(written, readValue(name, match, input));
-    const double value = transformed(match.alias, written);
+    double value = transformed(match.alias, written);
+    if (transform == AliasTransform::Numbered) {
+        GLINT_TRY(choice, numbered(name, *match.alias, written, input));
+        value = choice;
+    }
     assignment.value = narrowed(info, value);
     if (!info.range.text.empty() && !inRange(info.range, value, assignment.value)) {
         Error error = outOfRange(info, fmt::format("{}", value));

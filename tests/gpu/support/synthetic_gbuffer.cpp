@@ -91,7 +91,9 @@ gpu::Image uploadTestImage(gpu::Context& context, const char* name, VkFormat for
 }
 
 HostImage asHostImage(const gpu::Image& image) {
-    return {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    host.samples = image.desc().samples;
+    return host;
 }
 
 std::vector<float> download(gpu::Context& context, const HostImage& image) {

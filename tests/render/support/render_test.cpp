@@ -105,8 +105,9 @@ RenderTest::Frame RenderTest::draw(const SceneParts& parts, const render::ViewPa
     });
     render::GBuffer& g = renderer.gbuffer();
     const auto read = [&](gpu::Image& image) {
-        return image ? Picture{image.width(), image.height(), must(gpu::downloadImageAsFloats(gpu(), image))}
-                     : Picture();
+        return image && image.desc().samples == 1
+                   ? Picture{image.width(), image.height(), must(gpu::downloadImageAsFloats(gpu(), image))}
+                   : Picture();
     };
     return {read(g.litRadiance),      read(g.deviceDepth), read(g.normal),   read(g.material),
             read(g.fallbackSpecular), read(g.motion),      read(g.backDepth)};

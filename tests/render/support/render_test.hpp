@@ -53,7 +53,7 @@ class RenderTest : public GpuTest {
 protected:
     static gpu::Context& gpu();
 
-    struct Frame {
+    struct Frame { ///< images with several samples a pixel are left empty
         Picture lit;
         Picture depth;
         Picture normal;

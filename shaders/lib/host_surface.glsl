@@ -1,0 +1,74 @@
+// A host's G-buffer texels -> Glint's own conventions (include/glint/gbuffer.hpp lists what a host may state). Pure
+// functions: the passes of prepare read the images, one sample a pixel or several.
+#ifndef GLINT_LIB_HOST_SURFACE_GLSL
+#define GLINT_LIB_HOST_SURFACE_GLSL
+
+#include "lib/camera.glsl"
+#include "lib/octahedral.glsl"
+#include "lib/sanitize.glsl"
+
+/// What a texel of the host says.
+struct HostSurface {
+    float viewZ;    // metres; kBackgroundZ: nothing is here
+    vec3 normalVS;  // unit
+    vec3 f0;        // [0, 1]
+    float perceptualRoughness;
+};
+
+/// Metres along the view axis; a NaN depth is background too.
+float hostViewZ(FrameConstants frame, float depth) {
+    float z = viewZFromDepth(frame, depth);
+    return z > 0.0 ? z : kBackgroundZ;
+}
+
+/// As rays see it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance. Rounded to the nearest half,
+/// ties to even, by hand: a compiler may take packing and unpacking for nothing and leave both out.
+float storedViewZ(FrameConstants frame, float z) {
+    const float kLargestHalf = 65504.0;
+    if ((frame.flags & kInputHalfDepth) == 0u || z >= kBackgroundZ)
+        return z;
+    uint bits = floatBitsToUint(min(z, kLargestHalf));
+    bits += 0xfffu + ((bits >> 13) & 1u);
+    return uintBitsToFloat(bits & ~0x1fffu); // ten bits of mantissa are left
+}
+
+vec3 hostNormalVS(FrameConstants frame, vec3 stored) {
+    if ((frame.flags & kInputNormalUnorm) != 0u)
+        stored = stored * 2.0 - 1.0;
+    vec3 decoded = (frame.flags & kInputNormalOctahedral) != 0u ? decodeOctahedral(stored.xy) : stored;
+    if ((frame.flags & kInputNormalView) != 0u) {
+        if ((frame.flags & kInputLeftHanded) != 0u)
+            decoded.z = -decoded.z;
+    } else {
+        decoded = mat3(frame.worldToView) * decoded;
+    }
+    // A cleared or broken normal faces the camera: it reflects nothing odd and spreads no NaN.
+    float squaredLength = dot(decoded, decoded);
+    return squaredLength > 1e-12 && squaredLength < 1e12 ? decoded * inversesqrt(squaredLength) : vec3(0.0, 0.0, 1.0);
+}
+
+/// `stored`: a texel of the material image; `baseColor`: of the base colour's, where the kind of material has one.
+vec3 hostF0(FrameConstants frame, vec4 stored, vec3 baseColor) {
+    vec3 f0 = stored.rgb;
+    if (frame.materialKind == kMaterialMetallicRoughness) // glTF 2.0, B.2: dielectrics reflect 4 %
+        f0 = mix(vec3(0.04), sanitize(baseColor), clamp(sanitize(stored[frame.metallicChannel]), 0.0, 1.0));
+    else if ((frame.flags & kInputMaterial) == 0u)
+        f0 = vec3(1.0);
+    return clamp(sanitize(f0), 0.0, 1.0);
+}
+
+float hostRoughness(FrameConstants frame, vec4 stored) {
+    if (frame.materialKind == kMaterialStandard)
+        return 0.0;
+    float roughness = stored[frame.roughnessChannel];
+    if ((frame.flags & kInputSmoothness) != 0u)
+        roughness = 1.0 - roughness;
+    return clamp(sanitize(roughness), 0.0, 1.0);
+}
+
+HostSurface hostSurface(FrameConstants frame, float depth, vec3 normal, vec4 material, vec3 baseColor) {
+    return HostSurface(hostViewZ(frame, depth), hostNormalVS(frame, normal), hostF0(frame, material, baseColor),
+                       hostRoughness(frame, material));
+}
+
+#endif

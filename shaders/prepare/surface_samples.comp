@@ -1,0 +1,126 @@
+// prepare/surface for hosts with several samples a pixel. A pixel's samples may lie on different surfaces, whose mean is
+// a surface that does not exist: a wall and the floor far behind it average to a depth where nothing is and a normal
+// that faces nowhere, and mirrors show both as a rim. So one sample speaks for the pixel, depth, normal and material
+// together: one of the surface that most samples show, of the nearest if two show as many. (The nearest sample of all,
+// the other sensible rule, widens things by a pixel; measured against a picture with sixteen times the pixels it is
+// farther off.) Its share of the pixel is its coverage; of the other samples the nearest is kept as the pixel's second
+// surface, whose reflection composite finds beside it.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/edge.glsl"
+#include "lib/host_surface.glsl"
+#include "lib/math.glsl"
+#include "lib/surface.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2DMS depth;
+layout(set = 0, binding = 2) uniform sampler2DMS normal;
+layout(set = 0, binding = 3) uniform sampler2DMS material;
+layout(set = 0, binding = 4) uniform sampler2DMS baseColor;
+layout(set = 0, binding = 5, r32f) uniform writeonly image2D viewZ;
+layout(set = 0, binding = 6, rg32ui) uniform writeonly uimage2D surface;
+layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D resolvedMaterial;
+layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D edge;
+
+HostSurface loadSample(ivec2 px, int index) {
+    return hostSurface(frame.constants, texelFetch(depth, px, index).r, texelFetch(normal, px, index).xyz,
+                       texelFetch(material, px, index), texelFetch(baseColor, px, index).rgb);
+}
+
+/// How far the surface's plane goes away from the eye over one pixel, metres.
+float slopeOverPixel(ivec2 px, HostSurface here) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    bool orthographic = isOrthographic(frame.constants);
+    vec3 positionVS = viewPosition(frame.constants, uv, here.viewZ);
+    vec3 ray = orthographic ? vec3(0.0, 0.0, -1.0) : positionVS / here.viewZ;
+    vec2 pixel = abs(frame.constants.uvToView.xy) * frame.constants.invSize * (orthographic ? 1.0 : here.viewZ);
+    return dot(abs(here.normalVS.xy), pixel) / max(abs(dot(here.normalVS, ray)), 0.02);
+}
+
+/// May be too strict at no harm: a surface cut in two finds its own reflection again.
+bool sameSurface(HostSurface a, HostSurface b, float depthTolerance) {
+    return abs(a.viewZ - b.viewZ) <= depthTolerance && dot(a.normalVS, b.normalVS) > 0.95 &&
+           maxComponent(abs(a.f0 - b.f0)) < 1.0 / 128.0 && abs(a.perceptualRoughness - b.perceptualRoughness) < 1.0 / 64.0;
+}
+
+float depthTolerance(ivec2 px, HostSurface here) {
+    return 2.0 * slopeOverPixel(px, here) + 1e-3 * here.viewZ;
+}
+
+/// The samples that show one surface.
+struct Group {
+    HostSurface surface;
+    float depthTolerance;
+    int members;    // 0: the background
+    float depthSum; // of what a plane is linear in on the screen: 1 / viewZ, or viewZ of an orthographic camera
+};
+
+Group groupOf(ivec2 px, int index, int count) {
+    HostSurface surface = loadSample(px, index);
+    Group group = Group(surface, depthTolerance(px, surface), 0, 0.0);
+    for (int i = 0; surface.viewZ < kBackgroundZ && i < count; ++i) {
+        HostSurface other = loadSample(px, i);
+        if (other.viewZ < kBackgroundZ && sameSurface(surface, other, group.depthTolerance)) {
+            ++group.members;
+            group.depthSum += isOrthographic(frame.constants) ? other.viewZ : 1.0 / other.viewZ;
+        }
+    }
+    return group;
+}
+
+Group mostSeen(ivec2 px, int count) {
+    Group best = groupOf(px, 0, count);
+    for (int i = 1; best.members < count && i < count; ++i) {
+        Group group = groupOf(px, i, count);
+        if (group.members > best.members ||
+            (group.members == best.members && group.surface.viewZ < best.surface.viewZ))
+            best = group;
+    }
+    return best;
+}
+
+/// What `front` leaves of the pixel: the nearest of it stands for all.
+Edge secondSurface(ivec2 px, Group front, int count) {
+    HostSurface nearest = front.surface;
+    nearest.viewZ = kBackgroundZ;
+    int members = 0;
+    for (int i = 0; i < count; ++i) {
+        HostSurface other = loadSample(px, i);
+        if (other.viewZ >= kBackgroundZ || sameSurface(front.surface, other, front.depthTolerance))
+            continue;
+        ++members;
+        if (other.viewZ < nearest.viewZ)
+            nearest = other;
+    }
+    return Edge(nearest.f0, float(members) / float(count), nearest.viewZ, nearest.normalVS);
+}
+
+/// Where one surface fills the pixel, its samples lie around the centre, and so its depth there is their mean.
+float depthOf(Group group, int count) {
+    if (group.members < count)
+        return group.surface.viewZ;
+    float mean = group.depthSum / float(count);
+    return isOrthographic(frame.constants) ? mean : 1.0 / mean;
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    int count = textureSamples(depth);
+    Group front = mostSeen(px, count);
+    HostSurface here = front.surface;
+    float coverage = front.members > 0 ? float(front.members) / float(count) : 1.0;
+    imageStore(viewZ, px, vec4(storedViewZ(frame.constants, depthOf(front, count))));
+    imageStore(surface, px,
+               uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));
+    imageStore(resolvedMaterial, px, vec4(here.f0, coverage));
+    if (coverage < 1.0)
+        imageStore(edge, px, packEdge(secondSurface(px, front, count)));
+}
