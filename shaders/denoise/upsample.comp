@@ -107,7 +107,7 @@ vec4 mostSimilar(Place here, ivec2 px) {
 /// that place, or a side that the ray would not meet.
 bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
     const float kMeetsFront = 0.02;  // cosine
-    const float kSameHit = 0.25;     // share of the distance by which the plane of the surface found may correct it
+    const float kSameHit = 1.5;      // the surface found may be farther by half; toward a contact rays become short
     const float kSameDepth = 0.002;  // of viewZ, besides half a pixel
     float along = distance;
     for (int step = 0; step < 2; ++step) {
@@ -127,7 +127,7 @@ bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
         if (step == 1)
             return abs(beyond) <= 0.5 * there.metresPerPixel + kSameDepth * -there.positionVS.z;
         along += beyond / approach;
-        if (abs(along - distance) > kSameHit * distance)
+        if (along <= 0.0 || along > kSameHit * distance)
             return false;
     }
     return false;
