@@ -136,7 +136,7 @@ TEST_F(ColorSourceTest, hitsAreFoundAgainWhenTheCameraMoves) {
         EXPECT_GT(hits, 500u);
         EXPECT_GT(remembered, hits * 3 / 4) << "the rest was off the previous screen";
         EXPECT_LT(remembered, hits) << orthoHeight;
-        EXPECT_LE(elsewhere, 2u) << "a texel of the floor at the wall's very foot may pass for the wall";
+        EXPECT_LE(elsewhere, hits / 100) << "a texel of the floor at the very foot of the wall may pass for it";
     }
 }
 
