@@ -64,7 +64,8 @@ public:
     Result<void> setSettings(const Settings& settings);
 
     /// States the host's images; call again when any of them changes. The environment may be absent.
-    /// Errors: InvalidArgument says which image is missing or of another size.
+    /// When backDepth's size changes, the GPU must have finished the frames recorded with the old one.
+    /// Errors: InvalidArgument says which image is missing or of another size; OutOfMemory.
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment = {});
 
     /// Records the frame's passes. Never submits or waits, and makes no Vulkan object and no device memory. Call

@@ -91,6 +91,9 @@ void main() {
     case kViewRayDirection:
         value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z);
         break;
+    case kViewRay:
+        value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));
+        break;
     }
     imageStore(view, px, value);
 }

@@ -4,6 +4,7 @@
 #ifndef GLINT_LIB_LIGHTING_GLSL
 #define GLINT_LIB_LIGHTING_GLSL
 
+#include "lib/clearcoat.glsl"
 #include "lib/lights.glsl"
 #include "lib/material.glsl"
 
@@ -29,19 +30,7 @@ struct Lighting {
     vec3 environmentSpecular; // the base layer's: what reflections replace
     vec3 coatSpecular;        // the clear coat's share of the environment
     vec3 emission;
-    vec3 baseF0;              // f0 as reflections should weight it: below a coat, the coat has taken its share
 };
-
-const float kClearcoatF0 = 0.04; // KHR_materials_clearcoat: ior 1.5
-
-float clampedNoV(vec3 N, vec3 V) {
-    return clamp(dot(N, V), 1e-3, 1.0); // normal maps and interpolation may turn N away from the eye
-}
-
-/// What the coat reflects, and so takes from the layers below: KHR_materials_clearcoat, "Layering".
-float coatReflectance(MaterialSample m, vec3 V) {
-    return m.clearcoat * F_Schlick(vec3(kClearcoatF0), 1.0, clampedNoV(m.clearcoatNormalWS, V)).x;
-}
 
 /// One specular lobe under a punctual light, times NoL.
 vec3 specularLobe(vec3 N, vec3 V, vec3 L, vec3 f0, float f90, float perceptualRoughness) {
@@ -98,7 +87,6 @@ Lighting lightSurface(MaterialSample m, SurfacePoint point, vec3 V) {
     float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
     sum.diffuse = sum.directSpecular = sum.environmentSpecular = sum.coatSpecular = vec3(0.0);
     sum.emission = m.emission * (1.0 - coat);
-    sum.baseF0 = m.f0 * (1.0 - coat);
     if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 == 0.0)
         return sum; // unlit or black: nothing to light
     vec2 dfg = loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness);

@@ -14,6 +14,7 @@ layout(scalar, set = 0, binding = 4) uniform ViewBlock {
 
 #define VARYING out
 #include "render/surface_varyings.glsl"
+invariant gl_Position; // passes that draw the same surface meet at the same depth
 
 void main() {
     Instance instance = instances.list[draw.constants.instance];

@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "lib/transmission.glsl"
-#include "render/surface_bindings.glsl"
+#include "render/lighting_bindings.glsl"
 
 layout(set = 0, binding = 10) uniform sampler2D behind; // the picture without transparent surfaces, with mips
 

@@ -10,7 +10,8 @@
 // clang-format off
 #define GLINT_VK_INSTANCE_FUNCTIONS(X)                                                                                 \
     X(DestroyInstance) X(EnumeratePhysicalDevices) X(GetPhysicalDeviceProperties2) X(GetPhysicalDeviceFeatures2)       \
-    X(GetPhysicalDeviceFormatProperties2) X(GetPhysicalDeviceQueueFamilyProperties)                                    \
+    X(GetPhysicalDeviceFormatProperties2) X(GetPhysicalDeviceImageFormatProperties2)                                   \
+    X(GetPhysicalDeviceQueueFamilyProperties)                                                                          \
     X(GetPhysicalDeviceMemoryProperties) X(EnumerateDeviceExtensionProperties) X(CreateDevice) X(GetDeviceProcAddr)
 
 #define GLINT_VK_DEVICE_FUNCTIONS(X)                                                                                   \
@@ -26,6 +27,7 @@
     X(CmdDispatch) X(CmdDispatchIndirect) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)   \
     X(CmdSetCullMode) X(CmdSetFrontFace)                                                                               \
     X(CmdBindIndexBuffer) X(CmdDraw) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyImage) X(CmdBlitImage)                \
+    X(CmdResolveImage)                                                                                                 \
     X(CmdCopyBufferToImage) X(CmdCopyImageToBuffer) X(CmdUpdateBuffer) X(CmdFillBuffer) X(CmdClearColorImage)          \
     X(CmdResetQueryPool) X(CmdWriteTimestamp2)
 

@@ -388,6 +388,17 @@ bool Context::supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) co
     return (properties3.optimalTilingFeatures & features) == features;
 }
 
+bool Context::supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const {
+    VkPhysicalDeviceImageFormatInfo2 info = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGE_FORMAT_INFO_2};
+    info.format = format;
+    info.type = VK_IMAGE_TYPE_2D;
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = usage;
+    VkImageFormatProperties2 properties = {VK_STRUCTURE_TYPE_IMAGE_FORMAT_PROPERTIES_2};
+    return api_.GetPhysicalDeviceImageFormatProperties2(physicalDevice_, &info, &properties) == VK_SUCCESS &&
+           (properties.imageFormatProperties.sampleCounts & samples) != 0;
+}
+
 void Context::nameObject(VkObjectType type, uint64_t handle, const char* name) const {
     if (!api_.SetDebugUtilsObjectNameEXT)
         return;

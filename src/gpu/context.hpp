@@ -79,6 +79,8 @@ public:
     Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& recordCommands);
 
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
+    /// Can an image of this format and usage have so many samples a pixel?
+    bool supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const;
     void nameObject(VkObjectType type, uint64_t handle, const char* name) const;
 
     /// Validation messages so far (created contexts with validation on). Tests fail on any.

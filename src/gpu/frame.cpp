@@ -232,6 +232,20 @@ void Frame::copy(Image& source, Image& target) {
                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
+void Frame::resolve(Image& source, Image& target) {
+    use(source, 0, 1, kTransferReadImage);
+    use(target, 0, 1, kTransferWriteImage);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    VkImageResolve region = {};
+    region.srcSubresource = {source.aspect(), 0, 0, 1};
+    region.dstSubresource = {target.aspect(), 0, 0, 1};
+    region.extent = {source.width(), source.height(), 1};
+    context_.api().CmdResolveImage(commands_, source.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.handle(),
+                                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+}
+
 void Frame::copyBuffer(Buffer& source, Buffer& readback) {
     use(source, kTransferReadBuffer);
     use(readback, kTransferWriteBuffer);

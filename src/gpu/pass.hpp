@@ -75,6 +75,8 @@ public:
 
     /// One thread for each of width * height * depth elements: rounded up to whole groups.
     void dispatch(uint32_t width, uint32_t height = 1, uint32_t depth = 1);
+    /// As many groups as the three words at `offset` of `arguments` say when the pass runs.
+    void dispatchIndirect(Buffer& arguments, size_t offset = 0);
     /// Draws what `record(Draws&)` draws over the attachments' whole area.
     template <class Record>
     void draw(Record&& record) {
@@ -147,6 +149,8 @@ public:
     /// Makes the rest of the mip chain from level 0 by box filtering (linear formats and sRGB alike).
     void makeMips(Image& image);
     void copy(Image& source, Image& target);
+    /// The mean of a colour image's samples, into an image with one sample a pixel.
+    void resolve(Image& source, Image& target);
     /// Into a readback buffer of the same size, visible to the CPU once the GPU is done.
     void copyBuffer(Buffer& source, Buffer& readback);
 

@@ -178,7 +178,7 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
     raster.depthBiasConstantFactor = desc.depthBiasConstant;
     raster.depthBiasSlopeFactor = desc.depthBiasSlope;
     VkPipelineMultisampleStateCreateInfo multisample = {VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+    multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples);
     VkPipelineDepthStencilStateCreateInfo depth = {VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
     depth.depthTestEnable = desc.depthFormat != VK_FORMAT_UNDEFINED;
     depth.depthWriteEnable = depth.depthTestEnable && desc.depthWrite;

@@ -31,6 +31,7 @@ struct RasterDesc {
     std::vector<SpecConstant> constants; ///< for both stages
     std::vector<VkFormat> colorFormats;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
+    uint32_t samples = 1; ///< a pixel, of every attachment
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL; ///< reversed depth
     bool depthWrite = true;

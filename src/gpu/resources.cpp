@@ -47,7 +47,7 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
     info.extent = {desc.width, desc.height, 1};
     info.mipLevels = desc.mips;
     info.arrayLayers = desc.layers;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.samples = static_cast<VkSampleCountFlagBits>(desc.samples);
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = desc.usage;
     if (const VkResult result = createImage(context.allocator(), info, image.image_, image.allocation_);

@@ -26,6 +26,7 @@ struct ImageDesc {
     uint32_t layers = 1; ///< 6 for a cube
     ImageShape shape = ImageShape::Flat;
     VkImageUsageFlags usage = 0;
+    uint32_t samples = 1; ///< a pixel
 };
 
 /// Owned (created here) or borrowed (a host's). Movable; destroys what it owns.

@@ -48,7 +48,7 @@ void recordBlur(gpu::Frame& frame, const DenoisePipelines& pipelines, const Sett
 
 void recordUpsample(gpu::Frame& frame, const DenoisePipelines& pipelines, const Settings& settings,
                     DenoiseInputs inputs, Grid source, gpu::Image& target) {
-    const shared::TraceConstants trace = traceConstants(settings);
+    const shared::TraceConstants trace = traceConstants(settings, inputs.trace.backFacesKnown);
     const shared::UpsampleConstants constants = {source.size(),
                                                  trace.threshold,
                                                  trace.roughnessFadeStart,

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace glint::reflect {
@@ -20,13 +21,6 @@ bool wantsHistory(const Settings& settings) {
     return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
 }
 
-size_t indexOf(March march) {
-    const std::span<const Technique> all = techniques();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Technique& technique) { return technique.march == march; });
-    return found == all.end() ? 0 : static_cast<size_t>(found - all.begin());
-}
-
 } // namespace
 
 // ---------------------------------------------------------------- the frame, top to bottom
@@ -36,6 +30,9 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     turnHistory();
     prepare(frame, view);
     if (desc.settings.screen.enabled) {
+        classify(frame);
+        if (techniqueFor(desc.settings.screen.march).usesPyramid)
+            makePyramid(frame);
         trace(frame);
         denoise(frame);
     } else {
@@ -58,6 +55,8 @@ void FrameState::makeTables(gpu::Frame& frame) {
     frame.pass(pipelines.dfg).write("dfg", dfg).dispatch(kDfgSize, kDfgSize);
     frame.clear(black, {});
     frame.clear(blackCube, {});
+    if (pyramid.tiles)
+        frame.fill(pyramid.tiles, 0);
     tablesMade = !frame.rehearsing();
 }
 
@@ -114,16 +113,57 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
         .write("viewZ", prepared.viewZ)
         .write("surface", prepared.surface)
         .dispatch(desc.width, desc.height);
+    prepareBackFaces(frame);
 }
 
-void FrameState::trace(gpu::Frame& frame) {
-    const size_t index = indexOf(desc.settings.screen.march);
-    techniques()[index].record(frame, pipelines.trace[index], desc.settings, traceInputs(), traced);
-    untraced = false;
+void FrameState::prepareBackFaces(gpu::Frame& frame) {
+    if (hasBackFaces || frame.rehearsing())
+        frame.pass(pipelines.backFaces)
+            .read("frame", frameConstants)
+            .read("backDepth", inputs.backDepth, kTexels)
+            .write("backViewZ", prepared.backViewZ)
+            .dispatch(prepared.backViewZ.width(), prepared.backViewZ.height());
+    else if (!noBackFaces)
+        frame.clear(prepared.backViewZ, {.float32 = {shared::kBackgroundZ}});
+    noBackFaces = !hasBackFaces && !frame.rehearsing();
 }
 
 TraceInputs FrameState::traceInputs() {
-    return {frameConstants, inputs, prepared, usesHistory ? &history : nullptr, black};
+    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces, usesHistory ? &history : nullptr, black};
+}
+
+void FrameState::classify(gpu::Frame& frame) {
+    constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, 0};
+    frame.update(rays.list, &kNoRays, sizeof(kNoRays));
+    gpu::Pass pass = frame.pass(pipelines.classify);
+    pass.read("frame", frameConstants)
+        .read("viewZ", prepared.viewZ)
+        .read("surface", prepared.surface)
+        .readWrite("rays", rays.list);
+    writeTraced(pass, traced, false)
+        .push(traceConstants(desc.settings, hasBackFaces))
+        .dispatch(traced.width, traced.height);
+}
+
+void FrameState::makePyramid(gpu::Frame& frame) {
+    const shared::TraceConstants settings = traceConstants(desc.settings, hasBackFaces);
+    const shared::PyramidConstants constants = {settings.thickness, settings.thicknessRelative, settings.flags,
+                                                pyramid.levels};
+    frame.pass(pipelines.pyramid)
+        .read("frame", frameConstants)
+        .read("viewZ", prepared.viewZ)
+        .read("backViewZ", prepared.backViewZ)
+        .write("pyramid", pyramid.cells)
+        .readWrite("tiles", pyramid.tiles)
+        .push(constants)
+        .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, pyramidGroups));
+}
+
+void FrameState::trace(gpu::Frame& frame) {
+    const Technique& technique = techniqueFor(desc.settings.screen.march);
+    const auto index = static_cast<size_t>(&technique - techniques().data());
+    technique.record(frame, pipelines.trace[index], desc.settings, traceInputs(), traced);
+    untraced = false;
 }
 
 void FrameState::denoise(gpu::Frame& frame) {
@@ -214,10 +254,13 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
 Result<Pipelines> Pipelines::create(gpu::Context& context) {
     using gpu::Pipeline;
     GLINT_TRY(surface, Pipeline::compute(context, {"prepare/surface", 0, {}}));
+    GLINT_TRY(backFaces, Pipeline::compute(context, {"prepare/back_faces", 0, {}}));
     GLINT_TRY(dfg, Pipeline::compute(context, {"prepare/dfg", 0, {}}));
+    GLINT_TRY(classify, Pipeline::compute(context, {"trace/classify", sizeof(shared::TraceConstants), {}}));
+    GLINT_TRY(pyramid, Pipeline::compute(context, {"prepare/pyramid", sizeof(shared::PyramidConstants), {}}));
     std::vector<Pipeline> trace;
     for (const Technique& technique : techniques()) {
-        GLINT_TRY(pipeline, Pipeline::compute(context, {technique.shader, technique.pushSize, {}}));
+        GLINT_TRY(pipeline, Pipeline::compute(context, {technique.shader, sizeof(shared::TraceConstants), {}}));
         trace.push_back(std::move(pipeline));
     }
     GLINT_TRY(denoise, DenoisePipelines::create(context));
@@ -225,8 +268,9 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface), std::move(dfg),       std::move(trace), std::move(denoise),
-                     std::move(combine), std::move(composite), std::move(view),  std::move(statistics)};
+    return Pipelines{std::move(surface),   std::move(backFaces), std::move(dfg),     std::move(classify),
+                     std::move(pyramid),   std::move(trace),     std::move(denoise), std::move(combine),
+                     std::move(composite), std::move(view),      std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -236,7 +280,9 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_TRY(pipelines, Pipelines::create(context));
     state->pipelines = std::move(pipelines);
     GLINT_CHECK(state->createImages());
-    GLINT_CHECK(state->makeImagesFor(desc.settings));
+    GLINT_CHECK(state->expectBackFaces(0, 0));
+    GLINT_CHECK(state->createRays());
+    GLINT_CHECK(state->setSettings(desc.settings));
     GLINT_TRY(timers, gpu::Timers::create(context));
     state->timers = std::move(timers);
     GLINT_CHECK(state->rehearse());
@@ -333,10 +379,71 @@ Result<void> FrameState::createImages() {
     return {};
 }
 
+Result<void> FrameState::createRays() {
+    GLINT_TRY(list, gpu::Buffer::create(*context, {"glint/rays",
+                                                   sizeof(shared::RayListHeader) + size_t{4} * desc.width * desc.height,
+                                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                                   gpu::BufferHome::Device}));
+    rays.list = std::move(list);
+    return {};
+}
+
+Result<void> FrameState::createPyramid() {
+    const uint32_t longest = std::max(desc.width, desc.height);
+    pyramid.levels = std::clamp(static_cast<uint32_t>(std::bit_width(longest - 1)), 1u, shared::kMaxPyramidLevels - 1);
+    const auto half = [](uint32_t size, uint32_t times) { return (size + (1u << times) - 1) >> times; };
+    // Level 1 beside the column of the others: lib/pyramid.glsl.
+    GLINT_TRY(cells, gpu::Image::create(*context, {"glint/pyramid", VK_FORMAT_R32G32B32A32_UINT,
+                                                   half(desc.width, 1) + half(desc.width, 2),
+                                                   half(desc.height, 1) + pyramid.levels, 1, 1, gpu::ImageShape::Flat,
+                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT}));
+    const size_t tiles = size_t{half(desc.width, shared::kPyramidTileLevel)} *
+                         half(desc.height, shared::kPyramidTileLevel);
+    const size_t above = tiles; // more than the level above has
+    GLINT_TRY(tileCells, gpu::Buffer::create(*context, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
+                                                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                        gpu::BufferHome::Device}));
+    pyramid.cells = std::move(cells);
+    pyramid.tiles = std::move(tileCells);
+    tablesMade = false; // its counter starts at 0
+    return {};
+}
+
+Result<void> FrameState::setSettings(const Settings& settings) {
+    GLINT_CHECK(makeImagesFor(settings));
+    if (techniqueFor(settings.screen.march).usesPyramid && !pyramid.cells)
+        GLINT_CHECK(createPyramid());
+    desc.settings = settings;
+    return {};
+}
+
+Result<void> FrameState::expectBackFaces(uint32_t width, uint32_t height) {
+    hasBackFaces = width > 0 && height > 0;
+    if (prepared.backViewZ && !hasBackFaces)
+        return {};
+    width = std::max(width, 1u);
+    height = std::max(height, 1u);
+    if (prepared.backViewZ && prepared.backViewZ.width() == width && prepared.backViewZ.height() == height)
+        return {};
+    GLINT_TRY(image, gpu::Image::create(
+                         *context, {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, width, height, 1, 1, gpu::ImageShape::Flat,
+                                    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                        VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    lastBackViewZ = std::move(prepared.backViewZ);
+    prepared.backViewZ = std::move(image);
+    noBackFaces = false;
+    return {};
+}
+
 Result<void> FrameState::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     makeTables(frame);
     prepare(frame, {});
+    classify(frame);
+    makePyramid(frame);
     for (size_t i = 0; i < techniques().size(); ++i)
         techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);
     rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);

@@ -13,7 +13,10 @@ namespace glint::reflect {
 
 struct Pipelines {
     gpu::Pipeline surface;
+    gpu::Pipeline backFaces;
     gpu::Pipeline dfg;
+    gpu::Pipeline classify;
+    gpu::Pipeline pyramid;
     std::vector<gpu::Pipeline> trace; ///< in the order of techniques()
     DenoisePipelines denoise;
     gpu::Pipeline combine;
@@ -35,13 +38,17 @@ struct FrameState {
     uint32_t environmentMips = 1;
     Conventions conventions;
     bool inputsSet = false;
+    bool hasBackFaces = false; ///< the host's backDepth is there and asked for
 
     gpu::Buffer frameConstants;
     Prepared prepared;
+    Rays rays;
+    Pyramid pyramid;
     Traced traced;
     Denoised denoised;
     History history;
     Reflected reflected;
+    gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
     gpu::Image composite;
     gpu::Image dfg;
     gpu::Image viewImage;
@@ -49,7 +56,8 @@ struct FrameState {
     gpu::Image blackCube; ///< stands in for an absent environment
     gpu::Buffer statistics;
     gpu::Buffer statisticsReadback;
-    bool tablesMade = false; ///< dfg and the stand-ins hold their content
+    bool tablesMade = false;  ///< dfg and the stand-ins hold their content
+    bool noBackFaces = false; ///< prepared.backViewZ is cleared
     View lastView;
     bool upToDate = false;                 ///< the images belong to lastView; false if its frame had nothing to do
     bool untraced = false;                 ///< `traced` says that no ray was traced
@@ -63,9 +71,11 @@ struct FrameState {
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
 
+    /// Makes what `settings` ask for and the state does not have yet.
+    Result<void> setSettings(const Settings& settings);
     bool anySource() const;
-    /// Makes what these settings need and is not there yet. Errors: OutOfMemory.
-    Result<void> makeImagesFor(const Settings& settings);
+    /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
+    Result<void> expectBackFaces(uint32_t width, uint32_t height);
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
     /// Prepares first what the last frame did not need.
@@ -73,11 +83,17 @@ struct FrameState {
 
 private:
     Result<void> createImages();
+    Result<void> createRays();
+    Result<void> createPyramid();
+    TraceInputs traceInputs();
     Result<void> rehearse();
     void makeTables(gpu::Frame& frame);
     void turnHistory();
     void prepare(gpu::Frame& frame, const View& view);
-    TraceInputs traceInputs();
+    Result<void> makeImagesFor(const Settings& settings);
+    void prepareBackFaces(gpu::Frame& frame);
+    void classify(gpu::Frame& frame);
+    void makePyramid(gpu::Frame& frame);
     void trace(gpu::Frame& frame);
     void denoise(gpu::Frame& frame);
     void forgetTrace(gpu::Frame& frame);

@@ -55,6 +55,16 @@ Result<void> checkImage(const HostImage& image, const char* name, const Reflecti
     return checkLayout(image, name);
 }
 
+/// Back faces may have a size of their own.
+Result<void> checkBackDepth(const HostImage& image) {
+    if (!image)
+        return {};
+    if (!image.view || image.width < 1 || image.height < 1 || image.width > kMaxSize || image.height > kMaxSize)
+        return invalidArgument("the G-buffer's `backDepth` is {}x{}: it needs a view, and each side must be 1 to {}",
+                               image.width, image.height, kMaxSize);
+    return checkLayout(image, "backDepth");
+}
+
 Result<void> checkEnvironment(const EnvironmentMap& environment) {
     if (!environment.cube)
         return {};
@@ -74,7 +84,29 @@ struct Reflections::State {
     GBuffer gbuffer;
     EnvironmentMap environment;
     std::vector<std::string> notes;
+
+    bool wantsBackFaces() const { return frame->desc.settings.screen.thicknessMode == ThicknessMode::Backface; }
+    Result<void> expectBackFaces() {
+        const HostImage& image = gbuffer.backDepth;
+        return wantsBackFaces() && image ? frame->expectBackFaces(image.width, image.height)
+                                         : frame->expectBackFaces(0, 0);
+    }
+    void note();
 };
+
+/// What settings and inputs together leave undone.
+void Reflections::State::note() {
+    notes.clear();
+    if (!frame->inputsSet)
+        return;
+    if (!gbuffer.fallbackSpecular)
+        notes.emplace_back(
+            "no fallbackSpecular: reflections are added to litRadiance, as nothing says which part of it "
+            "they replace");
+    if (wantsBackFaces() && !gbuffer.backDepth)
+        notes.emplace_back("no backDepth: screen.thicknessMode backface takes every surface to be as thick as "
+                           "screen.thickness says");
+}
 
 Reflections::Reflections(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Reflections::~Reflections() = default;
@@ -94,9 +126,9 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
 
 Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
-    GLINT_CHECK(state_->frame->makeImagesFor(settings));
-    state_->frame->desc.settings = settings;
-    return {};
+    GLINT_CHECK(state_->frame->setSettings(settings));
+    state_->note();
+    return state_->expectBackFaces();
 }
 
 Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
@@ -107,6 +139,7 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     GLINT_CHECK(checkImage(gbuffer.litRadiance, "litRadiance", desc));
     if (gbuffer.fallbackSpecular)
         GLINT_CHECK(checkImage(gbuffer.fallbackSpecular, "fallbackSpecular", desc));
+    GLINT_CHECK(checkBackDepth(gbuffer.backDepth));
     if (gbuffer.motion)
         GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
     if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
@@ -124,11 +157,8 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     frame.environmentRotation = environment.rotation;
     frame.environmentMips = std::max(environment.mips, 1u);
     frame.inputsSet = true;
-    state_->notes.clear();
-    if (!gbuffer.fallbackSpecular)
-        state_->notes.emplace_back("no fallbackSpecular: reflections are added to litRadiance, as nothing says which "
-                                   "part of it they replace");
-    return {};
+    state_->note();
+    return state_->expectBackFaces();
 }
 
 HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
@@ -141,6 +171,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
               borrow(host.material, "material"),
               borrow(host.litRadiance, "litRadiance"),
               borrow(host.fallbackSpecular, "fallbackSpecular"),
+              borrow(host.backDepth, "backDepth"),
               borrow(host.motion, "motion"),
               borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
     state.lastView = view;
@@ -164,6 +195,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     giveBack(inputs.material, host.material);
     giveBack(inputs.litRadiance, host.litRadiance);
     giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
+    giveBack(inputs.backDepth, host.backDepth);
     giveBack(inputs.motion, host.motion);
     giveBack(inputs.environment, state_->environment.cube);
     return handOut(state.composite);

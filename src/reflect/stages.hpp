@@ -13,6 +13,7 @@ struct Inputs {
     gpu::Image material;
     gpu::Image litRadiance;
     gpu::Image fallbackSpecular; ///< may be absent
+    gpu::Image backDepth;        ///< may be absent; own size
     gpu::Image motion;           ///< may be absent
     gpu::Image environment;      ///< cube; may be absent
 };
@@ -21,6 +22,21 @@ struct Inputs {
 struct Prepared {
     gpu::Image viewZ;   ///< R32F, metres; kBackgroundZ where nothing was drawn
     gpu::Image surface; ///< RG32UI, lib/surface.glsl
+    /// R32F, metres, of the size of the host's backDepth: where the nearest back face is; kBackgroundZ where there is
+    /// none. One texel of kBackgroundZ until a host hands over back faces and screen.thicknessMode asks for them.
+    gpu::Image backViewZ;
+};
+
+/// `trace/classify`: which pixels need a ray.
+struct Rays {
+    gpu::Buffer list; ///< shared::RayListHeader, then a word a ray
+};
+
+/// `prepare/pyramid`, for the marchers that ask for it.
+struct Pyramid {
+    gpu::Image cells; ///< RGBA32UI, lib/pyramid.glsl
+    gpu::Buffer tiles;
+    uint32_t levels = 0; ///< the coarsest one's number
 };
 
 /// `trace`: what the screen source answered, at the picture's size or smaller: screen.resolutionScale takes the top

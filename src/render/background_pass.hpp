@@ -9,12 +9,13 @@ namespace glint::render {
 
 class BackgroundPass {
 public:
-    static Result<BackgroundPass> create(gpu::Context& context);
+    static Result<BackgroundPass> create(gpu::Context& context, const GBufferOptions& options);
     /// `view` holds a shared::RenderView.
     void draw(gpu::Frame& frame, gpu::Buffer& view, Environment& environment, GBuffer& gbuffer);
 
 private:
-    gpu::Pipeline pipeline_;
+    gpu::Pipeline motion_;
+    gpu::Pipeline radiance_;
 };
 
 } // namespace glint::render

@@ -12,9 +12,7 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     Renderer result(context);
     GLINT_TRY(gpuScene, GpuScene::create(context, scene, pose));
     GLINT_TRY(dfg, makeDfgTable(context));
-    GLINT_TRY(surfaces, SurfacePass::create(context, gpuScene));
-    GLINT_TRY(transparent, TransparentPass::create(context, gpuScene));
-    GLINT_TRY(background, BackgroundPass::create(context));
+    GLINT_TRY(backFaces, BackFacePass::create(context, gpuScene));
     GLINT_TRY(display, DisplayPass::create(context));
     GLINT_TRY(shadows, ShadowMaps::create(context, gpuScene));
     GLINT_TRY(viewBuffer,
@@ -25,9 +23,7 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
     result.scene_ = std::move(gpuScene);
     result.dfg_ = std::move(dfg);
-    result.surfaces_ = std::move(surfaces);
-    result.transparent_ = std::move(transparent);
-    result.background_ = std::move(background);
+    result.backFaces_ = std::move(backFaces);
     result.display_ = std::move(display);
     result.shadows_ = std::move(shadows);
     result.viewBuffer_ = std::move(viewBuffer);
@@ -39,13 +35,27 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
     return result;
 }
 
-Result<void> Renderer::resize(uint32_t width, uint32_t height) {
-    if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height)
+Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOptions& options) {
+    if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height &&
+        gbufferOptions_ == options)
         return {};
-    GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height));
+    GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height, options));
+    if (!gbuffer_.litRadiance || options.mode != gbufferOptions_.mode || options.samples != gbufferOptions_.samples)
+        GLINT_CHECK(makePasses(options));
     GLINT_CHECK(transparent_.resize(*context_, scene_, width, height));
     gbuffer_ = std::move(gbuffer);
+    gbufferOptions_ = options;
     return rehearse();
+}
+
+Result<void> Renderer::makePasses(const GBufferOptions& options) {
+    GLINT_TRY(surfaces, SurfacePass::create(*context_, scene_, options));
+    GLINT_TRY(transparent, TransparentPass::create(*context_, scene_, options));
+    GLINT_TRY(background, BackgroundPass::create(*context_, options));
+    surfaces_ = std::move(surfaces);
+    transparent_ = std::move(transparent);
+    background_ = std::move(background);
+    return {};
 }
 
 Result<void> Renderer::rehearse() {
@@ -133,11 +143,14 @@ GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameter
     }
     surfaces_.draw(frame, view_, scene_, lightingInputs(), gbuffer_);
     background_.draw(frame, viewBuffer_, environment_, gbuffer_);
+    gbuffer_.resolve(frame);
+    if (gbuffer_.backDepth || frame.rehearsing())
+        backFaces_.draw(frame, viewBuffer_, scene_, gbufferOptions_.backFaceTransparents, gbuffer_.backDepth);
     return gbuffer_;
 }
 
 void Renderer::drawTransparent(gpu::Frame& frame, gpu::Image& hdr) {
-    transparent_.draw(frame, view_, scene_, lightingInputs(), gbuffer_.deviceDepth, hdr);
+    transparent_.draw(frame, view_, scene_, lightingInputs(), gbuffer_, hdr);
 }
 
 void Renderer::display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr) {

@@ -2,6 +2,7 @@
 // it, and the picture for the screen.
 #pragma once
 
+#include "render/back_face_pass.hpp"
 #include "render/background_pass.hpp"
 #include "render/display_pass.hpp"
 #include "render/shadow_maps.hpp"
@@ -33,9 +34,10 @@ public:
     static Result<Renderer> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose,
                                    Environment&& environment, const RenderSettings& settings);
 
-    /// Makes the G-buffer; call before the first frame and when the size changes.
-    /// Errors: InvalidArgument for a size outside what the device can make; OutOfMemory.
-    Result<void> resize(uint32_t width, uint32_t height);
+    /// Makes the G-buffer; call before the first frame and when its size or how it is drawn changes.
+    /// Errors: InvalidArgument for a size outside what the device can make; Unsupported for a number of samples that it
+    /// cannot draw; OutOfMemory.
+    Result<void> resize(uint32_t width, uint32_t height, const GBufferOptions& options = {});
     /// Takes new settings; makes larger shadow maps if they ask for some. `analyticSky` is the environment's matter:
     /// see Environment::createSky and setEnvironment. Errors: OutOfMemory.
     Result<void> setSettings(const RenderSettings& settings);
@@ -60,6 +62,7 @@ public:
 private:
     explicit Renderer(gpu::Context& context) : context_(&context) {}
     Result<void> placeLights();
+    Result<void> makePasses(const GBufferOptions& options);
     Result<void> rehearse();
     void updateView(gpu::Frame& frame, const ViewParameters& parameters);
     LightingInputs lightingInputs();
@@ -77,9 +80,11 @@ private:
     bool lightsChanged_ = true;
     SurfacePass surfaces_;
     BackgroundPass background_;
+    BackFacePass backFaces_;
     TransparentPass transparent_;
     DisplayPass display_;
     GBuffer gbuffer_;
+    GBufferOptions gbufferOptions_;
     View view_;
 };
 

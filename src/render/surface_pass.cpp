@@ -4,20 +4,25 @@
 
 namespace glint::render {
 
-gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs) {
+gpu::Pass geometryPass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, gpu::Buffer& view) {
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("instances", scene.instances())
         .read("positions", scene.positions())
         .read("attributes", scene.attributes())
         .read("materials", scene.materials())
-        .read("view", inputs.view)
-        .read("lights", inputs.lights)
+        .read("view", view)
+        .table(scene.textures().set())
+        .indices(scene.indices());
+    return pass;
+}
+
+gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs) {
+    gpu::Pass pass = geometryPass(frame, pipeline, scene, inputs.view);
+    pass.read("lights", inputs.lights)
         .read("environmentRadiance", inputs.environment.radiance())
         .read("environmentDiffuse", inputs.environment.diffuse())
         .read("dfg", inputs.dfg)
-        .read("shadowAtlas", inputs.shadowAtlas, gpu::SamplerKind::ShadowCompare)
-        .table(scene.textures().set())
-        .indices(scene.indices());
+        .read("shadowAtlas", inputs.shadowAtlas, gpu::SamplerKind::ShadowCompare);
     return pass;
 }
 
@@ -27,13 +32,10 @@ void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullM
     draws.drawIndexed(item.indexCount, item.firstIndex, item.vertexOffset);
 }
 
-Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& scene) {
-    SurfacePass result;
-    gpu::RasterDesc desc;
+Result<SurfacePipelines> SurfacePipelines::create(gpu::Context& context, const GpuScene& scene, gpu::RasterDesc desc) {
+    SurfacePipelines result;
     desc.vertexShader = "render/surface.vert";
-    desc.fragmentShader = "render/surface.frag";
     desc.pushSize = sizeof(shared::DrawConstants);
-    desc.colorFormats = GBuffer::colorFormats(context);
     desc.depthFormat = kDepthFormat;
     desc.tableLayout = scene.textures().layout();
     for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
@@ -42,9 +44,38 @@ Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& s
         GLINT_TRY(opaque, gpu::Pipeline::raster(context, desc));
         desc.constants = {{0, 1}};
         GLINT_TRY(masked, gpu::Pipeline::raster(context, desc));
-        result.opaque_[topology] = std::move(opaque);
-        result.masked_[topology] = std::move(masked);
+        result.opaque[topology] = std::move(opaque);
+        result.masked[topology] = std::move(masked);
     }
+    return result;
+}
+
+Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options) {
+    SurfacePass result;
+    result.options_ = options;
+    const std::vector<VkFormat> formats = GBuffer::colorFormats(context);
+    gpu::RasterDesc desc;
+    if (options.mode == GBufferMode::Prepass) {
+        desc.fragmentShader = "render/surface.frag";
+        desc.colorFormats = formats;
+        desc.samples = options.samples;
+        GLINT_TRY(whole, SurfacePipelines::create(context, scene, desc));
+        result.whole_ = std::move(whole);
+        return result;
+    }
+    desc.fragmentShader = "render/geometry.frag";
+    desc.colorFormats = {formats.begin(), formats.begin() + 3};
+    GLINT_TRY(geometry, SurfacePipelines::create(context, scene, desc));
+    desc.fragmentShader = "render/shading.frag";
+    desc.colorFormats = {formats.begin() + 3, formats.end()};
+    desc.samples = options.samples;
+    if (options.samples == 1) { // the depth is there already: only what is seen is lit
+        desc.depthCompare = VK_COMPARE_OP_EQUAL;
+        desc.depthWrite = false;
+    }
+    GLINT_TRY(shading, SurfacePipelines::create(context, scene, desc));
+    result.geometry_ = std::move(geometry);
+    result.shading_ = std::move(shading);
     return result;
 }
 
@@ -61,32 +92,61 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
         };
         return viewZ(a) < viewZ(b);
     });
+    constexpr VkClearColorValue kZero = {};
+    const auto addGeometry = [&](gpu::Pass& pass, const VkClearColorValue* clear) {
+        pass.color(gbuffer.normal, clear)
+            .color(gbuffer.material, clear)
+            .color(drawn(gbuffer.multisampled.motion, gbuffer.motion), clear);
+    };
+    const auto addLight = [&](gpu::Pass& pass, const VkClearColorValue* clear) {
+        pass.color(drawn(gbuffer.multisampled.litRadiance, gbuffer.litRadiance), clear)
+            .color(drawn(gbuffer.multisampled.fallbackSpecular, gbuffer.fallbackSpecular), clear)
+            .color(drawn(gbuffer.multisampled.albedo, gbuffer.albedo), clear);
+    };
 
-    bool clear = true; // the first pass does, though it may draw nothing
-    const auto drawAll = [&](const gpu::Pipeline& pipeline, SurfaceClass surface, scene::Topology topology) {
+    if (options_.mode == GBufferMode::Prepass) {
+        drawAll(frame, scene, whole_, [&](const gpu::Pipeline& pipeline, bool first) {
+            gpu::Pass pass = surfacePass(frame, pipeline, scene, inputs);
+            addGeometry(pass, first ? &kZero : nullptr);
+            addLight(pass, first ? &kZero : nullptr);
+            return pass.depth(gbuffer.deviceDepth, first);
+        });
+        return;
+    }
+    drawAll(frame, scene, geometry_, [&](const gpu::Pipeline& pipeline, bool first) {
+        gpu::Pass pass = geometryPass(frame, pipeline, scene, inputs.view);
+        addGeometry(pass, first ? &kZero : nullptr);
+        return pass.depth(gbuffer.deviceDepth, first);
+    });
+    // With one sample a pixel the depth is there already, and only what is seen is lit.
+    const bool ownDepth = bool(gbuffer.multisampled.depth);
+    drawAll(frame, scene, shading_, [&](const gpu::Pipeline& pipeline, bool first) {
+        gpu::Pass pass = surfacePass(frame, pipeline, scene, inputs);
+        addLight(pass, first ? &kZero : nullptr);
+        return pass.depth(gbuffer.shadedDepth(), first && ownDepth, ownDepth);
+    });
+}
+
+/// `makePass(pipeline, first)`: a pass with its attachments; the first one clears them.
+template <class MakePass>
+void SurfacePass::drawAll(gpu::Frame& frame, const GpuScene& scene, const SurfacePipelines& pipelines,
+                          const MakePass& makePass) const {
+    const std::vector<GpuItem>& items = scene.items();
+    bool first = true; // the first pass clears, though it may draw nothing
+    const auto drawSome = [&](const gpu::Pipeline& pipeline, SurfaceClass surface, scene::Topology topology) {
         const auto belongs = [&](const GpuItem& item) { return item.surface == surface && item.topology == topology; };
-        if (!clear && !frame.rehearsing() && std::none_of(items.begin(), items.end(), belongs))
+        if (!first && !frame.rehearsing() && std::none_of(items.begin(), items.end(), belongs))
             return;
-        constexpr VkClearColorValue kZero = {};
-        const VkClearColorValue* clearColor = clear ? &kZero : nullptr;
-        surfacePass(frame, pipeline, scene, inputs)
-            .color(gbuffer.normal, clearColor)
-            .color(gbuffer.material, clearColor)
-            .color(gbuffer.motion, clearColor)
-            .color(gbuffer.litRadiance, clearColor)
-            .color(gbuffer.fallbackSpecular, clearColor)
-            .color(gbuffer.albedo, clearColor)
-            .depth(gbuffer.deviceDepth, clear)
-            .draw([&](gpu::Draws& draws) {
-                for (const uint32_t i : order_)
-                    if (belongs(items[i]))
-                        drawItem(draws, items[i], i, items[i].doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
-            });
-        clear = false;
+        makePass(pipeline, first).draw([&](gpu::Draws& draws) {
+            for (const uint32_t i : order_)
+                if (belongs(items[i]))
+                    drawItem(draws, items[i], i, items[i].doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+        });
+        first = false;
     };
     for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
-        drawAll(opaque_[topology], SurfaceClass::Opaque, static_cast<scene::Topology>(topology));
-        drawAll(masked_[topology], SurfaceClass::Masked, static_cast<scene::Topology>(topology));
+        drawSome(pipelines.opaque[topology], SurfaceClass::Opaque, static_cast<scene::Topology>(topology));
+        drawSome(pipelines.masked[topology], SurfaceClass::Masked, static_cast<scene::Topology>(topology));
     }
 }
 

@@ -23,6 +23,9 @@ struct LightingInputs {
 /// A pass with the scene and its light bound, as shaders/render/surface_bindings.glsl asks.
 gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs);
 
+/// The same without light: shaders that ask what a surface is, not how it is lit.
+gpu::Pass geometryPass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, gpu::Buffer& view);
+
 /// Records the draw of one item.
 void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullModeFlags cull);
 
@@ -30,16 +33,29 @@ void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullM
 constexpr std::array<VkPrimitiveTopology, 3> kTopologies = {
     VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, VK_PRIMITIVE_TOPOLOGY_LINE_LIST, VK_PRIMITIVE_TOPOLOGY_POINT_LIST};
 
+/// One kind of pass over the opaque surfaces: a pipeline for each topology and surface class.
+struct SurfacePipelines {
+    std::array<gpu::Pipeline, 3> opaque; ///< by topology
+    std::array<gpu::Pipeline, 3> masked;
+    static Result<SurfacePipelines> create(gpu::Context& context, const GpuScene& scene, gpu::RasterDesc desc);
+};
+
 class SurfacePass {
 public:
-    static Result<SurfacePass> create(gpu::Context& context, const GpuScene& scene);
+    static Result<SurfacePass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options);
 
     /// Clears the G-buffer and draws every opaque and masked item, the nearest first.
     void draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs, GBuffer& gbuffer);
 
 private:
-    std::array<gpu::Pipeline, 3> opaque_; ///< by topology
-    std::array<gpu::Pipeline, 3> masked_;
+    template <class MakePass>
+    void drawAll(gpu::Frame& frame, const GpuScene& scene, const SurfacePipelines& pipelines,
+                 const MakePass& makePass) const;
+
+    GBufferOptions options_;
+    SurfacePipelines whole_;      ///< mode prepass: everything at once
+    SurfacePipelines geometry_;   ///< mode geometry: what surfaces are, ...
+    SurfacePipelines shading_;    ///< ... then their light
     std::vector<uint32_t> order_; ///< of this frame's items; kept so that recording allocates nothing
 };
 

@@ -5,9 +5,18 @@
 
 namespace glint::render {
 
-Result<TransparentPass> TransparentPass::create(gpu::Context& context, const GpuScene& scene) {
+Result<TransparentPass> TransparentPass::create(gpu::Context& context, const GpuScene& scene,
+                                                const GBufferOptions& options) {
     TransparentPass result;
     gpu::RasterDesc desc;
+    desc.samples = options.samples;
+    if (options.samples > 1) {
+        desc.vertexShader = "render/fullscreen.vert";
+        desc.fragmentShader = "render/spread.frag";
+        desc.colorFormats = {kRadianceFormat};
+        GLINT_TRY(spread, gpu::Pipeline::raster(context, desc));
+        result.spread_ = std::move(spread);
+    }
     desc.vertexShader = "render/surface.vert";
     desc.fragmentShader = "render/transparent.frag";
     desc.pushSize = sizeof(shared::DrawConstants);
@@ -37,7 +46,7 @@ Result<void> TransparentPass::resize(gpu::Context& context, const GpuScene& scen
 }
 
 void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
-                           gpu::Image& deviceDepth, gpu::Image& hdr) {
+                           GBuffer& gbuffer, gpu::Image& hdr) {
     const std::vector<GpuItem>& items = scene.items();
     order_.clear();
     for (uint32_t i = 0; i < items.size(); ++i)
@@ -55,14 +64,20 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
         frame.copy(hdr, behind_);
         frame.makeMips(behind_);
     }
+    gpu::Image& target = drawn(gbuffer.multisampled.litRadiance, hdr);
+    if (spread_)
+        frame.pass(spread_)
+            .read("radiance", hdr, gpu::SamplerKind::NearestClamp)
+            .color(target)
+            .draw([](gpu::Draws& draws) { draws.draw(3); });
     for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
         const auto belongs = [&](uint32_t i) { return items[i].topology == static_cast<scene::Topology>(topology); };
         if (!frame.rehearsing() && std::none_of(order_.begin(), order_.end(), belongs))
             continue;
         surfacePass(frame, pipelines_[topology], scene, inputs)
             .read("behind", behind_)
-            .color(hdr)
-            .depth(deviceDepth, false, false)
+            .color(target)
+            .depth(gbuffer.shadedDepth(), false, false)
             .draw([&](gpu::Draws& draws) {
                 for (const uint32_t i : order_) {
                     if (!belongs(i))
@@ -73,6 +88,8 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
                 }
             });
     }
+    if (spread_)
+        frame.resolve(target, hdr);
 }
 
 } // namespace glint::render

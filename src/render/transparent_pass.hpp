@@ -7,17 +7,19 @@ namespace glint::render {
 
 class TransparentPass {
 public:
-    static Result<TransparentPass> create(gpu::Context& context, const GpuScene& scene);
+    static Result<TransparentPass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options);
     /// Errors: OutOfMemory.
     Result<void> resize(gpu::Context& context, const GpuScene& scene, uint32_t width, uint32_t height);
 
     /// Draws the farthest first, by the centre of each item; tests depth, writes none. Nothing is recorded if the scene
-    /// has no such surface. Surfaces that transmit light see the picture as it is before this pass.
-    void draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
-              gpu::Image& deviceDepth, gpu::Image& hdr);
+    /// has no such surface. Surfaces that transmit light see the picture as it is before this pass. With several
+    /// samples a pixel, the G-buffer's many samples of litRadiance are drawn to in between.
+    void draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs, GBuffer& gbuffer,
+              gpu::Image& hdr);
 
 private:
     std::array<gpu::Pipeline, 3> pipelines_; ///< by topology
+    gpu::Pipeline spread_;                   ///< with several samples a pixel only
     gpu::Image behind_;                      ///< with mips; one texel if nothing transmits light
     std::vector<uint32_t> order_;
 };

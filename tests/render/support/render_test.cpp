@@ -92,12 +92,12 @@ gpu::Context& RenderTest::gpu() {
 
 RenderTest::Frame RenderTest::draw(const SceneParts& parts, const render::ViewParameters& view, uint32_t width,
                                    uint32_t height, const scene::HdrImage& environment,
-                                   const render::RenderSettings& settings) {
+                                   const render::RenderSettings& settings, const render::GBufferOptions& options) {
     const scene::Pose pose = must(scene::pose(parts.scene, 0));
     render::Environment light = must(environment.rgb.empty() ? render::Environment::createNone(gpu())
                                                              : render::Environment::create(gpu(), environment));
     render::Renderer renderer = must(render::Renderer::create(gpu(), parts.scene, pose, std::move(light), settings));
-    must(renderer.resize(width, height));
+    must(renderer.resize(width, height, options));
     run([&](VkCommandBuffer commands) {
         gpu::Frame frame(gpu(), commands);
         render::GBuffer& gbuffer = renderer.drawOpaque(frame, view);
@@ -105,10 +105,11 @@ RenderTest::Frame RenderTest::draw(const SceneParts& parts, const render::ViewPa
     });
     render::GBuffer& g = renderer.gbuffer();
     const auto read = [&](gpu::Image& image) {
-        return Picture{width, height, must(gpu::downloadImageAsFloats(gpu(), image))};
+        return image ? Picture{image.width(), image.height(), must(gpu::downloadImageAsFloats(gpu(), image))}
+                     : Picture();
     };
-    return {read(g.litRadiance), read(g.deviceDepth),      read(g.normal),
-            read(g.material),    read(g.fallbackSpecular), read(g.motion)};
+    return {read(g.litRadiance),      read(g.deviceDepth), read(g.normal),   read(g.material),
+            read(g.fallbackSpecular), read(g.motion),      read(g.backDepth)};
 }
 
 } // namespace glint::test

@@ -60,10 +60,12 @@ protected:
         Picture material;
         Picture fallback;
         Picture motion;
+        Picture backDepth; ///< empty unless asked for
     };
     /// Draws everything, transparent surfaces too. Without a picture the environment is black.
     static Frame draw(const SceneParts& parts, const render::ViewParameters& view, uint32_t width, uint32_t height,
-                      const scene::HdrImage& environment = {}, const render::RenderSettings& settings = {});
+                      const scene::HdrImage& environment = {}, const render::RenderSettings& settings = {},
+                      const render::GBufferOptions& options = {});
 };
 
 } // namespace glint::test

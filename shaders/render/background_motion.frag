@@ -1,0 +1,18 @@
+// How the background moves when the camera turns.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "render/background_ray.glsl"
+
+layout(location = 0) out vec2 outMotion;
+
+void main() {
+    // Infinitely far: only turning moves it, so the direction is projected as a point at infinity.
+    vec4 previousCS = view.constants.prevWorldToClip * vec4(viewRay(), 0.0);
+    outMotion = vec2(0.0);
+    if (view.constants.orthographic == 0u && previousCS.w > 0.0) {
+        vec2 previousUV = previousCS.xy / previousCS.w * vec2(0.5, -0.5) + 0.5 - view.constants.prevJitterUV;
+        outMotion = previousUV - (ndc * vec2(0.5, -0.5) + 0.5 - view.constants.jitterUV);
+    }
+}

@@ -1,0 +1,49 @@
+// What the fragment stage of a lit surface reads besides, and how the lighting functions reach it.
+#ifndef GLINT_RENDER_LIGHTING_BINDINGS_GLSL
+#define GLINT_RENDER_LIGHTING_BINDINGS_GLSL
+
+#include "lib/environment.glsl"
+#include "lib/lighting.glsl"
+#include "lib/shadow.glsl"
+#include "render/surface_bindings.glsl"
+
+layout(scalar, set = 0, binding = 5) readonly buffer LightBlock {
+    Light list[];
+} lights;
+layout(set = 0, binding = 6) uniform samplerCube environmentRadiance;
+layout(set = 0, binding = 7) uniform samplerCube environmentDiffuse;
+layout(set = 0, binding = 8) uniform sampler2D dfg;
+layout(set = 0, binding = 9) uniform sampler2DShadow shadowAtlas;
+
+uint loadLightCount() {
+    return view.constants.lightCount;
+}
+
+Light loadLight(uint index) {
+    return lights.list[index];
+}
+
+float loadLightVisibility(Light light, vec3 position, vec3 geometricNormal, vec3 L) {
+    if (light.castsShadow == 0u)
+        return 1.0;
+    vec2 texel = 1.0 / vec2(textureSize(shadowAtlas, 0));
+    ShadowLookup at = shadowLookup(light, position, geometricNormal, L, texel);
+    return at.covered ? filterShadow(shadowAtlas, at, texel) : 1.0;
+}
+
+vec3 loadEnvironmentRadiance(vec3 direction, float perceptualRoughness) {
+    float mip = environmentMip(perceptualRoughness, textureQueryLevels(environmentRadiance));
+    vec3 turned = rotateToEnvironment(direction, view.constants.environmentRotation);
+    return textureLod(environmentRadiance, turned, mip).rgb * view.constants.environmentStrength;
+}
+
+vec3 loadEnvironmentDiffuse(vec3 normal) {
+    vec3 turned = rotateToEnvironment(normal, view.constants.environmentRotation);
+    return textureLod(environmentDiffuse, turned, 0.0).rgb * view.constants.environmentStrength;
+}
+
+vec2 loadDfg(float NoV, float perceptualRoughness) {
+    return textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg;
+}
+
+#endif

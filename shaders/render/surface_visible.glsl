@@ -1,0 +1,27 @@
+// The part that every opaque pass has in common: what is seen of a surface, and how it moves.
+#ifndef GLINT_RENDER_SURFACE_VISIBLE_GLSL
+#define GLINT_RENDER_SURFACE_VISIBLE_GLSL
+
+#include "render/surface_bindings.glsl"
+
+/// A discard in the code costs early depth tests, so fully opaque surfaces are drawn without.
+layout(constant_id = 0) const bool kAlphaTest = false;
+
+/// Ends the invocation where the material has a hole.
+MaterialSample visibleSurface(SurfacePoint point) {
+    Material material = drawnMaterial();
+    if (kAlphaTest && sampleBaseColor(material, point).a < material.alphaCutoff)
+        discard;
+    return sampleMaterial(material, point);
+}
+
+vec2 clipToUV(vec4 positionCS) {
+    return positionCS.xy / positionCS.w * vec2(0.5, -0.5) + 0.5;
+}
+
+/// Previous UV - current UV, without jitter.
+vec2 motion() {
+    return (clipToUV(previousCS) - view.constants.prevJitterUV) - (clipToUV(currentCS) - view.constants.jitterUV);
+}
+
+#endif

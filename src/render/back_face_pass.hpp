@@ -1,0 +1,24 @@
+// Draws how far back the nearest solid things reach: depth of the surfaces that face away from the camera.
+#pragma once
+
+#include "gpu/pass.hpp"
+#include "render/gpu_scene.hpp"
+
+#include <array>
+
+namespace glint::render {
+
+class BackFacePass {
+public:
+    static Result<BackFacePass> create(gpu::Context& context, const GpuScene& scene);
+
+    /// Clears `backDepth` and draws opaque and masked items, transparent ones too if asked. Double-sided surfaces,
+    /// lines and points are sheets without thickness: both their sides are drawn. `view` holds a shared::RenderView.
+    void draw(gpu::Frame& frame, gpu::Buffer& view, GpuScene& scene, bool transparents, gpu::Image& backDepth);
+
+private:
+    std::array<gpu::Pipeline, 3> solid_; ///< by topology
+    std::array<gpu::Pipeline, 3> masked_;
+};
+
+} // namespace glint::render
