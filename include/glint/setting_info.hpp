@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace glint {
@@ -33,6 +34,7 @@ enum class AliasTransform {
     Choice,         ///< a switch picks one of two enum values: `whenFalse`, `whenTrue`
     Always,         ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
     Instead,        ///< the same, but only in place of `whenFalse`: other modes stay
+    Numbers,        ///< an enum value by its name, or by the number that the system has for it (`numbers`)
 };
 
 /// A parameter of another system that this setting answers to, as `system:name`.
@@ -42,6 +44,7 @@ struct SettingAlias {
     AliasTransform transform = AliasTransform::Same;
     int whenFalse = 0;
     int whenTrue = 0;
+    std::vector<std::pair<int, int>> numbers; ///< theirs, and the index into our `choices`
 };
 
 struct SettingInfo {

@@ -92,6 +92,13 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
         alias.transform = AliasTransform::Instead;
         alias.whenFalse = choiceIndex(info, transform.substr(0, arrow));
         alias.whenTrue = choiceIndex(info, transform.substr(arrow + 1));
+    } else if (transform.find(':') != transform.npos) {
+        alias.transform = AliasTransform::Numbers;
+        for (std::string_view pair : split(transform, ',')) {
+            const size_t parts = std::min(pair.find(':'), pair.size() - 1);
+            alias.numbers.emplace_back(static_cast<int>(readNumber(info.key, pair.substr(0, parts))),
+                                       choiceIndex(info, pair.substr(parts + 1)));
+        }
     } else {
         alias.transform = AliasTransform::Always;
         alias.whenTrue = choiceIndex(info, transform);

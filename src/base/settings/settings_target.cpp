@@ -101,7 +101,8 @@ SettingType writtenType(const Match& match) {
     case AliasTransform::Choice: return SettingType::Bool;
     case AliasTransform::Same:
     case AliasTransform::Always:
-    case AliasTransform::Instead: break;
+    case AliasTransform::Instead:
+    case AliasTransform::Numbers: break;
     }
     return match.info->type;
 }
@@ -149,6 +150,10 @@ Result<double> readValue(std::string_view name, const Match& match, const Settin
     case SettingType::Float: return readNumber(name, input, false);
     case SettingType::Enum: break;
     }
+    if (match.alias && kindIs(input, Kind::Number))
+        for (const auto& [theirs, ours] : match.alias->numbers)
+            if (input.text == std::to_string(theirs))
+                return ours;
     return readChoice(name, *match.info, input);
 }
 
@@ -159,7 +164,8 @@ double transformed(const SettingAlias* alias, double value) {
     case AliasTransform::Choice: return value != 0 ? alias->whenTrue : alias->whenFalse;
     case AliasTransform::Always:
     case AliasTransform::Instead: return alias->whenTrue;
-    case AliasTransform::Same: break;
+    case AliasTransform::Same:
+    case AliasTransform::Numbers: break;
     }
     return value;
 }
