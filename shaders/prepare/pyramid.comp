@@ -50,78 +50,133 @@ float slabNearness(ivec2 px, float z, bool orthographic) {
     return nearnessOf(orthographic, reach + settings.thickness + settings.thicknessRelative * z);
 }
 
+/// What is solid in a cell: intervals of nearness, relative to its plane.
+struct Solids {
+    float top[8];
+    float bottom[8];
+    int count;
+};
+
+void add(inout Solids solids, float top, float bottom) {
+    int at = solids.count++;
+    for (; at > 0 && solids.top[at - 1] < top; --at) { // the nearest first
+        solids.top[at] = solids.top[at - 1];
+        solids.bottom[at] = solids.bottom[at - 1];
+    }
+    solids.top[at] = top;
+    solids.bottom[at] = bottom;
+}
+
+/// Sets front, slab and the widest gap; `solids` has some.
+void boundSolids(inout Cell cell, Solids solids) {
+    cell.front = solids.top[0];
+    float bottom = solids.bottom[0];
+    float widest = 0.0;
+    cell.gap = vec2(0.0);
+    for (int i = 1; i < solids.count; ++i) {
+        float gap = bottom - solids.top[i];
+        if (gap > widest) {
+            widest = gap;
+            cell.gap = cell.front - vec2(bottom, solids.top[i]);
+        }
+        bottom = min(bottom, solids.bottom[i]);
+    }
+    cell.slab = cell.front - bottom;
+}
+
 /// Level 1 at `cell`, from its pixels.
 Cell cellOfPixels(ivec2 cell) {
     bool orthographic = isOrthographic(frame.constants);
     float nearness[4];
     float slab[4];
-    bool inside[4];
     bool seen[4];
-    bool all4 = true;
+    bool allSeen = true;
+    bool broken = false;
     for (int i = 0; i < 4; ++i) {
         ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
-        inside[i] = all(lessThan(px, size));
-        float z = inside[i] ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
+        bool inside = all(lessThan(px, size));
+        float z = inside ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
         seen[i] = z < kBackgroundZ;
         nearness[i] = seen[i] ? nearnessOf(orthographic, z) : 0.0;
         slab[i] = seen[i] ? slabNearness(px, z, orthographic) : 0.0;
-        all4 = all4 && seen[i];
+        allSeen = allSeen && seen[i];
+        broken = broken || (inside && !seen[i]);
     }
-    Cell result = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
-    if (all4)
+    Cell result = emptyCell();
+    if (allSeen)
         result.slope = storedSlope(0.5 * vec2(nearness[1] - nearness[0] + nearness[3] - nearness[2],
                                               nearness[2] - nearness[0] + nearness[3] - nearness[1]));
+    Solids solids;
+    solids.count = 0;
     float low = 1e37;
-    float lowSlab = 1e37;
-    bool broken = false;
     for (int i = 0; i < 4; ++i) {
-        broken = broken || (inside[i] && !seen[i]);
         if (!seen[i])
             continue;
         float along = dot(result.slope, vec2(i & 1, i >> 1) - 0.5);
-        result.front = max(result.front, nearness[i] - along);
+        add(solids, nearness[i] - along, slab[i] - along);
         low = min(low, nearness[i] - along);
-        lowSlab = min(lowSlab, slab[i] - along);
     }
-    if (result.front > kEmptyCell) {
+    if (solids.count > 0) {
+        boundSolids(result, solids);
         result.depth = broken ? kBroken : result.front - low;
-        result.slab = result.front - lowSlab;
     }
     return result;
 }
 
-/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1).
-Cell cellOfCells(Cell children[4], float childSize) {
-    vec2 slope = vec2(0.0);
-    float count = 0.0;
-    for (int i = 0; i < 4; ++i)
-        if (children[i].front > kEmptyCell) {
-            slope += children[i].slope;
-            count += 1.0;
-        }
-    Cell result = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
-    if (count == 0.0)
-        return result;
-    result.slope = storedSlope(slope / count);
+/// One cell from four of half its size, about planes of this slope.
+Cell boundCells(Cell children[4], float childSize, vec2 slope) {
+    Cell result = emptyCell();
+    result.slope = slope;
+    Solids solids;
+    solids.count = 0;
     float low = 1e37;
-    float lowSlab = 1e37;
     bool broken = false;
     for (int i = 0; i < 4; ++i) {
         Cell child = children[i];
-        broken = broken || child.depth == kBroken;
+        broken = broken || child.depth >= kBroken;
         if (child.front == kEmptyCell)
             continue;
         // Two planes differ most at a corner of the pixels' centres.
-        vec2 tilt = abs(child.slope - result.slope);
+        vec2 tilt = abs(child.slope - slope);
         float apart = (tilt.x + tilt.y) * 0.5 * (childSize - 1.0);
-        float front = child.front - dot(result.slope, (vec2(i & 1, i >> 1) - 0.5) * childSize);
-        result.front = max(result.front, front + apart);
-        low = min(low, front - child.depth - apart);
-        lowSlab = min(lowSlab, front - child.slab - apart);
+        float front = child.front - dot(slope, (vec2(i & 1, i >> 1) - 0.5) * childSize);
+        low = min(low, front - (child.depth >= kBroken ? 0.0 : child.depth) - apart);
+        if (child.gap.y > child.gap.x) {
+            add(solids, front + apart, front - child.gap.x - apart);
+            add(solids, front - child.gap.y + apart, front - child.slab - apart);
+        } else {
+            add(solids, front + apart, front - child.slab - apart);
+        }
     }
+    boundSolids(result, solids);
     result.depth = broken ? kBroken : result.front - low;
-    result.slab = result.front - lowSlab;
     return result;
+}
+
+float solidShare(Cell cell) {
+    return cell.slab - (cell.gap.y - cell.gap.x);
+}
+
+/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1): about the
+/// planes that leave the least solid, of those of the four and their mean.
+Cell cellOfCells(Cell children[4], float childSize) {
+    vec2 mean = vec2(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 4; ++i)
+        if (children[i].front > kEmptyCell) {
+            mean += children[i].slope;
+            count += 1.0;
+        }
+    if (count == 0.0)
+        return emptyCell();
+    Cell best = boundCells(children, childSize, storedSlope(mean / count));
+    for (int i = 0; i < 4; ++i)
+        if (children[i].front > kEmptyCell) {
+            Cell other = boundCells(children, childSize, children[i].slope);
+            if (solidShare(other) < solidShare(best))
+                best = other;
+        }
+    return best;
 }
 
 // ---------------------------------------------------------------- levels
@@ -129,11 +184,6 @@ Cell cellOfCells(Cell children[4], float childSize) {
 void store(int level, ivec2 cell, Cell value) {
     if (level <= int(settings.levels) && all(lessThan(cell, pyramidLevelSize(size, level))))
         imageStore(pyramid, pyramidOffset(size, level) + cell, packCell(value, width));
-}
-
-/// A cell outside the picture takes no part in anything.
-Cell outside() {
-    return Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
 }
 
 void reduceTile() {
@@ -183,7 +233,7 @@ void reduceTiles() {
                 ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
                 children[i] = all(lessThan(child, childSize))
                                   ? unpackCell(tiles.cells[from + child.y * childSize.x + child.x], 1.0 / width)
-                                  : outside();
+                                  : emptyCell(); // outside the picture
             }
             Cell value = cellOfCells(children, float(1 << (level - 1)));
             store(level, cell, value);

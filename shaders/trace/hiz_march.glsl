@@ -88,8 +88,12 @@ March march(Ray r) {
                 float rounding = kRounding * abs(start + slope * share);
                 bool inFront = min(aboveFirst, aboveLast) >= -rounding;
                 // From a pixel before, as single pixels are tested.
-                bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
-                if (!inFront && !behind) {
+                float aboveBefore = above + climb * max(share - pixelShare, 0.0);
+                float highest = max(aboveBefore, aboveLast);
+                float lowest = min(aboveBefore, aboveLast);
+                bool behind = highest < -bounds.slab;
+                bool between = highest < -bounds.gap.x && lowest > -bounds.gap.y;
+                if (!inFront && !behind && !between) {
                     float fall = -climb * pixelShare; // a pixel
                     bool flatCell = aboveFirst >= -rounding && aboveLast < -bounds.depth &&
                                     bounds.depth <= kFlatEnough * fall;
@@ -105,10 +109,13 @@ March march(Ray r) {
                     }
                     if (level > minLevel) {
                         --level;
-                        // Nothing is met before the ray comes to the bounds.
+                        // Nothing is met before the ray comes to the next thing that is solid.
+                        bool isBetween = aboveFirst < -bounds.gap.x && aboveFirst > -bounds.gap.y;
                         float bound = aboveFirst > 0.0 ? 0.0 : -bounds.slab;
-                        if (aboveFirst > 0.0 || aboveFirst < -bounds.slab) {
-                            share = clamp((bound - above) / climb - (aboveFirst > 0.0 ? 0.0 : pixelShare), share, last);
+                        if (isBetween)
+                            bound = climb < 0.0 ? -bounds.gap.y : -bounds.gap.x;
+                        if (aboveFirst > 0.0 || aboveFirst < -bounds.slab || isBetween) {
+                            share = clamp((bound - above) / climb - (climb < 0.0 ? 0.0 : pixelShare), share, last);
                             ivec2 low = cell << (level + 1);
                             ivec2 high = min((cell + 1) << (level + 1), screenSize) - 1;
                             px = clamp(ivec2(floor(ray.startPX + ray.deltaPX * share)), low, high);
@@ -119,7 +126,7 @@ March march(Ray r) {
                     float meets = aboveFirst > 0.0 ? clamp(-above / climb, share, last) : share;
                     vec2 meetsPX = clamp(ray.startPX + ray.deltaPX * meets, vec2(cell << level),
                                          vec2(min((cell + 1) << level, screenSize)) - 0.01);
-                    if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), r)) {
+                    if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), false, r)) {
                         result.share = meets;
                         result.hitPX = meetsPX;
                         result.outcome = kOutcomeHit;
