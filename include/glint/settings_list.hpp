@@ -10,7 +10,7 @@
     SETTING(bool, enabled, true, "", "",                                                                               \
         "Trace reflections in screen space; off: no such pass runs",                                                   \
         "babylon:isEnabled compute-ssr:enabled")                                                                       \
-    SETTING(March, march, March::Linear, "", "",                                                                       \
+    SETTING(March, march, March::Hiz, "", "",                                                                          \
         "How a ray looks for its hit in the depth image",                                                              \
         "hdrp:projectionModel")                                                                                        \
     SETTING(float, maxDistance, 1000, "(0, 1e6]", "m",                                                                 \
@@ -25,12 +25,12 @@
     SETTING(bool, smooth, true, "", "",                                                                                \
         "Refine each hit to one pixel; acts only with screen.step > 1",                                                \
         "babylon:enableSmoothReflections")                                                                             \
-    SETTING(ThicknessMode, thicknessMode, ThicknessMode::Relative, "", "",                                             \
+    SETTING(ThicknessMode, thicknessMode, ThicknessMode::Backface, "", "",                                             \
         "How deep a surface is behind its depth sample: constant, relative to distance, or from drawn back faces",     \
         "hdrp:depthBufferThickness=relative babylon:thickness=relative>constant "                                      \
         "compute-ssr:thickness=relative>constant babylon:enableAutomaticThicknessComputation=constant|backface")       \
-    SETTING(float, thickness, 0.1f, "[0, 1e3]", "m",                                                                   \
-        "Slab behind each depth sample that still counts as a hit; too small: holes, too large: streaks",              \
+    SETTING(float, thickness, 0, "[0, 1e3]", "m",                                                                      \
+        "Slab behind each depth sample in which a ray ends too; with backface on top of what the back faces say",      \
         "babylon:thickness compute-ssr:thickness")                                                                     \
     SETTING(float, thicknessRelative, 0.01f, "[0, 1]", "of viewZ",                                                     \
         "The same slab as a fraction of the sample's distance; acts with thicknessMode relative",                      \
@@ -64,7 +64,7 @@
     SETTING(int, maxLevel, 10, "[0, 14]", "",                                                                          \
         "Coarsest level that a ray visits",                                                                            \
         "hdrp:rayMaxLevel")                                                                                            \
-    SETTING(int, maxIterations, 64, "[1, 1024]", "",                                                                   \
+    SETTING(int, maxIterations, 128, "[1, 1024]", "",                                                                  \
         "Cells that a ray may visit; a ray that uses them up is a miss",                                               \
         "hdrp:rayMaxIterations")                                                                                       \
     SETTING(float, depthBias, 0.001f, "[0, 1]", "of viewZ",                                                            \

@@ -28,6 +28,9 @@ layout(push_constant, scalar) uniform PushBlock {
 shared uvec4 sharedCells[256];
 shared bool isLastGroup;
 
+/// A step of nearness from pixel to pixel that is taken for an edge, in parts of it.
+const float kEdge = 0.05;
+
 ivec2 size;
 float width;
 
@@ -115,6 +118,9 @@ Cell cellOfPixels(ivec2 cell) {
     if (all4)
         slope = storedSlope(0.5 * vec2(solids[1].x - solids[0].x + solids[3].x - solids[2].x,
                                        solids[2].x - solids[0].x + solids[3].x - solids[1].x));
+    // Four pixels on both sides of an edge lie on a steep plane too; but between their centres nothing does.
+    if (max(abs(slope.x), abs(slope.y)) > kEdge * abs(solids[0].x))
+        slope = vec2(0.0);
     float low = 1e37;
     for (int i = 0; i < 4; ++i) {
         solids[i] -= dot(slope, vec2(i & 1, i >> 1) - 0.5);
