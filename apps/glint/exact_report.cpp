@@ -3,6 +3,8 @@
 #include "render/job_inputs.hpp"
 #include "render/view.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace glint::cli {
@@ -15,6 +17,15 @@ Result<measure::MirrorError> measureExact(const render::RenderJob& job, const re
     const render::View view = render::makeView(inputs.camera, result.width, result.height);
     GLINT_TRY(exact, measure::exactPicture(*inputs.scene, inputs.pose, view.worldToClip, result.width, result.height));
     return measure::compareMirrors(exact, composite->rgba);
+}
+
+nlohmann::ordered_json exactJson(const measure::MirrorError& error) {
+    return {{"mirrorPixels", error.mirrorPixels},
+            {"wrongPixels", error.wrongPixels},
+            {"wrongShare", error.share()},
+            {"oneBouncePixels", error.oneBouncePixels},
+            {"oneBounceWrong", error.oneBounceWrong},
+            {"oneBounceWrongShare", error.oneBounceShare()}};
 }
 
 } // namespace glint::cli

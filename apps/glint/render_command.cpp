@@ -3,6 +3,7 @@
 #include "base/log.hpp"
 #include "commands.hpp"
 #include "exact_report.hpp"
+#include "hits_report.hpp"
 #include "render_options.hpp"
 #include "render_output.hpp"
 
@@ -34,7 +35,14 @@ Result<void> renderPictures(const RenderOptions& options, const render::RenderFu
     }
     if (options.statsFile.empty())
         return {};
-    return writeFile(options.statsFile, statsJson(job, result, exact));
+    std::optional<measure::HitReport> hits;
+    if (job.settings.render.measure.hits) {
+        const render::RenderJob traced = hitJob(job);
+        GLINT_TRY(tracedResult, render(traced));
+        GLINT_TRY(report, measureHits(traced, tracedResult));
+        hits = std::move(report);
+    }
+    return writeFile(options.statsFile, statsJson(job, result, {std::move(exact), std::move(hits)}));
 }
 
 } // namespace

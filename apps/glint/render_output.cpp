@@ -1,6 +1,8 @@
 #include "render_output.hpp"
 
 #include "base/text.hpp"
+#include "exact_report.hpp"
+#include "hits_report.hpp"
 #include "render/views.hpp"
 #include "scene/image_file.hpp"
 
@@ -63,8 +65,7 @@ Result<void> writePictures(const std::string& path, const render::RenderResult& 
     return kind == PictureKind::Png ? writePngs(path, result) : writeLayers(path, result);
 }
 
-std::string statsJson(const render::RenderJob& job, const render::RenderResult& result,
-                      const std::optional<measure::MirrorError>& exact) {
+std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured) {
     const render::RenderStats& stats = result.stats;
     Json json;
     json["scene"] = job.scene;
@@ -90,13 +91,10 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     for (const auto& [name, pixels] : stats.outcomes)
         outcomes[name] = pixels;
     json["outcomes"] = std::move(outcomes);
-    if (exact)
-        json["exact"] = {{"mirrorPixels", exact->mirrorPixels},
-                         {"wrongPixels", exact->wrongPixels},
-                         {"wrongShare", exact->share()},
-                         {"oneBouncePixels", exact->oneBouncePixels},
-                         {"oneBounceWrong", exact->oneBounceWrong},
-                         {"oneBounceWrongShare", exact->oneBounceShare()}};
+    if (measured.exact)
+        json["exact"] = exactJson(*measured.exact);
+    if (measured.hits)
+        json["hits"] = hitReportJson(*measured.hits, stats.outcomes);
     json["notes"] = result.notes;
     json["preset"] = job.settings.preset;
     json["settings"] = Json::parse(render::settingsJson(job.settings));

@@ -3,10 +3,10 @@
 
 #include "base/result.hpp"
 #include "measure/exact_picture.hpp"
+#include "measure/ray_hits.hpp"
 #include "render/render_job.hpp"
 
 #include <optional>
-
 #include <string>
 #include <string_view>
 
@@ -24,10 +24,16 @@ std::string pathForView(const std::string& path, std::string_view view);
 /// (R, G, B, A), the others as layers with their names. Errors: Io.
 Result<void> writePictures(const std::string& path, const render::RenderResult& result);
 
+/// What was measured beside the rendering, where it was asked for.
+struct Measured {
+    std::optional<measure::MirrorError> exact; ///< measure.exact
+    std::optional<measure::HitReport> hits;    ///< measure.hits
+};
+
 /// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames", "time", "seed",
 ///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95", "outcomes": {name: pixels},
-///  "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the device has no timestamps.
-std::string statsJson(const render::RenderJob& job, const render::RenderResult& result,
-                      const std::optional<measure::MirrorError>& exact = std::nullopt);
+///  "exact": exactJson, "hits": hitReportJson, "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the
+///  device has no timestamps.
+std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured = {});
 
 } // namespace glint::cli

@@ -57,6 +57,9 @@ struct Conventions {
     uint32_t roughnessChannel = 3; ///< of `material`, [0, 3]; glossiness too
     MaterialKind material = MaterialKind::F0Roughness;
     uint32_t metallicChannel = 2; ///< of `material`, [0, 3]; MaterialKind::MetallicRoughness only
+    /// Stored motion times this is previous UV - current UV, x and y: {-1, -1} for the opposite sign, {0.5f, -0.5f} for
+    /// clip space with +Y up, {1 / width, 1 / height} for pixels. Jitter is left out of motion.
+    float motionScale[2] = {1, 1};
 };
 
 /// All images have one size (but for backDepth) and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT). A host that draws with
@@ -72,6 +75,9 @@ struct GBuffer {
     /// Optional: the part of litRadiance that stands in for reflections (environment or probe specular). Glint
     /// replaces exactly that. Absent: reflections are added to what is there.
     HostImage fallbackSpecular;
+    /// Optional: where each pixel's surface was in the previous frame. screen.colorSource previous follows moving
+    /// objects with it; without, it takes everything for at rest.
+    HostImage motion;
     /// Optional: depth of the nearest surfaces that face away from the camera, drawn with the same camera and stored
     /// as `depth` is; of any size. screen.thicknessMode backface takes each surface to reach back to it.
     HostImage backDepth;

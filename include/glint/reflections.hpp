@@ -60,7 +60,8 @@ public:
     Reflections(Reflections&&) noexcept;
     Reflections& operator=(Reflections&&) noexcept;
 
-    /// Errors: InvalidArgument names the setting, and the old ones stay in force; OutOfMemory for what they need.
+    /// Makes images that the new settings need for the first time.
+    /// Errors: InvalidArgument names the setting; OutOfMemory; the old ones stay in force.
     Result<void> setSettings(const Settings& settings);
 
     /// States the host's images; call again when any of them changes. The environment may be absent.
@@ -72,6 +73,8 @@ public:
     /// outside a render pass, after setInputs.
     /// Returns the picture with reflections (RGBA16F, ready for sampling), valid until the next call; with every
     /// source off no pass runs and that is litRadiance itself, bit for bit.
+    /// What the host draws over it is seen in the next frame's reflections with screen.colorSource previous, which
+    /// reads it once more: leave it in its layout.
     HostImage record(VkCommandBuffer commands, const View& view);
 
     /// Records a debug view of the frame recorded last into an RGBA32F image (needs ReflectionsDesc::views): raw

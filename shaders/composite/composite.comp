@@ -10,10 +10,11 @@
 #include "lib/camera.glsl"
 #include "lib/edge.glsl"
 #include "lib/environment.glsl"
+#include "lib/input_color.glsl"
 #include "lib/math.glsl"
 #include "lib/outcome_color.glsl"
-#include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
+#include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -62,8 +63,9 @@ float viewCosine(ivec2 px, float z, vec3 normalVS) {
     return clamp(dot(normalVS, -toSurfaceVS), 0.0, 1.0);
 }
 
-vec3 loadLit(ivec2 px) {
-    return sanitize(texelFetch(litRadiance, px, 0).rgb);
+/// One of the host's colours, linear.
+vec3 loadColor(sampler2D image, ivec2 px) {
+    return linearColor(texelFetch(image, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
 }
 
 /// Of the pixels around `px`, itself among them, the one whose surface is most like this one; -1 if none is.
@@ -89,13 +91,13 @@ ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
 /// Its light, where the pixel itself shows others too.
 vec3 litNearby(ivec2 px, float z, vec3 normalVS) {
     ivec2 at = likestPixel(px, z, normalVS, true);
-    return loadLit(at.x >= 0 ? at : px);
+    return loadColor(litRadiance, at.x >= 0 ? at : px);
 }
 
 Share frontShare(ivec2 px, float z, Surface here) {
     vec4 resolved = texelFetch(material, px, 0);
     vec3 f0 = here.reflectivity > 0.0 ? resolved.rgb : vec3(0.0);
-    vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadLit(px);
+    vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadColor(litRadiance, px);
     return Share(resolved.a, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS),
                  texelFetch(reflected, px, 0), lit);
 }
@@ -159,25 +161,36 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
-    vec4 lit = texelFetch(litRadiance, px, 0);
+    bool fromGamma = (frame.constants.flags & kInputGamma) != 0u;
+    bool toGamma = (frame.constants.flags & kOutputGamma) != 0u;
+    vec4 stored = texelFetch(litRadiance, px, 0);
+    vec3 lit = linearColor(stored.rgb, fromGamma);
     float z = texelFetch(viewZ, px, 0).r;
-    vec3 result = lit.rgb; // untouched where nothing is reflected
+    vec3 result = lit;
+    bool untouched = true; // where nothing is reflected, the host's own bits
     if (z < kBackgroundZ) {
         Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy));
         Share second = secondShare(px, front.coverage);
-        bool reflects = maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a > 0.0;
-        if (reflects && settings.model == 0u) {
+        float reflects = maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a;
+        if (reflects > 0.0) {
             bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
-            vec3 fallback = hasFallback ? sanitize(texelFetch(fallbackSpecular, px, 0).rgb) : vec3(0.0);
-            result = sanitize(physical(sanitize(lit.rgb), fallback, front, second)); // two large halves make an infinite one
-        } else if (reflects) {
-            result = sanitize(lerped(sanitize(lit.rgb), front, second));
+            vec3 fallback = hasFallback ? loadColor(fallbackSpecular, px) : vec3(0.0);
+            result = settings.model == 0u ? physical(lit, fallback, front, second) : lerped(lit, front, second);
+            result = sanitize(result); // two large halves make an infinite one
+            untouched = false;
         }
     }
-    if (settings.debugOutcome != 0u) {
-        RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
-        if (ray.outcome != kOutcomeNone)
+    if (settings.debugOutcome != 0u && z < kBackgroundZ) {
+        ivec2 tracePX = fullToTracePixel(frame.constants, px);
+        RayRecord ray = unpackRayRecord(texelFetch(rayRecord, tracePX, 0).xy);
+        if (ray.outcome != kOutcomeNone) {
             result = outcomeColor(ray, settings.maxSteps);
+            untouched = false;
+        }
     }
-    imageStore(composite, px, vec4(result, lit.a));
+    if (untouched && fromGamma == toGamma)
+        result = stored.rgb;
+    else if (toGamma)
+        result = encodeSrgb(result);
+    imageStore(composite, px, vec4(result, stored.a));
 }

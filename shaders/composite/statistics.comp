@@ -4,17 +4,21 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "lib/ray_record.glsl"
+#include "lib/trace_pixel.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 0) uniform usampler2D rayRecord;
-layout(scalar, set = 0, binding = 1) buffer StatisticsBlock {
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform usampler2D rayRecord;
+layout(scalar, set = 0, binding = 2) buffer StatisticsBlock {
     RayStatistics counts;
 } statistics;
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(px, textureSize(rayRecord, 0))))
+    if (!isTracePixel(frame.constants, px))
         return;
     RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
     atomicAdd(statistics.counts.outcomes[ray.outcome], 1u);

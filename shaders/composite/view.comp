@@ -6,6 +6,7 @@
 #include "lib/camera.glsl"
 #include "lib/outcome_color.glsl"
 #include "lib/surface.glsl"
+#include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -45,7 +46,9 @@ void main() {
     float z = texelFetch(viewZ, px, 0).r;
     bool background = z >= kBackgroundZ;
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
-    RayRecord ray = unpackRayRecord(texelFetch(rayRecord, px, 0).xy);
+    RayRecord ray = RayRecord(vec2(0.0), 0.0, 0u, kOutcomeNone);
+    if (!background)
+        ray = unpackRayRecord(texelFetch(rayRecord, fullToTracePixel(frame.constants, px), 0).xy);
     bool hit = ray.outcome == kOutcomeHit;
 
     vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
@@ -88,6 +91,9 @@ void main() {
         break;
     case kViewRayDirection:
         value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z);
+        break;
+    case kViewRay:
+        value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));
         break;
     }
     imageStore(view, px, value);

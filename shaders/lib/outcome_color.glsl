@@ -25,6 +25,8 @@ vec3 outcomeColor(RayRecord ray, uint maxSteps) {
         return vec3(0.9, 0.3, 0.9);
     case kOutcomeBackFace:
         return vec3(0.45, 0.3, 0.15);
+    case kOutcomeSide:
+        return vec3(0.45, 0.75, 0.1);
     case kOutcomeBelowThreshold:
         return vec3(0.15);
     case kOutcomeTooRough:

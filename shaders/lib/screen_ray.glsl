@@ -49,14 +49,30 @@ ScreenRay makeScreenRay(FrameConstants frame, vec3 originVS, vec3 directionVS, f
     return ray;
 }
 
+/// Length of the whole line along its longer axis; never 0.
+float screenPixels(ScreenRay ray) {
+    return max(max(abs(ray.deltaPX.x), abs(ray.deltaPX.y)), 1e-6);
+}
+
 /// At `share` of the line on screen: viewZ of the ray in metres.
 float rayViewZ(ScreenRay ray, float share) {
     return mix(ray.startZOverW, ray.endZOverW, share) / mix(ray.startInvW, ray.endInvW, share);
 }
 
+/// At `share` of the line on screen: nearness (lib/nearness.glsl) of the ray, linear in `share`.
+float rayNearness(FrameConstants frame, ScreenRay ray, float share) {
+    return isOrthographic(frame) ? -mix(ray.startZOverW, ray.endZOverW, share)
+                                 : mix(ray.startInvW, ray.endInvW, share);
+}
+
 /// At `share` of the line on screen: metres travelled from the origin.
 float rayDistance(ScreenRay ray, float share) {
     return ray.lengthVS * share * ray.endInvW / mix(ray.startInvW, ray.endInvW, share);
+}
+
+/// The inverse of rayDistance.
+float shareAtDistance(ScreenRay ray, float distance) {
+    return distance * ray.startInvW / (ray.lengthVS * ray.endInvW - distance * (ray.endInvW - ray.startInvW));
 }
 
 #endif

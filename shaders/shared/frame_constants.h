@@ -12,7 +12,10 @@ struct FrameConstants {
     float4x4 worldToView;        // rigid
     float4x4 viewToWorld;        // rigid
     float4x4 worldToEnvironment; // turns a direction into the environment cube's axes
+    float4x4 viewToPrevView;     // rigid: this frame's view space to the previous one's
+    float4x4 prevViewToPixel;    // as viewToPixel, of the previous frame
     float4 uvToView;             // positionVS.xy = (uv * xy + zw) * (perspective ? viewZ : 1)
+    float4 prevUvToView;         // as uvToView, of the previous frame
     float4 depthToViewZ;         // viewZ = (ndc * x + y) / (ndc * z + w), ndc = depth * depthScale + depthOffset
     float2 size;                 // pixels
     float2 invSize;
@@ -28,6 +31,9 @@ struct FrameConstants {
     uint seed;
     uint metallicChannel; // of the material image
     uint materialKind;    // kMaterial*, MaterialKind of glint/gbuffer.hpp
+    float2 traceSize;     // pixels of the traced image that this frame traces, from the top left
+    float2 traceScale;    // size / traceSize: full-resolution pixels a traced pixel, >= 1
+    float2 motionScale;   // stored motion times this = previous UV - current UV
 };
 
 GLINT_CONSTANT(uint, kInputOrthographic, 1);
@@ -40,8 +46,14 @@ GLINT_CONSTANT(uint, kInputSmoothness, 64);   // the roughness channel holds 1 -
 GLINT_CONSTANT(uint, kInputLeftHanded, 128);  // the host's view space looks down +Z
 GLINT_CONSTANT(uint, kInputEnvironment, 256); // an environment cube is there
 GLINT_CONSTANT(uint, kInputFallback, 512);    // a fallbackSpecular image is there
-GLINT_CONSTANT(uint, kInputHalfDepth, 1024);  // viewZ is rounded to sixteen bits
-GLINT_CONSTANT(uint, kInputMaterial, 2048);   // a material image is there
+GLINT_CONSTANT(uint, kInputMotion, 1024);     // a motion image is there
+GLINT_CONSTANT(uint, kInputHistory, 2048);    // hits take their colour from the previous frame
+GLINT_CONSTANT(uint, kInputGamma, 4096);      // litRadiance and fallbackSpecular are sRGB-encoded
+GLINT_CONSTANT(uint, kHistoryGamma, 8192);    // so is the previous frame's picture
+GLINT_CONSTANT(uint, kOutputGamma, 16384);    // so shall this frame's be
+GLINT_CONSTANT(uint, kTraceTarget8, 32768);   // the traced radiance goes into the RGBA8 image
+GLINT_CONSTANT(uint, kInputHalfDepth, 65536); // viewZ is rounded to sixteen bits
+GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
 
 GLINT_CONSTANT(uint, kMaterialF0Roughness, 0);
 GLINT_CONSTANT(uint, kMaterialMetallicRoughness, 1);

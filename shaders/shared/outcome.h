@@ -16,10 +16,11 @@ GLINT_CONSTANT(uint, kOutcomeOutOfSteps, 6);      // screen.maxSteps were not en
 GLINT_CONSTANT(uint, kOutcomeHidden, 7);          // ended behind what the picture shows there
 GLINT_CONSTANT(uint, kOutcomeTooThick, 8);        // the same, but a slab of twice the thickness would have been met
 GLINT_CONSTANT(uint, kOutcomeBackFace, 9);        // met a surface from its unseen side
-GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 10); // not traced: reflects too little
-GLINT_CONSTANT(uint, kOutcomeTooRough, 11);       // not traced: rougher than reflect.maxRoughness
-GLINT_CONSTANT(uint, kOutcomeFacingCamera, 12);   // not traced: fade.facingCamera leaves nothing of it
-GLINT_CONSTANT(uint, kOutcomeCount, 13);
+GLINT_CONSTANT(uint, kOutcomeSide, 10);           // ran into the slab behind a surface: answered with its front's colour
+GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 11); // not traced: reflects too little
+GLINT_CONSTANT(uint, kOutcomeTooRough, 12);       // not traced: rougher than reflect.maxRoughness
+GLINT_CONSTANT(uint, kOutcomeFacingCamera, 13);   // not traced: fade.facingCamera leaves nothing of it
+GLINT_CONSTANT(uint, kOutcomeCount, 14);
 
 GLINT_CONSTANT(uint, kMaxLookups, 4095); // as a ray record stores them: more reads count as this many
 

@@ -9,9 +9,9 @@ GLINT_SHARED_BEGIN
 struct TraceConstants {
     float maxDistance;
     float thickness;
-    float thicknessRelative; // of viewZ; 0 with the constant mode
+    float thicknessRelative; // of viewZ; 0 unless the mode is relative
     float roughnessFactor;
-    uint maxSteps;
+    uint maxSteps; // of the marcher that runs
     uint step;
     uint selfCollisionSkip;
     uint flags;      // kTrace*
@@ -19,6 +19,11 @@ struct TraceConstants {
     float roughnessFadeStart;
     float maxRoughness;
     float borderWidth;
+    uint minLevel; // of the depth pyramid
+    uint maxLevel;
+    uint baseSteps;
+    float pixelSpacing;
+    uint refinements;
 };
 
 GLINT_CONSTANT(uint, kTraceSmooth, 1);
@@ -29,6 +34,30 @@ GLINT_CONSTANT(uint, kFadeDistance, 16);
 GLINT_CONSTANT(uint, kFadeIterations, 32);
 GLINT_CONSTANT(uint, kFadeFacingCamera, 64);
 GLINT_CONSTANT(uint, kFadeBackface, 128);
+GLINT_CONSTANT(uint, kTraceBackDepth, 256); // back faces say how thick each surface is
+
+// What classify.comp finds: how many rays there are, as the arguments of the indirect dispatches that trace them and
+// that make the pyramid for them. The rays' pixels follow, x in the low half and y in the high half of a word.
+struct RayListHeader {
+    uint rayGroups[3];
+    uint rayCount;
+    uint pyramidGroups[3];
+    uint padding;
+};
+
+GLINT_CONSTANT(uint, kRaysPerGroup, 64);
+GLINT_CONSTANT(uint, kRayGroupsX, 64); // groups in a row of the dispatch: a row of all may be longer than devices take
+
+struct PyramidConstants {
+    float thickness;
+    float thicknessRelative;
+    uint flags; // kTraceBackDepth
+    uint levels;
+};
+
+GLINT_CONSTANT(uint, kPyramidTile, 64);     // pixels a side that one group reduces
+GLINT_CONSTANT(uint, kPyramidTileLevel, 6); // to one cell of this level
+GLINT_CONSTANT(uint, kMaxPyramidLevels, 15);
 
 struct HierarchyConstants {
     uint screen; // 1: the screen source takes part
@@ -63,7 +92,8 @@ GLINT_CONSTANT(uint, kViewHitUv, 9);
 GLINT_CONSTANT(uint, kViewHitDistance, 10);
 GLINT_CONSTANT(uint, kViewLookups, 11);
 GLINT_CONSTANT(uint, kViewRayDirection, 12);
-GLINT_CONSTANT(uint, kViewCount, 13);
+GLINT_CONSTANT(uint, kViewRay, 13); // for programs: hitUV, outcome, lookups
+GLINT_CONSTANT(uint, kViewCount, 14);
 
 GLINT_SHARED_END
 

@@ -29,6 +29,15 @@ void visitFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Featu
     }
 }
 
+bool hasComputeBallots(const Api& api, VkPhysicalDevice device) {
+    VkPhysicalDeviceSubgroupProperties subgroups = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    properties.pNext = &subgroups;
+    api.GetPhysicalDeviceProperties2(device, &properties);
+    return (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
+           (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_BALLOT_BIT) != 0;
+}
+
 } // namespace
 
 const std::vector<const char*>& requiredDeviceExtensions() {
@@ -73,6 +82,8 @@ std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice de
     for (const char* name : requiredDeviceExtensions())
         if (!hasExtension(api, device, name))
             missing.emplace_back(name);
+    if (!hasComputeBallots(api, device))
+        missing.emplace_back("subgroup ballots in compute shaders");
     return missing;
 }
 

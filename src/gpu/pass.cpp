@@ -264,6 +264,17 @@ void Pass::dispatch(uint32_t width, uint32_t height, uint32_t depth) {
     frame_.endScope();
 }
 
+void Pass::dispatchIndirect(Buffer& arguments, size_t offset) {
+    if (pushedSize_ != pipeline_.pushSize())
+        frame_.fail(fmt::format("{}: takes {} bytes of push constants, none were given", pipeline_.name(),
+                                pipeline_.pushSize()));
+    frame_.use(arguments, {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
+    if (!begin())
+        return;
+    frame_.context_.api().CmdDispatchIndirect(frame_.commands_, arguments.handle(), offset);
+    frame_.endScope();
+}
+
 Draws Pass::beginDraws() {
     ready_ = begin();
     Draws draws(frame_.context_.api(), frame_.commands_, pipeline_);

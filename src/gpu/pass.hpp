@@ -77,6 +77,8 @@ public:
 
     /// One thread for each of width * height * depth elements: rounded up to whole groups.
     void dispatch(uint32_t width, uint32_t height = 1, uint32_t depth = 1);
+    /// As many groups as the three words at `offset` of `arguments` say when the pass runs.
+    void dispatchIndirect(Buffer& arguments, size_t offset = 0);
     /// Draws what `record(Draws&)` draws over the attachments' whole area.
     template <class Record>
     void draw(Record&& record) {

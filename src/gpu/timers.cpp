@@ -43,7 +43,7 @@ void Timers::begin(VkCommandBuffer commands, const std::string& name) {
         return;
     const auto query = static_cast<uint32_t>(2 * slot.names.size());
     slot.names.push_back(name);
-    context_.api().CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.pool, query);
+    writeTimestamp(commands, slot.pool, query);
 }
 
 void Timers::end(VkCommandBuffer commands) {
@@ -51,9 +51,30 @@ void Timers::end(VkCommandBuffer commands) {
     if (!open_)
         return;
     const auto query = static_cast<uint32_t>(2 * slot.names.size() - 1);
-    context_.api().CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, slot.pool, query);
+    writeTimestamp(commands, slot.pool, query);
     slot.pending = true;
     open_ = false;
+}
+
+void Timers::writeTimestamp(VkCommandBuffer commands, VkQueryPool pool, uint32_t query) {
+    // Mesa's llvmpipe queues a timestamp with the next triangles and runs dispatches at once: until something flushes,
+    // a pass's first timestamp waits until after its dispatch. A barrier finishes all work there; it costs a software
+    // device nothing that it would not do anyway.
+    const auto finish = [&] {
+        if (!context_.info().software)
+            return;
+        VkMemoryBarrier2 all = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+        all.srcStageMask = all.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+        all.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+        all.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+        VkDependencyInfo info = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+        info.memoryBarrierCount = 1;
+        info.pMemoryBarriers = &all;
+        context_.api().CmdPipelineBarrier2(commands, &info);
+    };
+    finish();
+    context_.api().CmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pool, query);
+    finish();
 }
 
 bool Timers::resolve(FrameSlot& slot) {

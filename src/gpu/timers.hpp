@@ -40,6 +40,7 @@ private:
     };
 
     explicit Timers(Context& context) : context_(context) {}
+    void writeTimestamp(VkCommandBuffer commands, VkQueryPool pool, uint32_t query);
     bool resolve(FrameSlot& slot);
 
     Context& context_;

@@ -16,12 +16,13 @@ struct OracleHit {
     double distance = 0; ///< metres along the ray
     int material = -1;   ///< glTF material, -1: the default one
     glm::dvec3 positionWS = glm::dvec3(0);
-    glm::dvec3 normalWS = glm::dvec3(0); ///< interpolated as the raster pass does, unit
+    glm::dvec3 normalWS = glm::dvec3(0);          ///< interpolated as the raster pass does, unit
+    glm::dvec3 geometricNormalWS = glm::dvec3(0); ///< the triangle's own, unit, towards where the ray came from
     bool frontFace = true;
 };
 
 /// Triangles of opaque and masked surfaces; blended ones, lines and points are left out. Back faces of single-sided
-/// materials are passed through, as the raster pass culls them. Alpha-tested texels count as solid.
+/// materials and the holes of masked ones (alpha_test.hpp) are passed through, as the raster pass leaves them out.
 class RayOracle {
 public:
     /// Refers to `pose` and `scene`, which must outlive it. Errors: Unsupported if Embree has no device.
@@ -30,7 +31,7 @@ public:
     RayOracle(RayOracle&&) noexcept;
     RayOracle& operator=(RayOracle&&) noexcept;
 
-    /// Nearest hit farther than `minDistance` metres; the distance is refined in double precision.
+    /// Nearest hit farther than `minDistance` metres; the distance is refined in double precision. Any thread may ask.
     std::optional<OracleHit> trace(const glm::dvec3& originWS, const glm::dvec3& directionWS, double minDistance) const;
 
 private:

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace glint::reflect {
@@ -16,11 +17,8 @@ constexpr uint32_t kDfgSize = 64;
 /// A host's images are read texel by texel, and many of their formats (depth, 16-bit normals) need not be filterable.
 constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
 
-size_t indexOf(March march) {
-    const std::span<const Technique> all = techniques();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Technique& technique) { return technique.march == march; });
-    return found == all.end() ? 0 : static_cast<size_t>(found - all.begin());
+bool wantsHistory(const Settings& settings) {
+    return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
 }
 
 } // namespace
@@ -29,11 +27,17 @@ size_t indexOf(March march) {
 
 void FrameState::record(gpu::Frame& frame, const View& view) {
     makeTables(frame);
+    turnHistory();
     prepare(frame, view);
-    if (desc.settings.screen.enabled)
+    if (desc.settings.screen.enabled) {
+        classify(frame);
+        if (techniqueFor(desc.settings.screen.march).usesPyramid)
+            makePyramid(frame);
         trace(frame);
-    else
+        denoise(frame);
+    } else {
         forgetTrace(frame);
+    }
     combine(frame);
     compose(frame);
     if (desc.statistics && desc.settings.screen.enabled)
@@ -51,19 +55,58 @@ void FrameState::makeTables(gpu::Frame& frame) {
     frame.pass(pipelines.dfg).write("dfg", dfg).dispatch(kDfgSize, kDfgSize);
     frame.clear(black, {});
     frame.clear(blackCube, {});
+    if (pyramid.tiles)
+        frame.fill(pyramid.tiles, 0);
     tablesMade = !frame.rehearsing();
 }
 
+/// The last frame's picture becomes the history, and this frame's takes the place of the one before.
+void FrameState::turnHistory() {
+    const bool wanted = wantsHistory(desc.settings);
+    usesHistory = wanted && historyHeld;
+    if (wanted) {
+        std::swap(composite, history.color);
+        std::swap(prepared.viewZ, history.viewZ);
+        if (usesHistory) // the host may have drawn over it since
+            history.color.states()[0] = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, 0, 0,
+                                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    }
+    historyHeld = wanted && !desc.settings.debug.outcome; // debug colours are no light
+}
+
 void FrameState::prepare(gpu::Frame& frame, const View& view) {
+    const Settings& settings = desc.settings;
     shared::FrameConstants constants = makeFrameConstants(view, conventions, desc.width, desc.height);
-    constants.flags |= (inputs.environment ? shared::kInputEnvironment : 0) |
-                       (inputs.fallbackSpecular ? shared::kInputFallback : 0) |
-                       (inputs.material ? shared::kInputMaterial : 0) |
-                       (desc.settings.gbuffer.depthFormat == DepthFormat::Half ? shared::kInputHalfDepth : 0);
+    const bool sameProjection = ((constants.flags ^ lastFrame.flags) & shared::kInputOrthographic) == 0;
+    usesHistory = usesHistory && sameProjection;
+    const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
+    flag(static_cast<bool>(inputs.environment), shared::kInputEnvironment);
+    flag(static_cast<bool>(inputs.fallbackSpecular), shared::kInputFallback);
+    flag(static_cast<bool>(inputs.material), shared::kInputMaterial);
+    flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
+    flag(static_cast<bool>(inputs.motion), shared::kInputMotion);
+    flag(usesHistory, shared::kInputHistory);
+    flag(historyGamma, shared::kHistoryGamma);
+    flag(settings.input.colorIsGamma, shared::kInputGamma);
+    flag(settings.output.colorIsGamma, shared::kOutputGamma);
+    traced.eightBits = settings.screen.targetFormat == TargetFormat::Rgba8;
+    flag(traced.eightBits, shared::kTraceTarget8);
+    traced.width = tracedPixels(settings, desc.width);
+    traced.height = tracedPixels(settings, desc.height);
+    constants.traceSize = {traced.width, traced.height};
+    constants.traceScale = constants.size / constants.traceSize;
+    constants.motionScale = {conventions.motionScale[0], conventions.motionScale[1]};
+    constants.viewToPrevView = glm::mat4(glm::dmat4(lastFrame.worldToView) * glm::dmat4(constants.viewToWorld));
+    constants.prevViewToPixel = lastFrame.viewToPixel;
+    constants.prevUvToView = lastFrame.uvToView;
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
     constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environmentFlipY ? -1 : 1, 1)),
                                                -environmentRotation, glm::vec3(0, 1, 0));
+    if (!frame.rehearsing()) {
+        lastFrame = constants;
+        historyGamma = settings.output.colorIsGamma;
+    }
     frame.update(frameConstants, &constants, sizeof(constants));
     prepareSurface(frame, inputs.depth.desc().samples > 1);
     if (frame.rehearsing())
@@ -100,18 +143,54 @@ void FrameState::prepareBackFaces(gpu::Frame& frame) {
     noBackFaces = !hasBackFaces && !frame.rehearsing();
 }
 
+TraceInputs FrameState::traceInputs() {
+    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces, usesHistory ? &history : nullptr, black};
+}
+
+void FrameState::classify(gpu::Frame& frame) {
+    constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, 0};
+    frame.update(rays.list, &kNoRays, sizeof(kNoRays));
+    gpu::Pass pass = frame.pass(pipelines.classify);
+    pass.read("frame", frameConstants)
+        .read("viewZ", prepared.viewZ)
+        .read("surface", prepared.surface)
+        .readWrite("rays", rays.list);
+    writeTraced(pass, traced, false)
+        .push(traceConstants(desc.settings, hasBackFaces))
+        .dispatch(traced.width, traced.height);
+}
+
+void FrameState::makePyramid(gpu::Frame& frame) {
+    const shared::TraceConstants settings = traceConstants(desc.settings, hasBackFaces);
+    const shared::PyramidConstants constants = {settings.thickness, settings.thicknessRelative, settings.flags,
+                                                pyramid.levels};
+    frame.pass(pipelines.pyramid)
+        .read("frame", frameConstants)
+        .read("viewZ", prepared.viewZ)
+        .read("backViewZ", prepared.backViewZ)
+        .write("pyramid", pyramid.cells)
+        .readWrite("tiles", pyramid.tiles)
+        .push(constants)
+        .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, pyramidGroups));
+}
+
 void FrameState::trace(gpu::Frame& frame) {
-    const size_t index = indexOf(desc.settings.screen.march);
-    techniques()[index].record(frame, pipelines.trace[index], desc.settings, {frameConstants, inputs, prepared},
-                               traced);
+    const Technique& technique = techniqueFor(desc.settings.screen.march);
+    const auto index = static_cast<size_t>(&technique - techniques().data());
+    technique.record(frame, pipelines.trace[index], desc.settings, traceInputs(), traced);
     untraced = false;
+}
+
+void FrameState::denoise(gpu::Frame& frame) {
+    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
 }
 
 /// While the screen source is off, its images say that no ray was traced.
 void FrameState::forgetTrace(gpu::Frame& frame) {
-    if (untraced)
+    if (untraced && denoised.answer == &traced.target())
         return;
-    frame.clear(traced.radianceWeight, {});
+    denoised.answer = &traced.target();
+    frame.clear(traced.target(), {});
     frame.clear(traced.rayRecord, {});
     untraced = !frame.rehearsing();
 }
@@ -122,7 +201,7 @@ void FrameState::combine(gpu::Frame& frame) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("radianceWeight", traced.radianceWeight)
+        .read("radianceWeight", *denoised.answer)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
@@ -157,9 +236,10 @@ void FrameState::compose(gpu::Frame& frame) {
 void FrameState::countOutcomes(gpu::Frame& frame) {
     frame.fill(statistics, 0);
     frame.pass(pipelines.statistics)
+        .read("frame", frameConstants)
         .read("rayRecord", traced.rayRecord)
         .readWrite("statistics", statistics)
-        .dispatch(desc.width, desc.height);
+        .dispatch(traced.width, traced.height);
     frame.copyBuffer(statistics, statisticsReadback);
 }
 
@@ -177,7 +257,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
         .read("material", prepared.material, kTexels)
-        .read("radianceWeight", traced.radianceWeight)
+        .read("radianceWeight", *denoised.answer)
         .read("rayRecord", traced.rayRecord)
         .read("reflected", reflected.reflected)
         .read("weights", reflected.weights)
@@ -194,18 +274,21 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(surfaceSamples, Pipeline::compute(context, {"prepare/surface_samples", 0, {}}));
     GLINT_TRY(backFaces, Pipeline::compute(context, {"prepare/back_faces", 0, {}}));
     GLINT_TRY(dfg, Pipeline::compute(context, {"prepare/dfg", 0, {}}));
+    GLINT_TRY(classify, Pipeline::compute(context, {"trace/classify", sizeof(shared::TraceConstants), {}}));
+    GLINT_TRY(pyramid, Pipeline::compute(context, {"prepare/pyramid", sizeof(shared::PyramidConstants), {}}));
     std::vector<Pipeline> trace;
     for (const Technique& technique : techniques()) {
-        GLINT_TRY(pipeline, Pipeline::compute(context, {technique.shader, technique.pushSize, {}}));
+        GLINT_TRY(pipeline, Pipeline::compute(context, {technique.shader, sizeof(shared::TraceConstants), {}}));
         trace.push_back(std::move(pipeline));
     }
+    GLINT_TRY(denoise, DenoisePipelines::create(context));
     GLINT_TRY(combine, Pipeline::compute(context, {"hierarchy/combine", sizeof(shared::HierarchyConstants), {}}));
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface),   std::move(surfaceSamples), std::move(backFaces),
-                     std::move(dfg),       std::move(trace),          std::move(combine),
-                     std::move(composite), std::move(view),           std::move(statistics)};
+    return Pipelines{std::move(surface),  std::move(surfaceSamples), std::move(backFaces), std::move(dfg),
+                     std::move(classify), std::move(pyramid),        std::move(trace),     std::move(denoise),
+                     std::move(combine),  std::move(composite),      std::move(view),      std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -217,35 +300,75 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_CHECK(state->createImages());
     GLINT_CHECK(state->expectBackFaces(0, 0));
     GLINT_CHECK(state->expectSamples(1));
+    GLINT_CHECK(state->createRays());
+    GLINT_CHECK(state->setSettings(desc.settings));
     GLINT_TRY(timers, gpu::Timers::create(context));
     state->timers = std::move(timers);
     GLINT_CHECK(state->rehearse());
     return state;
 }
 
-Result<void> FrameState::createImages() {
-    struct Wanted {
-        gpu::Image* image;
-        const char* name;
-        VkFormat format;
-        uint32_t width;
-        uint32_t height;
-        VkImageUsageFlags more; ///< besides being sampled and stored
-        gpu::ImageShape shape = gpu::ImageShape::Flat;
-    };
+namespace {
+
+struct WantedImage {
+    gpu::Image* image;
+    const char* name;
+    VkFormat format;
+    uint32_t width;
+    uint32_t height;
+    VkImageUsageFlags more; ///< besides being sampled and stored
+    gpu::ImageShape shape = gpu::ImageShape::Flat;
+};
+
+constexpr VkImageUsageFlags kCleared = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+constexpr VkImageUsageFlags kComposite =
+    VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT; ///< hosts blend over it
+
+/// Nothing to do if it is there already.
+Result<void> makeImage(gpu::Context& context, const WantedImage& wanted) {
+    if (*wanted.image)
+        return {};
+    GLINT_TRY(image,
+              gpu::Image::create(context, {wanted.name, wanted.format, wanted.width, wanted.height, 1,
+                                           wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
+                                           VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
+    *wanted.image = std::move(image);
+    return {};
+}
+
+} // namespace
+
+/// Nothing is ever taken away: frames in flight may still read it.
+Result<void> FrameState::makeImagesFor(const Settings& settings) {
     const uint32_t w = desc.width;
     const uint32_t h = desc.height;
-    constexpr VkImageUsageFlags kCleared = VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-    std::vector<Wanted> images = {
+    if (settings.screen.targetFormat == TargetFormat::Rgba8)
+        GLINT_CHECK(makeImage(
+            *context, {&traced.radianceWeight8, "glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared}));
+    else
+        GLINT_CHECK(makeImage(
+            *context, {&traced.radianceWeight, "glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared}));
+    if (settings.screen.colorSource == ColorSource::Previous) {
+        GLINT_CHECK(makeImage(
+            *context, {&history.color, "glint/previousComposite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite}));
+        GLINT_CHECK(makeImage(*context, {&history.viewZ, "glint/previousViewZ", VK_FORMAT_R32_SFLOAT, w, h, 0}));
+    }
+    return makeDenoiseImages(*context, settings, w, h, denoised);
+}
+
+Result<void> FrameState::createImages() {
+    const uint32_t w = desc.width;
+    const uint32_t h = desc.height;
+    std::vector<WantedImage> images = {
         {&prepared.viewZ, "glint/viewZ", VK_FORMAT_R32_SFLOAT, w, h, 0},
         {&prepared.surface, "glint/surface", VK_FORMAT_R32G32_UINT, w, h, 0},
         {&prepared.material, "glint/material", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, 0},
-        {&traced.radianceWeight, "glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared},
+        {&traced.unused, "glint/unused", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, 0},
+        {&traced.unused8, "glint/unused8", VK_FORMAT_R8G8B8A8_UNORM, 1, 1, 0},
         {&traced.rayRecord, "glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared},
         {&reflected.reflected, "glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, 0},
         {&reflected.weights, "glint/weights", VK_FORMAT_R8G8B8A8_UNORM, w, h, 0},
-        {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h,
-         VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT}, // hosts blend over it
+        {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite},
         {&dfg, "glint/dfg", VK_FORMAT_R16G16_SFLOAT, kDfgSize, kDfgSize, 0},
         {&black, "glint/black", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared},
         {&blackCube, "glint/blackCube", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared, gpu::ImageShape::Cube},
@@ -253,13 +376,8 @@ Result<void> FrameState::createImages() {
     if (desc.views)
         images.push_back({&viewImage, "glint/view", VK_FORMAT_R32G32B32A32_SFLOAT, w, h,
                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | kCleared});
-    for (const Wanted& wanted : images) {
-        GLINT_TRY(image, gpu::Image::create(*context,
-                                            {wanted.name, wanted.format, wanted.width, wanted.height, 1,
-                                             wanted.shape == gpu::ImageShape::Cube ? 6u : 1u, wanted.shape,
-                                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
-        *wanted.image = std::move(image);
-    }
+    for (const WantedImage& wanted : images)
+        GLINT_CHECK(makeImage(*context, wanted));
 
     GLINT_TRY(constants,
               gpu::Buffer::create(*context, {"glint/frame", sizeof(shared::FrameConstants),
@@ -278,6 +396,46 @@ Result<void> FrameState::createImages() {
                                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT, gpu::BufferHome::Readback}));
     statisticsReadback = std::move(readback);
     std::memset(statisticsReadback.mapped(), 0, statisticsReadback.size()); // nothing is counted yet
+    return {};
+}
+
+Result<void> FrameState::createRays() {
+    GLINT_TRY(list, gpu::Buffer::create(
+                        *context, {"glint/rays", sizeof(shared::RayListHeader) + size_t{4} * desc.width * desc.height,
+                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                   gpu::BufferHome::Device}));
+    rays.list = std::move(list);
+    return {};
+}
+
+Result<void> FrameState::createPyramid() {
+    const uint32_t longest = std::max(desc.width, desc.height);
+    pyramid.levels = std::clamp(static_cast<uint32_t>(std::bit_width(longest - 1)), 1u, shared::kMaxPyramidLevels - 1);
+    const auto half = [](uint32_t size, uint32_t times) { return (size + (1u << times) - 1) >> times; };
+    // Level 1 beside the column of the others: lib/pyramid.glsl.
+    GLINT_TRY(cells, gpu::Image::create(*context, {"glint/pyramid", VK_FORMAT_R32G32B32A32_UINT,
+                                                   half(desc.width, 1) + half(desc.width, 2),
+                                                   half(desc.height, 1) + pyramid.levels, 1, 1, gpu::ImageShape::Flat,
+                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT}));
+    const size_t tiles =
+        size_t{half(desc.width, shared::kPyramidTileLevel)} * half(desc.height, shared::kPyramidTileLevel);
+    const size_t above = tiles; // more than the level above has
+    GLINT_TRY(tileCells,
+              gpu::Buffer::create(*context, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                             gpu::BufferHome::Device}));
+    pyramid.cells = std::move(cells);
+    pyramid.tiles = std::move(tileCells);
+    tablesMade = false; // its counter starts at 0
+    return {};
+}
+
+Result<void> FrameState::setSettings(const Settings& settings) {
+    GLINT_CHECK(makeImagesFor(settings));
+    if (techniqueFor(settings.screen.march).usesPyramid && !pyramid.cells)
+        GLINT_CHECK(createPyramid());
+    desc.settings = settings;
     return {};
 }
 
@@ -316,8 +474,11 @@ Result<void> FrameState::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     makeTables(frame);
     prepare(frame, {});
+    classify(frame);
+    makePyramid(frame);
     for (size_t i = 0; i < techniques().size(); ++i)
-        techniques()[i].record(frame, pipelines.trace[i], desc.settings, {frameConstants, inputs, prepared}, traced);
+        techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);
+    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
     combine(frame);
     compose(frame);
     if (desc.statistics)

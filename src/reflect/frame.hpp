@@ -4,8 +4,10 @@
 #include "glint/reflections.hpp"
 #include "gpu/pass.hpp"
 #include "gpu/timers.hpp"
+#include "reflect/denoise.hpp"
 #include "reflect/stages.hpp"
 #include "reflect/trace/technique.hpp"
+#include "shared/frame_constants.h"
 
 namespace glint::reflect {
 
@@ -14,7 +16,10 @@ struct Pipelines {
     gpu::Pipeline surfaceSamples; ///< of hosts with several samples a pixel
     gpu::Pipeline backFaces;
     gpu::Pipeline dfg;
+    gpu::Pipeline classify;
+    gpu::Pipeline pyramid;
     std::vector<gpu::Pipeline> trace; ///< in the order of techniques()
+    DenoisePipelines denoise;
     gpu::Pipeline combine;
     gpu::Pipeline composite;
     gpu::Pipeline view;
@@ -39,7 +44,11 @@ struct FrameState {
 
     gpu::Buffer frameConstants;
     Prepared prepared;
+    Rays rays;
+    Pyramid pyramid;
     Traced traced;
+    Denoised denoised;
+    History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
     gpu::Image lastEdge;
@@ -53,13 +62,20 @@ struct FrameState {
     bool tablesMade = false;  ///< dfg and the stand-ins hold their content
     bool noBackFaces = false; ///< prepared.backViewZ is cleared
     View lastView;
-    bool upToDate = false;  ///< the images belong to lastView; false if its frame had nothing to do
-    bool untraced = false;  ///< `traced` says that no ray was traced
-    bool ranPasses = false; ///< by the last record()
+    bool upToDate = false;                 ///< the images belong to lastView; false if its frame had nothing to do
+    bool untraced = false;                 ///< `traced` says that no ray was traced
+    shared::FrameConstants lastFrame = {}; ///< of lastView
+    bool historyHeld =
+        false; ///< `composite` and `prepared` hold the last frame's picture, for hits to take colours from
+    bool historyGamma = false; ///< and that picture is sRGB-encoded
+    bool usesHistory = false;  ///< this frame's hits do
+    bool ranPasses = false;    ///< by the last record()
     std::unique_ptr<gpu::Timers> timers;
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
 
+    /// Makes what `settings` ask for and the state does not have yet.
+    Result<void> setSettings(const Settings& settings);
     bool anySource() const;
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);
@@ -72,12 +88,20 @@ struct FrameState {
 
 private:
     Result<void> createImages();
+    Result<void> createRays();
+    Result<void> createPyramid();
+    TraceInputs traceInputs();
     Result<void> rehearse();
     void makeTables(gpu::Frame& frame);
+    void turnHistory();
     void prepare(gpu::Frame& frame, const View& view);
     void prepareSurface(gpu::Frame& frame, bool manySamples);
+    Result<void> makeImagesFor(const Settings& settings);
     void prepareBackFaces(gpu::Frame& frame);
+    void classify(gpu::Frame& frame);
+    void makePyramid(gpu::Frame& frame);
     void trace(gpu::Frame& frame);
+    void denoise(gpu::Frame& frame);
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);
     void compose(gpu::Frame& frame);

@@ -159,7 +159,7 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
 
 Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
-    state_->frame->desc.settings = settings;
+    GLINT_CHECK(state_->frame->setSettings(settings));
     state_->note();
     return state_->expectBackFaces();
 }
@@ -174,6 +174,11 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     GLINT_CHECK(checkSamples(gbuffer.litRadiance, "litRadiance", 1));
     GLINT_CHECK(checkSamples(gbuffer.fallbackSpecular, "fallbackSpecular", 1));
     GLINT_CHECK(checkSamples(gbuffer.backDepth, "backDepth", 1));
+    if (gbuffer.motion)
+        GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
+    GLINT_CHECK(checkSamples(gbuffer.motion, "motion", 1));
+    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
+        return invalidArgument("motionScale must be finite");
     GLINT_CHECK(checkEnvironment(environment));
 
     state_->gbuffer = gbuffer;
@@ -202,12 +207,15 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
               borrow(host.litRadiance, "litRadiance"),
               borrow(host.fallbackSpecular, "fallbackSpecular"),
               borrow(host.backDepth, "backDepth"),
+              borrow(host.motion, "motion"),
               borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
     state.lastView = view;
     state.ranPasses = state.anySource() || state.desc.settings.debug.outcome;
     state.upToDate = state.ranPasses;
-    if (!state.ranPasses)
+    if (!state.ranPasses) {
+        state.historyHeld = false;
         return host.litRadiance;
+    }
 
     gpu::Frame frame(*state.context, commands, state.timers.get());
     state.record(frame, view);
@@ -224,6 +232,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     giveBack(inputs.litRadiance, host.litRadiance);
     giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
     giveBack(inputs.backDepth, host.backDepth);
+    giveBack(inputs.motion, host.motion);
     giveBack(inputs.environment, state_->environment.cube);
     return handOut(state.composite);
 }

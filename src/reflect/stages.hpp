@@ -15,6 +15,7 @@ struct Inputs {
     gpu::Image litRadiance;
     gpu::Image fallbackSpecular; ///< may be absent
     gpu::Image backDepth;        ///< may be absent; own size
+    gpu::Image motion;           ///< may be absent
     gpu::Image environment;      ///< cube; may be absent
 };
 
@@ -29,10 +30,43 @@ struct Prepared {
     gpu::Image backViewZ;
 };
 
-/// `trace`: what the screen source answered.
+/// `trace/classify`: which pixels need a ray.
+struct Rays {
+    gpu::Buffer list; ///< shared::RayListHeader, then a word a ray
+};
+
+/// `prepare/pyramid`, for the marchers that ask for it.
+struct Pyramid {
+    gpu::Image cells; ///< RGBA32UI, lib/pyramid.glsl
+    gpu::Buffer tiles;
+    uint32_t levels = 0; ///< the coarsest one's number
+};
+
+/// `trace`: what the screen source answered, at the picture's size or smaller: screen.resolutionScale takes the top
+/// left part of the same images.
 struct Traced {
-    gpu::Image radianceWeight; ///< RGBA16F: radiance at the hit, weight [0, 1]
-    gpu::Image rayRecord;      ///< RG32UI, lib/ray_record.glsl
+    gpu::Image radianceWeight;  ///< RGBA16F: radiance at the hit, weight [0, 1]; absent if only the next is wanted
+    gpu::Image radianceWeight8; ///< RGBA8: the same with screen.targetFormat rgba8
+    gpu::Image unused;          ///< RGBA16F, one texel: stands in for whichever of the two a frame does not write
+    gpu::Image unused8;         ///< RGBA8
+    gpu::Image rayRecord;       ///< RG32UI, lib/ray_record.glsl
+    bool eightBits = false;     ///< this frame writes radianceWeight8
+    uint32_t width = 1;         ///< pixels that this frame traces
+    uint32_t height = 1;
+    gpu::Image& target() { return eightBits ? radianceWeight8 : radianceWeight; }
+};
+
+/// The previous frame, as far as hits take their colour from it (screen.colorSource previous).
+struct History {
+    gpu::Image color; ///< its picture with reflections
+    gpu::Image viewZ; ///< what it showed
+};
+
+/// `denoise`: the screen source's answer for every pixel.
+struct Denoised {
+    gpu::Image radianceWeight;    ///< RGBA16F, the picture's size; absent until settings ask for it
+    gpu::Image blurred[2];        ///< RGBA16F: along x, then along both; absent until settings ask for it
+    gpu::Image* answer = nullptr; ///< the image that holds this frame's answer: `radianceWeight`, or the traced one
 };
 
 /// `hierarchy`: all sources under the one rule.

@@ -1,5 +1,6 @@
 #include "render/run_job.hpp"
 
+#include "base/assert.hpp"
 #include "glint/glint.hpp"
 #include "gpu/transfer.hpp"
 #include "render/job_inputs.hpp"
@@ -9,6 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 namespace glint::render {
@@ -71,6 +73,7 @@ Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inpu
 /// Milliseconds of each pass over the frames, in the order in which they run.
 class PassTimes {
 public:
+    void clear() { *this = {}; }
     void add(const std::string& name, double milliseconds) {
         if (times_.find(name) == times_.end())
             order_.push_back(name);
@@ -91,27 +94,16 @@ private:
     std::map<std::string, std::vector<double>> times_;
 };
 
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
 /// One job's objects, and the frame that they make.
-class JobRunner {
-public:
-    JobRunner(gpu::Context& context, const RenderJob& job) : context_(context), job_(job) {}
+struct JobSession::State {
+    State(gpu::Context& context, RenderJob job) : context_(context), job_(std::move(job)) {}
 
-    Result<RenderResult> run() {
-        GLINT_CHECK(create());
-        for (uint32_t i = 0; i < job_.frames; ++i) {
-            GLINT_CHECK(renderFrame(i));
-            if (job_.progress)
-                job_.progress(i + 1, job_.frames);
-        }
-        for (const std::string& name : job_.views) {
-            GLINT_TRY(view, readView(name));
-            result_.views.push_back(std::move(view));
-        }
-        fillStats();
-        return std::move(result_);
-    }
-
-private:
     Result<void> create() {
         GLINT_TRY(inputs, loadJobInputs(job_));
         inputs_ = std::move(inputs);
@@ -120,22 +112,48 @@ private:
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
-        GLINT_CHECK(renderer_->resize(inputs_.width, inputs_.height,
-                                      gbufferOptions(job_.settings.reflections, settings.display.antialias)));
+        GLINT_CHECK(resizeGBuffer());
         parameters_.camera = inputs_.camera;
 
         const gpu::AdoptedDevice handles = context_.handles();
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
                                            handles.queueFamily, handles.getInstanceProcAddr}));
         library_ = std::make_unique<Context>(std::move(library));
+        GLINT_TRY(timers, gpu::Timers::create(context_));
+        timers_ = std::move(timers);
+        GLINT_CHECK(makeReflections());
+        return makeTargets();
+    }
+
+    Result<void> setSettings(const ProgramSettings& settings) {
+        job_.settings = settings;
+        GLINT_CHECK(renderer_->setSettings(settings.render));
+        GLINT_CHECK(resizeGBuffer());
+        passTimes_.clear();
+        return makeReflections();
+    }
+
+    Result<void> resize(uint32_t width, uint32_t height) {
+        inputs_.width = width;
+        inputs_.height = height;
+        GLINT_CHECK(resizeGBuffer());
+        passTimes_.clear();
+        GLINT_CHECK(makeReflections());
+        return makeTargets();
+    }
+
+    Result<void> resizeGBuffer() {
+        drawn_ = false;
+        return renderer_->resize(inputs_.width, inputs_.height,
+                                 gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias));
+    }
+
+    /// Made anew for other settings: some of them are decided when it is created.
+    Result<void> makeReflections() {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true}));
         reflections_ = std::make_unique<Reflections>(std::move(reflections));
-        GLINT_TRY(timers, gpu::Timers::create(context_));
-        timers_ = std::move(timers);
-        result_.width = inputs_.width;
-        result_.height = inputs_.height;
-        return makeTargets();
+        return {};
     }
 
     Result<void> makeTargets() {
@@ -153,28 +171,44 @@ private:
     }
 
     /// The frame of a host: its own opaque picture, the reflections, then what is blended over both.
-    Result<void> renderFrame(uint32_t index) {
+    Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan) {
+        GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
         Result<void> inputsSet;
+        const auto start = std::chrono::steady_clock::now();
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands, timers_.get());
-            GBuffer& g = renderer_->drawOpaque(frame, parameters_);
-            frame.copy(g.litRadiance, scene_); // before anything is blended over it
+            GBuffer& g = plan.draw ? renderer_->drawOpaque(frame, parameters_) : renderer_->gbuffer();
+            if (plan.draw)
+                frame.copy(g.litRadiance, scene_); // before anything is blended over it
+            if (plan.afterOpaque)
+                plan.afterOpaque(frame, g);
+            if (!plan.reflect)
+                return;
             inputsSet = reflections_->setInputs(lendInputs(frame, g), lendEnvironment(frame));
             if (!inputsSet)
                 return;
             const View view = renderer_->view(parameters_);
             const HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
             composite_ = borrow(lit, "job/composite");
-            renderer_->drawTransparent(frame, composite_);
-            renderer_->drawTransparent(frame, scene_);
+            if (plan.draw) {
+                renderer_->drawTransparent(frame, composite_);
+                renderer_->drawTransparent(frame, scene_);
+            }
             frame.hand(composite_, kSampled);
         }));
+        FrameTimes times;
+        times.wallMs = millisecondsSince(start);
         GLINT_CHECK(inputsSet);
+        drawn_ = true;
         for (const gpu::PassTime& time : timers_->latest())
-            passTimes_.add(time.name, time.milliseconds);
-        for (const PassTime& time : reflections_->passTimes())
-            passTimes_.add(time.name, time.milliseconds);
-        return {};
+            times.hostPasses.emplace_back(time.name, time.milliseconds);
+        if (plan.reflect)
+            for (const PassTime& time : reflections_->passTimes())
+                times.effectPasses.emplace_back(time.name, time.milliseconds);
+        for (const auto* passes : {&times.hostPasses, &times.effectPasses})
+            for (const auto& [name, milliseconds] : *passes)
+                passTimes_.add(name, milliseconds);
+        return times;
     }
 
     glint::GBuffer lendInputs(gpu::Frame& frame, GBuffer& g) {
@@ -186,6 +220,7 @@ private:
         inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
         if (g.backDepth)
             inputs.backDepth = lend(frame, g.backDepth);
+        inputs.motion = lend(frame, g.motion);
         return inputs;
     }
 
@@ -243,8 +278,8 @@ private:
         return {};
     }
 
-    void fillStats() {
-        RenderStats& stats = result_.stats;
+    RenderStats stats() {
+        RenderStats stats;
         stats.device = context_.info().name;
         stats.driver = context_.info().driver;
         stats.software = context_.info().software;
@@ -255,11 +290,11 @@ private:
         stats.lookups95 = counted.lookups95;
         for (const Statistics::Outcome& outcome : counted.outcomes)
             stats.outcomes.emplace_back(outcome.name, outcome.count);
-        result_.notes = reflections_->notes();
+        return stats;
     }
 
     gpu::Context& context_;
-    const RenderJob& job_;
+    RenderJob job_;
     JobInputs inputs_;
     ViewParameters parameters_;
     std::unique_ptr<Renderer> renderer_;
@@ -270,13 +305,69 @@ private:
     gpu::Image scene_;
     gpu::Image display_;
     PassTimes passTimes_;
-    RenderResult result_;
+    bool drawn_ = false; ///< the G-buffer holds a frame
 };
 
-} // namespace
+JobSession::JobSession(std::unique_ptr<State> state) : state_(std::move(state)) {}
+JobSession::~JobSession() = default;
+JobSession::JobSession(JobSession&&) noexcept = default;
+JobSession& JobSession::operator=(JobSession&&) noexcept = default;
+
+Result<JobSession> JobSession::create(gpu::Context& context, const RenderJob& job) {
+    auto state = std::make_unique<State>(context, job);
+    GLINT_CHECK(state->create());
+    return JobSession(std::move(state));
+}
+
+Result<void> JobSession::setSettings(const ProgramSettings& settings) {
+    return state_->setSettings(settings);
+}
+
+Result<void> JobSession::resize(uint32_t width, uint32_t height) {
+    return state_->resize(width, height);
+}
+
+Result<FrameTimes> JobSession::renderFrame(uint32_t index, const FramePlan& plan) {
+    return state_->renderFrame(index, plan);
+}
+
+Result<RenderedView> JobSession::readView(const std::string& name) {
+    return state_->readView(name);
+}
+
+RenderStats JobSession::stats() {
+    return state_->stats();
+}
+
+const std::vector<std::string>& JobSession::notes() const {
+    return state_->reflections_->notes();
+}
+
+const JobInputs& JobSession::inputs() const {
+    return state_->inputs_;
+}
+
+View JobSession::view() const {
+    return state_->renderer_->view(state_->parameters_);
+}
 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
-    return JobRunner(context, job).run();
+    GLINT_TRY(session, JobSession::create(context, job));
+    for (uint32_t i = 0; i < job.frames; ++i) {
+        GLINT_CHECK(session.renderFrame(i));
+        if (job.progress)
+            job.progress(i + 1, job.frames);
+    }
+    RenderResult result;
+    result.width = session.inputs().width;
+    result.height = session.inputs().height;
+    for (const std::string& name : job.views) {
+        GLINT_TRY(view, session.readView(name));
+        result.views.push_back(std::move(view));
+    }
+    result.stats = session.stats();
+    result.notes = session.notes();
+    return result;
 }
 
 Result<RenderResult> runJob(const RenderJob& job) {

@@ -3,9 +3,57 @@
 #pragma once
 
 #include "gpu/context.hpp"
+#include "gpu/pass.hpp"
+#include "render/gbuffer.hpp"
+#include "render/job_inputs.hpp"
 #include "render/render_job.hpp"
+#include "render/view.hpp"
+
+#include <functional>
+#include <memory>
 
 namespace glint::render {
+
+/// What one frame of a session does.
+struct FramePlan {
+    bool draw = true;    ///< the host's own passes; false: the G-buffer of the frame before serves again
+    bool reflect = true; ///< the reflections
+    std::function<void(gpu::Frame&, GBuffer&)> afterOpaque; ///< more passes, before the reflections; may be empty
+};
+
+/// Milliseconds.
+struct FrameTimes {
+    double wallMs = 0;                                        ///< recording, submitting and waiting for the whole frame
+    std::vector<std::pair<std::string, double>> hostPasses;   ///< GPU time; with those of FramePlan::afterOpaque
+    std::vector<std::pair<std::string, double>> effectPasses; ///< GPU time of the reflections
+};
+
+/// A job that stays: the scene is read and uploaded once, settings, size and frames change.
+class JobSession {
+public:
+    static Result<JobSession> create(gpu::Context& context, const RenderJob& job);
+    ~JobSession();
+    JobSession(JobSession&&) noexcept;
+    JobSession& operator=(JobSession&&) noexcept;
+
+    /// Forgets the pass times so far. Of the renderer's settings the sky's (`analyticSky`) stay as they were.
+    Result<void> setSettings(const ProgramSettings& settings);
+    Result<void> resize(uint32_t width, uint32_t height);
+    /// The first frame, and the first after either call above, has to be drawn.
+    Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan = {});
+    /// Of the frame rendered last. Errors: InvalidArgument for an unknown view; DeviceLost.
+    Result<RenderedView> readView(const std::string& name);
+    /// Medians over the frames since the settings or the size changed; counts of the last one.
+    RenderStats stats();
+    const std::vector<std::string>& notes() const;
+    const JobInputs& inputs() const;
+    View view() const;
+
+private:
+    struct State;
+    explicit JobSession(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
 
 /// On a device of its own. Errors: as the scene's readers, the device and the settings give them; with
 /// RenderJob::validate also the first message of the validation layer.

@@ -30,6 +30,7 @@ constexpr std::array kViews = {
     ViewInfo{"hitDistance", ViewKind::Distance, "Z", "metres along the ray to its hit"},
     ViewInfo{"lookups", ViewKind::Count, "Y", "depth reads of the ray"},
     ViewInfo{"rayDirWS", ViewKind::Direction, "XYZ", "world-space direction of the mirror ray"},
+    ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 
 /// Blue, cyan, green, yellow, red for t in [0, 1]; 0 itself is black, so that "no ray" stands apart.

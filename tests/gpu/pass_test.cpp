@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cstring>
 
 namespace glint::test {
@@ -352,6 +353,40 @@ TEST_F(PassTest, timersAskedOnlyNowAndThenStillAnswerWithTheNewest) {
                 frame.pass(accumulate).readWrite("sum", a).dispatch(16, 16);
         });
     EXPECT_EQ(timers->latest().size(), 7u);
+}
+
+TEST_F(PassTest, timersOfASoftwareDeviceWaitForTheDispatch) {
+    if (!gpu().info().software)
+        GTEST_SKIP() << "on a GPU this work takes less time than submitting it";
+    gpu::RasterDesc desc;
+    desc.vertexShader = "covering.vert";
+    desc.fragmentShader = "agreeing.frag";
+    desc.colorFormats = {VK_FORMAT_R32G32B32A32_SFLOAT};
+    const gpu::Pipeline draw = must(gpu::Pipeline::raster(gpu(), desc));
+    const gpu::Pipeline increment = compute("increment", sizeof(IncrementPush));
+    gpu::Image source = image("source");
+    gpu::Image target = image("target");
+    gpu::Buffer scale = uniform(glm::vec4(1));
+    constexpr uint32_t kCount = 1 << 21;
+    gpu::Buffer numbers = storage(std::vector<uint32_t>(kCount));
+    const std::unique_ptr<gpu::Timers> timers = must(gpu::Timers::create(gpu()));
+    const auto start = std::chrono::steady_clock::now();
+    run([&](VkCommandBuffer commands) {
+        gpu::Frame frame(gpu(), commands, timers.get());
+        frame.clear(source, {});
+        const VkClearColorValue black = {};
+        frame.pass(draw).read("scale", scale).read("source", source).color(target, &black).draw([](gpu::Draws& draws) {
+            draws.draw(3);
+        });
+        for (uint32_t i = 0; i < 16; ++i)
+            frame.pass(increment).readWrite("values", numbers).push(IncrementPush{kCount, 3, i}).dispatch(kCount);
+    });
+    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+    double sum = 0;
+    for (const gpu::PassTime& time : timers->latest())
+        sum += time.milliseconds;
+    EXPECT_GT(sum, 0.5 * wall.count());
+    EXPECT_LT(sum, wall.count());
 }
 
 TEST_F(PassTest, morePassesThanTimersHaveQueriesGoUntimed) {

@@ -2,6 +2,7 @@
 // exact picture, nothing changed when nothing reflects, and no validation message on any sample model.
 #include "exact_report.hpp"
 #include "gpu/context.hpp"
+#include "hits_report.hpp"
 #include "render/job_inputs.hpp"
 #include "render/run_job.hpp"
 #include "render/view.hpp"
@@ -107,6 +108,19 @@ TEST_F(ScenesTest, fewMirrorPixelsOfTheExactSceneAreWrong) {
     EXPECT_LT(error.oneBounceShare(), 0.05);
     RecordProperty("oneBounceWrongPercent", std::to_string(100 * error.oneBounceShare()));
     RecordProperty("wrongPercent", std::to_string(100 * error.share()));
+}
+
+TEST_F(ScenesTest, mostRaysFindWhatTheExactOnesFind) {
+    const render::RenderJob job = cli::hitJob(makeJob("builtin:exact", 640, 360, {}, {"screen.march=linear"}));
+    const measure::HitReport report = must(cli::measureHits(job, run(job)));
+    EXPECT_GT(report.all.visibleTruths, 40000u);
+    EXPECT_GT(report.all.precision(), 0.98); // measured 0.986
+    EXPECT_GT(report.all.recall(), 0.92);    // measured 0.927
+    EXPECT_LT(report.all.positionErrorMedian, 0.2);
+    EXPECT_LT(report.all.positionError95, 1);
+    RecordProperty("precision", std::to_string(report.all.precision()));
+    RecordProperty("recall", std::to_string(report.all.recall()));
+    RecordProperty("lookupsPerRay", std::to_string(report.all.lookupsMean));
 }
 
 TEST_F(ScenesTest, withEverySourceOffThePictureIsTheHostsBitForBit) {

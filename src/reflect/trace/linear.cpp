@@ -2,28 +2,13 @@
 #include "reflect/trace/technique.hpp"
 
 namespace glint::reflect {
-namespace {
 
-void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-            Traced& out) {
-    frame.pass(pipeline)
-        .read("frame", inputs.frameConstants)
-        .read("viewZ", inputs.prepared.viewZ)
-        .read("surface", inputs.prepared.surface)
-        .read("litRadiance", inputs.host.litRadiance, gpu::SamplerKind::NearestClamp)
-        .write("radianceWeight", out.radianceWeight)
-        .write("rayRecord", out.rayRecord)
-        .push(traceConstants(settings))
-        .dispatch(out.rayRecord.width(), out.rayRecord.height());
+static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
+                   Traced& out) {
+    tracePass(frame, pipeline, settings, inputs, out).dispatchIndirect(inputs.rays.list);
 }
 
-} // namespace
-
-const Technique kLinearTechnique = {"linear",
-                                    March::Linear,
-                                    "trace/linear",
-                                    "every pixel along the ray, one depth lookup each",
-                                    sizeof(shared::TraceConstants),
-                                    record};
+const Technique kLinearTechnique = {
+    "linear", March::Linear, "trace/linear", "every pixel along the ray, one depth lookup each", false, record};
 
 } // namespace glint::reflect

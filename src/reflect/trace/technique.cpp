@@ -1,27 +1,82 @@
 #include "reflect/trace/technique.hpp"
 
+#include "base/assert.hpp"
+
 #include <algorithm>
 
 namespace glint::reflect {
 
+/// As many as compute_ssr takes at most: the longest rays have twice adaptive.steps, up to this.
+static constexpr uint32_t kMostAdaptiveSteps = 128;
+
 std::span<const Technique> techniques() {
-    static const Technique kTechniques[] = {kLinearTechnique};
+    static const Technique kTechniques[] = {kLinearTechnique, kAdaptiveTechnique, kHizTechnique};
     return kTechniques;
 }
 
-shared::TraceConstants traceConstants(const Settings& settings) {
+const Technique& techniqueFor(March march) {
+    const std::span<const Technique> all = techniques();
+    const auto found = std::ranges::find(all, march, &Technique::march);
+    GLINT_ASSERT(found != all.end(), "march {}", static_cast<int>(march));
+    return *found;
+}
+
+gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs) {
+    constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
+    return pass.read("litRadiance", inputs.host.litRadiance, kTexels)
+        .read("prevColor", inputs.history ? inputs.history->color : inputs.black, kTexels)
+        .read("prevViewZ", inputs.history ? inputs.history->viewZ : inputs.black, kTexels)
+        .read("motion", inputs.host.motion ? inputs.host.motion : inputs.black, kTexels);
+}
+
+gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out, bool keep) {
+    return pass.write("radianceWeight", out.eightBits ? out.unused : out.radianceWeight, 0, keep)
+        .write("radianceWeight8", out.eightBits ? out.radianceWeight8 : out.unused8, 0, keep)
+        .write("rayRecord", out.rayRecord, 0, keep);
+}
+
+gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
+                    Traced& out) {
+    shared::TraceConstants constants = traceConstants(settings, inputs.backFacesKnown);
+    constants.minLevel = std::min(constants.minLevel, inputs.pyramid.levels);
+    constants.maxLevel = std::min(constants.maxLevel, inputs.pyramid.levels);
+    gpu::Pass pass = frame.pass(pipeline);
+    pass.read("frame", inputs.frameConstants)
+        .read("rays", inputs.rays.list)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("backViewZ", inputs.prepared.backViewZ)
+        .read("surface", inputs.prepared.surface);
+    readHitColor(pass, inputs);
+    writeTraced(pass, out, true).push(constants);
+    return pass;
+}
+
+shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKnown) {
     shared::TraceConstants constants = {};
     constants.maxDistance = settings.screen.maxDistance;
-    constants.thickness = settings.screen.thicknessMode == ThicknessMode::Constant ? settings.screen.thickness : 0;
+    const bool hiz = settings.screen.march == March::Hiz;
+    constants.thickness = settings.screen.thicknessMode == ThicknessMode::Relative ? 0 : settings.screen.thickness;
     constants.thicknessRelative =
         settings.screen.thicknessMode == ThicknessMode::Relative ? settings.screen.thicknessRelative : 0;
-    constants.roughnessFactor = settings.rough.factor;
-    constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps);
+    if (hiz)
+        constants.thicknessRelative += settings.hiz.depthBias;
+    // With a blur, roughness widens that instead: jitter would only make it noisy.
+    constants.roughnessFactor = settings.blur.strength > 0 ? 0 : settings.rough.factor;
+    switch (settings.screen.march) {
+    case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
+    case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
+    case March::Hiz: constants.maxSteps = static_cast<uint32_t>(settings.hiz.maxIterations); break;
+    }
+    constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
+    constants.pixelSpacing = settings.adaptive.pixelSpacing;
+    constants.refinements = static_cast<uint32_t>(settings.adaptive.refinements);
     constants.step = static_cast<uint32_t>(settings.screen.step);
     constants.selfCollisionSkip = static_cast<uint32_t>(settings.screen.selfCollisionSkip);
     constants.roughnessFadeStart = settings.reflect.roughnessFadeStart;
     constants.maxRoughness = settings.reflect.maxRoughness;
     constants.borderWidth = settings.fade.borderWidth;
+    constants.minLevel = static_cast<uint32_t>(settings.hiz.minLevel);
+    constants.maxLevel = static_cast<uint32_t>(std::max(settings.hiz.minLevel, settings.hiz.maxLevel));
 
     // Half a step of an 8-bit F0 on top, so that a threshold of 0.04 leaves out plain dielectrics however stored.
     constants.threshold = settings.reflect.threshold + 1.0f / 510.0f;
@@ -39,6 +94,7 @@ shared::TraceConstants traceConstants(const Settings& settings) {
     flag(settings.fade.iterations, shared::kFadeIterations);
     flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
     flag(settings.fade.backface, shared::kFadeBackface);
+    flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
     return constants;
 }
 

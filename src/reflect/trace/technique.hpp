@@ -14,6 +14,11 @@ struct TraceInputs {
     gpu::Buffer& frameConstants;
     Inputs& host;
     Prepared& prepared;
+    Rays& rays;
+    Pyramid& pyramid; ///< made if Technique::usesPyramid
+    bool backFacesKnown = false;
+    History* history;  ///< null: hits take this frame's colour
+    gpu::Image& black; ///< stands in for what is absent
 };
 
 struct Technique {
@@ -21,7 +26,7 @@ struct Technique {
     March march;
     std::string_view shader;
     std::string_view summary; ///< one line for lists
-    size_t pushSize;
+    bool usesPyramid;
     void (*record)(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
                    Traced& out);
 };
@@ -29,9 +34,22 @@ struct Technique {
 /// Every marcher that there is. A new one is a line here, a shader and a file beside this one.
 std::span<const Technique> techniques();
 
-/// The settings that all marchers share.
-shared::TraceConstants traceConstants(const Settings& settings);
+const Technique& techniqueFor(March march);
+
+/// Settings as the tracing shaders take them.
+shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKnown);
+
+/// Binds what shaders/trace/hit_color.glsl reads.
+gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs);
+/// Binds what shaders/trace/traced.glsl writes; `keep`: other passes wrote the rest of it.
+gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out, bool keep);
+
+/// The pass of any marcher over the listed rays, still without what only it reads.
+gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
+                    Traced& out);
 
 extern const Technique kLinearTechnique;
+extern const Technique kAdaptiveTechnique;
+extern const Technique kHizTechnique;
 
 } // namespace glint::reflect

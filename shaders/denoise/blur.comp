@@ -1,0 +1,90 @@
+// One direction of the blur by roughness and hit distance. Every pixel gathers as far as its own reflection is smeared,
+// from pixels of the same surface that were traced, and never across an edge. Radiance is weighed by its weight, so a
+// miss next to a hit thins the answer out instead of darkening it, and the sources behind fill in the rest.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "shared/denoise_constants.h"
+#include "shared/frame_constants.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(set = 0, binding = 3) uniform usampler2D rayRecord;
+layout(set = 0, binding = 4) uniform sampler2D source; // radiance, not multiplied by weight
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D blurred;
+layout(push_constant, scalar) uniform PushBlock {
+    BlurConstants settings;
+};
+
+#include "denoise/blur_radius.glsl"
+#include "denoise/neighbourhood.glsl"
+
+/// Babylon.js' kernel is a centre and two steps; this is the Gaussian of the same variance. `x`: share of the reach.
+float kernel(float x) {
+    return exp(-0.717 * x * x);
+}
+
+/// Premultiplied answer of one source pixel, and its weight in the fourth; 0 if it is none of this surface's.
+struct Gathered {
+    vec4 premultiplied;
+    float total;
+};
+
+void gather(inout Gathered sum, Place here, ivec2 herePX, ivec2 sourcePX, float weight) {
+    if (any(lessThan(sourcePX, ivec2(0))) || any(greaterThanEqual(sourcePX, ivec2(settings.sourceSize))))
+        return;
+    ivec2 tracePX = gridToTracePixel(settings.sourceSize, sourcePX);
+    if (!wasTraced(rayOf(tracePX)))
+        return;
+    ivec2 tapPX = tracePixelToFull(frame.constants, tracePX);
+    if (tapPX != herePX)
+        weight *= sameSurface(here, placeOf(tapPX), length(vec2(tapPX - herePX)));
+    vec4 answer = texelFetch(source, sourcePX, 0);
+    sum.premultiplied += weight * vec4(answer.rgb * answer.a, answer.a);
+    sum.total += weight;
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(settings.targetSize))))
+        return;
+    ivec2 tracePX = gridToTracePixel(settings.targetSize, px);
+    RayRecord ray = rayOf(tracePX);
+    if (!wasTraced(ray)) {
+        imageStore(blurred, px, vec4(0.0));
+        return;
+    }
+    ivec2 herePX = tracePixelToFull(frame.constants, tracePX);
+    Place here = placeOf(herePX);
+
+    int axis = int(settings.vertical);
+    vec2 shrink = settings.sourceSize / settings.targetSize; // above 1 when this pass also downsamples
+    float rayPX = length(ray.hitUV * frame.constants.size - (vec2(herePX) + 0.5));
+    float reach = blurReach(here.perceptualRoughness, rayPX, settings.strength, settings.roughnessFactor);
+    reach *= settings.sourceSize[axis] / frame.constants.size[axis];
+    if (shrink[axis] > 1.0)
+        reach = max(reach, 0.75 * shrink[axis]); // no source pixel is left out
+    // A tap a source pixel, as long as there are taps enough.
+    int side = min(int(ceil(reach)), int(settings.maxTaps) / 2);
+    float spacing = max(reach / max(float(side), 1.0), 1.0);
+    vec2 along = axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+
+    // When downsampling, the first pass takes each of the rows that fall together.
+    int lines = max(int(round(shrink[1 - axis])), 1);
+    vec2 first = (vec2(px) + 0.5) * shrink - (1.0 - along) * 0.5 * float(lines - 1);
+    Gathered sum = Gathered(vec4(0.0), 0.0);
+    for (int line = 0; line < lines; ++line)
+        for (int i = -side; i <= side; ++i) {
+            float offset = float(i) * spacing;
+            float weight = kernel(offset / max(reach, 0.5)) * clamp(reach - abs(offset) + 1.0, 0.0, 1.0);
+            gather(sum, here, herePX, ivec2(floor(first + along * offset + (1.0 - along) * float(line))), weight);
+        }
+    vec4 mean = sum.total > 0.0 ? sum.premultiplied / sum.total : vec4(0.0);
+    imageStore(blurred, px, vec4(mean.a > 0.0 ? mean.rgb / mean.a : vec3(0.0), mean.a));
+}

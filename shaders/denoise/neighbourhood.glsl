@@ -1,0 +1,65 @@
+// What the passes of `denoise` know about the pixels that they mix: where each one's surface is, and how far two
+// surfaces are one. Include after `frame`, `viewZ`, `surface` and `rayRecord`.
+#ifndef GLINT_DENOISE_NEIGHBOURHOOD_GLSL
+#define GLINT_DENOISE_NEIGHBOURHOOD_GLSL
+
+#include "lib/camera.glsl"
+#include "lib/ray_record.glsl"
+#include "lib/surface.glsl"
+#include "lib/trace_pixel.glsl"
+
+/// The surface that one pixel of the picture shows.
+struct Place {
+    vec3 positionVS;
+    vec3 normalVS;
+    float perceptualRoughness;
+    float reflectivity;
+    float metresPerPixel; // across the line of sight
+    bool background;
+};
+
+Place placeOf(ivec2 px) {
+    float z = texelFetch(viewZ, px, 0).r;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    Place place;
+    place.background = z >= kBackgroundZ;
+    place.positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+    place.normalVS = here.normalVS;
+    place.perceptualRoughness = here.perceptualRoughness;
+    place.reflectivity = here.reflectivity;
+    place.metresPerPixel = abs(frame.constants.uvToView.y) * frame.constants.invSize.y *
+                           (isOrthographic(frame.constants) ? 1.0 : z);
+    return place;
+}
+
+/// 1 where `other` continues the surface of `here`, 0 across an edge of depth, a crease, another roughness; `pixels`
+/// apart on screen. How far a surface may leave the other's plane grows with the distance between them: a silhouette
+/// leaves it at once, a curved or bumpy surface by little.
+float sameSurface(Place here, Place other, float pixels) {
+    if (other.background)
+        return 0.0;
+    vec3 between = other.positionVS - here.positionVS;
+    float fromPlane = min(abs(dot(here.normalVS, between)), abs(dot(other.normalVS, between)));
+    float allowed = here.metresPerPixel * (0.25 + 0.5 * pixels) + 0.05 * length(between);
+    float plane = 1.0 - smoothstep(allowed, 2.0 * allowed, fromPlane);
+    float normal = pow(clamp(dot(here.normalVS, other.normalVS), 0.0, 1.0), 16.0);
+    float roughness = max(1.0 - 5.0 * abs(here.perceptualRoughness - other.perceptualRoughness), 0.0);
+    return plane * normal * roughness;
+}
+
+RayRecord rayOf(ivec2 tracePX) {
+    return unpackRayRecord(texelFetch(rayRecord, tracePX, 0).xy);
+}
+
+/// Did a ray start here? Background and surfaces that do not reflect have no answer, not an answer of black.
+bool wasTraced(RayRecord ray) {
+    return ray.outcome != kOutcomeNone && ray.outcome < kOutcomeBelowThreshold;
+}
+
+/// Pixels of an image of `gridSize`, which covers the same picture, each stand for one traced pixel.
+ivec2 gridToTracePixel(vec2 gridSize, ivec2 gridPX) {
+    vec2 at = (vec2(gridPX) + 0.5) * (frame.constants.traceSize / gridSize);
+    return min(ivec2(at), ivec2(frame.constants.traceSize) - 1);
+}
+
+#endif

@@ -1,0 +1,223 @@
+// From the traced (or blurred) image to the picture's own size.
+//
+// Where a reflection is sharp, the rays of the four nearest traced pixels only say how far light came; where from, the
+// pixel's own position and normal say. It aims its own ray that far, and takes the colour there if the picture shows a
+// surface at just that place: mirrors stay as sharp as the picture, for two depth lookups a pixel instead of a march.
+// Everywhere else a pixel mixes the four, each by nearness and by how far it shows the same surface (Kopf et al. 2007,
+// "Joint Bilateral Upsampling"). What was not traced does not count; where none of the four shows the pixel's surface,
+// the most similar one around speaks alone.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/fades.glsl"
+#include "shared/denoise_constants.h"
+#include "shared/frame_constants.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(set = 0, binding = 4) uniform sampler2D traced; // radiance, not multiplied by weight
+layout(set = 0, binding = 5) uniform sampler2D source; // the same, or that blurred
+layout(set = 0, binding = 9) uniform usampler2D rayRecord;
+layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D radianceWeight;
+layout(push_constant, scalar) uniform PushBlock {
+    UpsampleConstants settings;
+};
+
+#include "denoise/blur_radius.glsl"
+#include "denoise/neighbourhood.glsl"
+#include "trace/hit_color.glsl" // bindings 3, 6, 7, 8
+
+/// Below this a similarity is another surface.
+const float kOtherSurface = 0.01;
+
+/// Is a pixel of this surface one that rays start from?
+bool reflects(Place here) {
+    return !here.background && here.reflectivity > settings.threshold &&
+           fadeRoughness(here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness) > 0.0;
+}
+
+struct Tap {
+    vec4 premultiplied;
+    float similarity; // to the surface of the pixel that asks; 0: not traced
+    vec2 px;          // of the picture, whose surface it is
+};
+
+Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX) {
+    Tap tap = Tap(vec4(0.0), 0.0, vec2(0.0));
+    if (any(lessThan(imagePX, ivec2(0))) || any(greaterThanEqual(imagePX, ivec2(imageSize))))
+        return tap;
+    ivec2 tracePX = gridToTracePixel(imageSize, imagePX);
+    if (!wasTraced(rayOf(tracePX)))
+        return tap;
+    ivec2 tapPX = tracePixelToFull(frame.constants, tracePX);
+    tap.px = vec2(tapPX);
+    tap.similarity = sameSurface(here, placeOf(tapPX), length(vec2(tapPX - px)));
+    vec4 answer = texelFetch(image, imagePX, 0);
+    tap.premultiplied = vec4(answer.rgb * answer.a, answer.a);
+    return tap;
+}
+
+/// Top left of the four pixels of an image of this size whose own places in the picture surround `px`.
+ivec2 cornerOf(vec2 imageSize, ivec2 px) {
+    ivec2 corner = min(ivec2((vec2(px) + 0.5) * imageSize / frame.constants.size), ivec2(imageSize) - 1);
+    ivec2 cornerPX = tracePixelToFull(frame.constants, gridToTracePixel(imageSize, corner));
+    return corner - ivec2(greaterThan(cornerPX, px));
+}
+
+/// Premultiplied mean of the four; false if none of them shows the surface.
+bool mixFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, out vec4 mean) {
+    ivec2 corner = cornerOf(imageSize, px);
+    vec2 scale = frame.constants.size / imageSize;
+    vec4 sum = vec4(0.0);
+    float total = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        Tap tap = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1));
+        if (tap.similarity <= kOtherSurface)
+            continue;
+        vec2 near = max(1.0 - abs(tap.px - vec2(px)) / scale, 0.001);
+        float weight = tap.similarity * near.x * near.y;
+        sum += weight * tap.premultiplied;
+        total += weight;
+    }
+    mean = sum / max(total, 1e-12);
+    return total > 0.0;
+}
+
+/// The most similar traced pixel of the sixteen around.
+vec4 mostSimilar(Place here, ivec2 px) {
+    ivec2 corner = cornerOf(frame.constants.traceSize, px) - 1;
+    Tap best = Tap(vec4(0.0), kOtherSurface, vec2(0.0));
+    for (int i = 0; i < 16; ++i) {
+        Tap tap = takeTap(traced, frame.constants.traceSize, here, px, corner + ivec2(i & 3, i >> 2));
+        if (tap.similarity > best.similarity)
+            best = tap;
+    }
+    return best.premultiplied;
+}
+
+// ---------------------------------------------------------------- a ray of its own
+
+/// Follows `directionVS` for about `distance` metres to what the picture shows there. False: it shows nothing at just
+/// that place, or a side that the ray would not meet.
+bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
+    const float kMeetsFront = 0.02;  // cosine
+    const float kSameHit = 0.25;     // share of the distance by which the plane of the surface found may correct it
+    const float kSameDepth = 0.002;  // of viewZ, besides half a pixel
+    float along = distance;
+    for (int step = 0; step < 2; ++step) {
+        vec3 atVS = here.positionVS + directionVS * along;
+        vec4 pixelH = frame.constants.viewToPixel * vec4(atVS, 1.0);
+        if (-atVS.z <= frame.constants.nearZ || pixelH.w <= 0.0)
+            return false;
+        vec2 at = pixelH.xy / pixelH.w;
+        if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, frame.constants.size)))
+            return false;
+        hitPX = ivec2(at);
+        Place there = placeOf(hitPX);
+        float approach = -dot(there.normalVS, directionVS);
+        if (there.background || approach < kMeetsFront)
+            return false;
+        float beyond = dot(there.normalVS, atVS - there.positionVS); // metres still before its plane
+        if (step == 1)
+            return abs(beyond) <= 0.5 * there.metresPerPixel + kSameDepth * -there.positionVS.z;
+        along += beyond / approach;
+        if (abs(along - distance) > kSameHit * distance)
+            return false;
+    }
+    return false;
+}
+
+/// The answer of the pixel's own ray, premultiplied, where the four traced rays around tell its length. False: they
+/// tell nothing, mix them.
+bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
+    answer = vec4(0.0);
+    ivec2 corner = cornerOf(frame.constants.traceSize, px);
+    float distances[4];
+    float hits = 0.0;
+    float misses = 0.0;
+    float alpha = 0.0;
+    float meanDistance = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 tracePX = corner + ivec2(i & 1, i >> 1);
+        distances[i] = 0.0;
+        Tap tap = takeTap(traced, frame.constants.traceSize, here, px, tracePX);
+        if (tap.similarity <= kOtherSurface)
+            continue;
+        vec2 near = max(1.0 - abs(tap.px - vec2(px)) / frame.constants.traceScale, 0.001);
+        float weight = tap.similarity * near.x * near.y;
+        RayRecord ray = rayOf(tracePX);
+        if (ray.outcome == kOutcomeSide) // an answer, but from no place that could be aimed at
+            return false;
+        if (ray.outcome != kOutcomeHit) {
+            misses += weight;
+            continue;
+        }
+        distances[i] = ray.hitDistance;
+        hits += weight;
+        alpha += weight * tap.premultiplied.a;
+        meanDistance += weight * ray.hitDistance;
+    }
+    if (hits <= 0.0)
+        return false;
+    vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
+    ivec2 hitPX;
+    bool found = aim(here, directionVS, meanDistance / hits, hitPX);
+    for (int i = 0; i < 4 && !found; ++i) // across an edge of what they hit, one of them alone may be right
+        found = distances[i] > 0.0 && aim(here, directionVS, distances[i], hitPX);
+    if (!found)
+        return misses > 0.0; // beside a miss and not to be found: a miss itself
+    vec3 radiance = hitRadiance(hitPX);
+    if ((frame.constants.flags & kTraceTarget8) != 0u)
+        radiance = min(radiance, 1.0);
+    answer = vec4(radiance, 1.0) * (alpha / hits);
+    return true;
+}
+
+// ---------------------------------------------------------------- between the two
+
+/// Share of the unblurred answer: all of it without a blur, and what is left where the blur is narrower than a pixel of
+/// its image.
+float sharpShare(Place here, ivec2 px) {
+    if (settings.strength <= 0.0)
+        return 1.0;
+    RayRecord ray = rayOf(fullToTracePixel(frame.constants, px));
+    if (!wasTraced(ray))
+        return 0.0;
+    float rayPX = length(ray.hitUV * frame.constants.size - (vec2(px) + 0.5));
+    float reach = blurReach(here.perceptualRoughness, rayPX, settings.strength, settings.roughnessFactor);
+    return 1.0 - clamp(reach * settings.sourceSize.y / frame.constants.size.y, 0.0, 1.0);
+}
+
+vec4 sharpAnswer(Place here, ivec2 px) {
+    vec4 answer;
+    bool found = settings.mirrorRays != 0u && any(lessThan(frame.constants.traceSize, frame.constants.size)) &&
+                 aimOwnRay(here, px, answer);
+    if (!found)
+        found = mixFour(traced, frame.constants.traceSize, here, px, answer);
+    return found ? answer : mostSimilar(here, px);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    Place here = placeOf(px);
+    if (!reflects(here)) {
+        imageStore(radianceWeight, px, vec4(0.0));
+        return;
+    }
+    vec4 answer = vec4(0.0);
+    float sharp = sharpShare(here, px);
+    bool found = sharp < 1.0 && mixFour(source, settings.sourceSize, here, px, answer);
+    if (!found || sharp > 0.0) {
+        vec4 unblurred = sharpAnswer(here, px);
+        answer = found ? mix(answer, unblurred, sharp) : unblurred;
+    }
+    imageStore(radianceWeight, px, vec4(answer.a > 0.0 ? answer.rgb / answer.a : vec3(0.0), answer.a));
+}

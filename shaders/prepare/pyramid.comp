@@ -1,0 +1,218 @@
+// Makes every level of the depth pyramid (lib/pyramid.glsl) in one dispatch: each group reduces a tile of 64 pixels to
+// one cell of level 6, and the group that ends last reduces those. Runs only if there are rays to trace.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/nearness.glsl"
+#include "lib/pyramid.glsl"
+#include "shared/trace_constants.h"
+
+layout(local_size_x = 16, local_size_y = 16) in; // a thread takes 4 x 4 pixels
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform sampler2D backViewZ; // of any size
+layout(set = 0, binding = 3, rgba32ui) uniform writeonly uimage2D pyramid;
+layout(scalar, set = 0, binding = 4) coherent buffer TilesBlock {
+    uint finishedGroups; // 0 before and after
+    uint padding[3];
+    uvec4 cells[]; // level 6; then levels above it in turn behind and in its place
+} tiles;
+layout(push_constant, scalar) uniform PushBlock {
+    PyramidConstants settings;
+};
+
+shared uvec4 sharedCells[256];
+shared bool isLastGroup;
+
+ivec2 size;
+float width;
+
+// ---------------------------------------------------------------- a cell from what it is made of
+
+/// As it will be read back: bounds are made for that slope.
+vec2 storedSlope(vec2 slope) {
+    return unpackHalf2x16(packHalf2x16(clamp(slope * width, -60000.0, 60000.0))) / width;
+}
+
+float slabNearness(ivec2 px, float z, bool orthographic) {
+    float reach = z;
+    if ((settings.flags & kTraceBackDepth) != 0u) {
+        ivec2 backSize = textureSize(backViewZ, 0);
+        ivec2 backPX = min(ivec2((vec2(px) + 0.5) * frame.constants.invSize * vec2(backSize)), backSize - 1);
+        float backZ = texelFetch(backViewZ, backPX, 0).r;
+        if (backZ < kBackgroundZ && backZ >= z * 0.999)
+            reach = max(backZ, z);
+    }
+    return nearnessOf(orthographic, reach + settings.thickness + settings.thicknessRelative * z);
+}
+
+/// Level 1 at `cell`, from its pixels.
+Cell cellOfPixels(ivec2 cell) {
+    bool orthographic = isOrthographic(frame.constants);
+    float nearness[4];
+    float slab[4];
+    bool inside[4];
+    bool seen[4];
+    bool all4 = true;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
+        inside[i] = all(lessThan(px, size));
+        float z = inside[i] ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
+        seen[i] = z < kBackgroundZ;
+        nearness[i] = seen[i] ? nearnessOf(orthographic, z) : 0.0;
+        slab[i] = seen[i] ? slabNearness(px, z, orthographic) : 0.0;
+        all4 = all4 && seen[i];
+    }
+    Cell result = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
+    if (all4)
+        result.slope = storedSlope(0.5 * vec2(nearness[1] - nearness[0] + nearness[3] - nearness[2],
+                                              nearness[2] - nearness[0] + nearness[3] - nearness[1]));
+    float low = 1e37;
+    float lowSlab = 1e37;
+    bool broken = false;
+    for (int i = 0; i < 4; ++i) {
+        broken = broken || (inside[i] && !seen[i]);
+        if (!seen[i])
+            continue;
+        float along = dot(result.slope, vec2(i & 1, i >> 1) - 0.5);
+        result.front = max(result.front, nearness[i] - along);
+        low = min(low, nearness[i] - along);
+        lowSlab = min(lowSlab, slab[i] - along);
+    }
+    if (result.front > kEmptyCell) {
+        result.depth = broken ? kBroken : result.front - low;
+        result.slab = result.front - lowSlab;
+    }
+    return result;
+}
+
+/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1).
+Cell cellOfCells(Cell children[4], float childSize) {
+    vec2 slope = vec2(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 4; ++i)
+        if (children[i].front > kEmptyCell) {
+            slope += children[i].slope;
+            count += 1.0;
+        }
+    Cell result = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
+    if (count == 0.0)
+        return result;
+    result.slope = storedSlope(slope / count);
+    float low = 1e37;
+    float lowSlab = 1e37;
+    bool broken = false;
+    for (int i = 0; i < 4; ++i) {
+        Cell child = children[i];
+        broken = broken || child.depth == kBroken;
+        if (child.front == kEmptyCell)
+            continue;
+        // Two planes differ most at a corner of the pixels' centres.
+        vec2 tilt = abs(child.slope - result.slope);
+        float apart = (tilt.x + tilt.y) * 0.5 * (childSize - 1.0);
+        float front = child.front - dot(result.slope, (vec2(i & 1, i >> 1) - 0.5) * childSize);
+        result.front = max(result.front, front + apart);
+        low = min(low, front - child.depth - apart);
+        lowSlab = min(lowSlab, front - child.slab - apart);
+    }
+    result.depth = broken ? kBroken : result.front - low;
+    result.slab = result.front - lowSlab;
+    return result;
+}
+
+// ---------------------------------------------------------------- levels
+
+void store(int level, ivec2 cell, Cell value) {
+    if (level <= int(settings.levels) && all(lessThan(cell, pyramidLevelSize(size, level))))
+        imageStore(pyramid, pyramidOffset(size, level) + cell, packCell(value, width));
+}
+
+/// A cell outside the picture takes no part in anything.
+Cell outside() {
+    return Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
+}
+
+void reduceTile() {
+    ivec2 thread = ivec2(gl_LocalInvocationID.xy);
+    ivec2 level2 = ivec2(gl_WorkGroupID.xy) * 16 + thread;
+    Cell children[4];
+    for (int i = 0; i < 4; ++i) {
+        ivec2 cell = level2 * 2 + ivec2(i & 1, i >> 1);
+        children[i] = cellOfPixels(cell);
+        store(1, cell, children[i]);
+    }
+    Cell value = cellOfCells(children, 2.0);
+    store(2, level2, value);
+    sharedCells[gl_LocalInvocationIndex] = packCell(value, width);
+
+    int across = 16; // cells a side in shared memory
+    for (int level = 3; level <= int(kPyramidTileLevel); ++level) {
+        barrier();
+        int half_ = across / 2;
+        bool works = all(lessThan(thread, ivec2(half_)));
+        if (works) {
+            for (int i = 0; i < 4; ++i) {
+                ivec2 child = thread * 2 + ivec2(i & 1, i >> 1);
+                children[i] = unpackCell(sharedCells[child.y * across + child.x], 1.0 / width);
+            }
+            value = cellOfCells(children, float(1 << (level - 1)));
+            store(level, ivec2(gl_WorkGroupID.xy) * half_ + thread, value);
+        }
+        barrier();
+        if (works)
+            sharedCells[thread.y * half_ + thread.x] = packCell(value, width);
+        across = half_;
+    }
+}
+
+/// The last group alone: levels above the tiles', by all of its threads.
+void reduceTiles() {
+    int from = 0;
+    ivec2 childSize = pyramidLevelSize(size, int(kPyramidTileLevel));
+    int to = childSize.x * childSize.y;
+    for (int level = int(kPyramidTileLevel) + 1; level <= int(settings.levels); ++level) {
+        ivec2 levelSize = pyramidLevelSize(size, level);
+        for (int k = int(gl_LocalInvocationIndex); k < levelSize.x * levelSize.y; k += 256) {
+            ivec2 cell = ivec2(k % levelSize.x, k / levelSize.x);
+            Cell children[4];
+            for (int i = 0; i < 4; ++i) {
+                ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
+                children[i] = all(lessThan(child, childSize))
+                                  ? unpackCell(tiles.cells[from + child.y * childSize.x + child.x], 1.0 / width)
+                                  : outside();
+            }
+            Cell value = cellOfCells(children, float(1 << (level - 1)));
+            store(level, cell, value);
+            tiles.cells[to + k] = packCell(value, width);
+        }
+        memoryBarrierBuffer();
+        barrier();
+        int wasFrom = from;
+        from = to;
+        to = wasFrom;
+        childSize = levelSize;
+    }
+}
+
+void main() {
+    size = ivec2(frame.constants.size);
+    width = frame.constants.size.x;
+    reduceTile();
+    if (gl_LocalInvocationIndex == 0u) {
+        tiles.cells[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = sharedCells[0];
+        memoryBarrierBuffer(); // before anybody can count this group as finished
+        uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+        isLastGroup = atomicAdd(tiles.finishedGroups, 1u) == groups - 1u;
+    }
+    barrier();
+    if (!isLastGroup)
+        return;
+    memoryBarrierBuffer();
+    reduceTiles();
+    if (gl_LocalInvocationIndex == 0u)
+        tiles.finishedGroups = 0u;
+}

@@ -1,0 +1,103 @@
+// The colour that a ray takes from its hit: this frame's, or with screen.colorSource previous the last frame's picture,
+// which holds its own reflections, so that a mirror shows mirrors. Include after `frame`, `viewZ` and `surface`.
+#ifndef GLINT_TRACE_HIT_COLOR_GLSL
+#define GLINT_TRACE_HIT_COLOR_GLSL
+
+#include "lib/camera.glsl"
+#include "lib/input_color.glsl"
+#include "lib/surface.glsl"
+
+layout(set = 0, binding = 3) uniform sampler2D litRadiance;
+layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame's picture
+layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // and what it showed
+layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - current UV, once scaled
+
+/// Farther than this from where a surface at rest would have been, in pixels, motion says that the surface moved. Hosts
+/// leave their jitter out of motion, and that alone may make a pixel's diagonal.
+const float kMovedPX = 1.5;
+/// A surface at rest was where it is, within this share of its distance; of one that moved, only its depth is known,
+/// and that roughly.
+const float kSamePlace = 0.01;
+const float kSameDepth = 0.1;
+
+/// Where the surface of pixel `px` was in the previous frame, if that frame showed it.
+struct Before {
+    vec3 positionVS; // in the previous frame's view space, if it did not move
+    vec3 normalVS;
+    vec2 px;
+    bool moved;
+};
+
+Before placeBefore(ivec2 px, float z) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    Before before;
+    before.positionVS = (frame.constants.viewToPrevView * vec4(viewPosition(frame.constants, uv, z), 1.0)).xyz;
+    before.normalVS = mat3(frame.constants.viewToPrevView) * normalVS;
+    vec4 pixelH = frame.constants.prevViewToPixel * vec4(before.positionVS, 1.0);
+    before.px = pixelH.w > 0.0 ? pixelH.xy / pixelH.w : vec2(-1.0);
+    before.moved = false;
+    if ((frame.constants.flags & kInputMotion) != 0u) {
+        vec2 movedUV = uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale;
+        vec2 movedPX = movedUV * frame.constants.size;
+        before.moved = distance(movedPX, before.px) > kMovedPX;
+        if (before.moved)
+            before.px = movedPX;
+    }
+    return before;
+}
+
+/// Does the previous frame's texel show the surface of `before`?
+bool showedIt(Before before, ivec2 texel) {
+    float z = texelFetch(prevViewZ, texel, 0).r;
+    if (z >= kBackgroundZ)
+        return false;
+    float expectedZ = -before.positionVS.z;
+    if (before.moved)
+        return abs(z - expectedZ) <= kSameDepth * expectedZ;
+    vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
+    vec2 sideways = uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw;
+    vec3 positionVS = vec3(sideways * (isOrthographic(frame.constants) ? 1.0 : z), -z);
+    return abs(dot(before.normalVS, positionVS - before.positionVS)) <= kSamePlace * expectedZ;
+}
+
+/// Bilinear over those of the four texels that showed the same surface: nothing bleeds in from what stood before it.
+/// False: the previous frame did not show it.
+bool previousRadiance(ivec2 px, out vec3 radiance) {
+    radiance = vec3(0.0);
+    float z = texelFetch(viewZ, px, 0).r;
+    if (z >= kBackgroundZ)
+        return false;
+    Before before = placeBefore(px, z);
+    bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.size));
+    if (!onScreen)
+        return false;
+    const float kNoShare = 1.0 / 64.0; // at rest, rounding leaves a little of the neighbours
+    vec2 corner = floor(before.px - 0.5);
+    vec2 share = before.px - 0.5 - corner;
+    bool encoded = (frame.constants.flags & kHistoryGamma) != 0u;
+    float total = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        vec2 shares = mix(1.0 - share, share, vec2(offset));
+        float weight = shares.x * shares.y;
+        ivec2 texel = ivec2(corner) + offset;
+        bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(frame.constants.size)));
+        if (weight < kNoShare || !inside || !showedIt(before, texel))
+            continue;
+        radiance += weight * linearColor(texelFetch(prevColor, texel, 0).rgb, encoded);
+        total += weight;
+    }
+    radiance /= max(total, kNoShare);
+    return total > 0.0;
+}
+
+/// Linear radiance, finite, of the surface that pixel `px` shows.
+vec3 hitRadiance(ivec2 px) {
+    vec3 radiance;
+    if ((frame.constants.flags & kInputHistory) != 0u && previousRadiance(px, radiance))
+        return radiance;
+    return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
+}
+
+#endif

@@ -1,0 +1,132 @@
+// When a ray meets what the picture shows. A pixel knows its surface's depth and normal, so it is held for a small flat
+// piece: the ray meets its front if it goes from before the piece's plane to behind it, whatever the piece's thickness.
+// A ray that comes upon it from elsewhere, behind its plane already, runs into its side if it is no deeper than the slab:
+// the thing is solid there, but the picture does not show where the ray meets it.
+#ifndef GLINT_TRACE_HIT_TEST_GLSL
+#define GLINT_TRACE_HIT_TEST_GLSL
+
+#include "trace/ray_inputs.glsl"
+
+/// dot(normal at the hit, -ray) below which a surface was met from behind. A little below 0, as shading normals lean;
+/// `fade.backface` fades what lies between.
+const float kBackFaceLimit = -0.17;
+/// dot(normal at the hit, normal at the start) above which both may be one surface, which its own ray never meets from
+/// the front; 25 degrees.
+const float kOwnSurface = 0.9;
+
+/// So close behind the front, in parts of its distance, a ray from beside meets what the picture shows.
+const float kAtSurface = 0.01;
+
+/// One depth sample of the ray.
+struct Sample {
+    float share;
+    vec2 px;
+    float rayZ;
+    float sceneZ;
+};
+
+Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
+    Sample s;
+    s.share = share;
+    s.px = ray.startPX + ray.deltaPX * share;
+    s.rayZ = rayViewZ(ray, share);
+    s.sceneZ = texelFetch(viewZ, ivec2(s.px), 0).r;
+    ++lookups;
+    return s;
+}
+
+/// viewZ to which the surface that the picture shows at `px` reaches back.
+float slabEnd(vec2 px, float sceneZ, inout uint lookups) {
+    float reach = sceneZ;
+    if (isOn(kTraceBackDepth)) {
+        ivec2 size = textureSize(backViewZ, 0);
+        ivec2 backPX = min(ivec2(px * frame.constants.invSize * vec2(size)), size - 1);
+        float backZ = texelFetch(backViewZ, backPX, 0).r;
+        ++lookups;
+        // A back face in front of the front: something open, of which nothing is known behind.
+        if (backZ < kBackgroundZ && backZ >= sceneZ * 0.999)
+            reach = max(backZ, sceneZ);
+    }
+    return reach + settings.thickness + settings.thicknessRelative * sceneZ;
+}
+
+bool isOwnSurface(vec3 hitNormalVS, Ray ray) {
+    return dot(hitNormalVS, ray.originNormalVS) > kOwnSurface;
+}
+
+/// Was the surface met from its front? From behind, the ray either grazes the surface that it starts from, where
+/// shading normals disagree with depth, or meets a side that nobody sees.
+bool facesRay(vec3 hitNormalVS, Ray ray) {
+    float limit = isOwnSurface(hitNormalVS, ray) ? 0.0 : kBackFaceLimit;
+    return dot(hitNormalVS, -ray.directionVS) > limit;
+}
+
+vec3 normalAt(vec2 px) {
+    return unpackSurface(texelFetch(surface, ivec2(px), 0).xy).normalVS;
+}
+
+const uint kPasses = 0u;      // in front of the surface, or far behind it
+const uint kMeets = 1u;       // its front
+const uint kMeetsSide = 2u;   // its slab, from beside
+const uint kMeetsBehind = 3u; // its slab, from behind
+const uint kGrazes = 4u;      // its slab, but it is the surface that the ray starts from
+const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
+
+/// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if it
+/// shows the same surface, so that positions are exact, else `px`, so that no other surface lends its colour.
+vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
+    vec2 at = ray.startPX + ray.deltaPX * share;
+    ivec2 there = ivec2(floor(at));
+    if (there != px && onScreen(at)) {
+        float rayZ = rayViewZ(ray, share);
+        float sceneZ = texelFetch(viewZ, there, 0).r;
+        ++lookups;
+        if (abs(sceneZ - rayZ) <= kAtSurface * rayZ)
+            return at;
+    }
+    return clamp(at, vec2(px), vec2(px) + 0.999);
+}
+
+/// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
+/// `s` moves to where it does.
+uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+    ivec2 px = ivec2(s.px);
+    vec3 normalVS = normalAt(s.px);
+    vec3 surfaceVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, s.sceneZ);
+    vec2 fromPX = r.screen.startPX + r.screen.deltaPX * fromShare;
+    vec2 herePX = r.screen.startPX + r.screen.deltaPX * s.share;
+    float fromZ = rayViewZ(r.screen, fromShare);
+    vec3 fromVS = viewPosition(frame.constants, fromPX * frame.constants.invSize, fromZ);
+    vec3 hereVS = viewPosition(frame.constants, herePX * frame.constants.invSize, s.rayZ);
+    float heightFrom = dot(normalVS, fromVS - surfaceVS);
+    float heightHere = dot(normalVS, hereVS - surfaceVS);
+    if (heightHere > 0.0 && heightFrom > 0.0)
+        return kPasses; // perhaps behind the pixel's centre, but not behind its plane
+    bool faces = facesRay(normalVS, r);
+    if (faces && heightFrom >= 0.0) {
+        // Heights are linear along the ray in 3D, shares on screen: over this step both are, closely.
+        float meets = heightFrom / max(heightFrom - heightHere, 1e-30);
+        s.share = mix(fromShare, s.share, clamp(meets, 0.0, 1.0));
+        s.px = placeOfHit(r.screen, s.share, px, lookups);
+        return kMeets;
+    }
+    float nearest = min(s.rayZ, fromZ);
+    if (faces && nearest <= s.sceneZ * (1.0 + kAtSurface))
+        return kMeets;
+    float slabZ = slabEnd(s.px, s.sceneZ, lookups);
+    if (nearest <= slabZ)
+        return faces ? kMeetsSide : isOwnSurface(normalVS, r) ? kGrazes : kMeetsBehind;
+    return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
+}
+
+/// Ends the march if `met` ends it.
+bool endsMarch(uint met, Sample s, inout March march) {
+    if (met != kMeets && met != kMeetsSide && met != kMeetsBehind)
+        return false;
+    march.share = s.share;
+    march.hitPX = s.px;
+    march.outcome = met == kMeets ? kOutcomeHit : met == kMeetsSide ? kOutcomeSide : kOutcomeBackFace;
+    return true;
+}
+
+#endif

@@ -1,0 +1,173 @@
+// The `hiz` marcher: cell by cell through the depth pyramid. A cell that the ray passes in front of, or behind, is left
+// at once; one that shows a single flat surface answers for itself; any other is looked into. docs/techniques/hiz.md
+#include "lib/nearness.glsl"
+#include "lib/pyramid.glsl"
+#include "trace/hit_test.glsl"
+
+layout(set = 0, binding = 12) uniform usampler2D pyramid;
+
+/// Where a ray starts to look around: most leave a surface that is flat over this many pixels.
+const int kFirstLevel = 3;
+/// Rounding of nearness and of the ray's, as a share of it.
+const float kRounding = 2e-6;
+/// A flat cell answers for itself if it places the hit this exactly, in pixels along the ray.
+const float kFlatEnough = 0.75;
+
+Cell lookUp(ivec2 cell, int level) {
+    ivec2 size = ivec2(frame.constants.size);
+    return unpackCell(texelFetch(pyramid, pyramidOffset(size, level) + cell, 0), frame.constants.invSize.x);
+}
+
+/// Share of the line at which it leaves the cell that spans [low, low + size) pixels, and over which axis.
+float leaveCell(ScreenRay ray, vec2 low, float size, out bool overX) {
+    vec2 far = low + vec2(ray.deltaPX.x > 0.0 ? size : 0.0, ray.deltaPX.y > 0.0 ? size : 0.0);
+    float x = ray.deltaPX.x != 0.0 ? (far.x - ray.startPX.x) / ray.deltaPX.x : 1e30;
+    float y = ray.deltaPX.y != 0.0 ? (far.y - ray.startPX.y) / ray.deltaPX.y : 1e30;
+    overX = x < y;
+    return min(x, y);
+}
+
+/// The pixel behind the border over which the ray leaves a cell.
+ivec2 enterNext(ScreenRay ray, ivec2 cell, int level, float share, bool overX) {
+    vec2 at = ray.startPX + ray.deltaPX * share;
+    ivec2 low = cell << level;
+    ivec2 high = ((cell + 1) << level) - 1;
+    ivec2 px = clamp(ivec2(floor(at)), low, high);
+    if (overX)
+        px.x = ray.deltaPX.x > 0.0 ? high.x + 1 : low.x - 1;
+    else
+        px.y = ray.deltaPX.y > 0.0 ? high.y + 1 : low.y - 1;
+    return px;
+}
+
+March march(Ray r) {
+    ScreenRay ray = r.screen;
+    March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
+    float pixelShare = 1.0 / screenPixels(ray);
+    // The ray's nearness at a share of the line.
+    float start = rayNearness(frame.constants, ray, 0.0);
+    float slope = rayNearness(frame.constants, ray, 1.0) - start;
+    float endShare = isOn(kTraceClipToFrustum) ? ray.screenEnd : 1.0;
+    int minLevel = int(settings.minLevel);
+    int maxLevel = int(settings.maxLevel);
+    ivec2 screenSize = ivec2(frame.constants.size);
+
+    bool nearlyThickEnough = false;
+    bool overX;
+    // The first pixel is the ray's own.
+    float share = leaveCell(ray, vec2(r.px), 1.0, overX);
+    ivec2 px = enterNext(ray, r.px, 0, share, overX);
+    int level = clamp(kFirstLevel, minLevel, maxLevel);
+
+    while (share < endShare) {
+        if (any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, screenSize))) {
+            result.share = share;
+            result.outcome = kOutcomeOffScreen;
+            return result;
+        }
+        if (result.iterations == settings.maxSteps) {
+            result.share = share;
+            result.outcome = kOutcomeOutOfSteps;
+            return result;
+        }
+        ++result.iterations;
+        ivec2 cell = px >> level;
+        float leave = leaveCell(ray, vec2(cell << level), float(1 << level), overX);
+        float last = min(max(leave, share), endShare);
+
+        if (level > 0) {
+            Cell bounds = lookUp(cell, level);
+            ++result.lookups;
+            if (bounds.front > kEmptyCell) {
+                // How much nearer than the cell's plane the ray is: linear along the ray.
+                vec2 center = (vec2(cell) + 0.5) * float(1 << level);
+                float above = start - bounds.front - dot(bounds.slope, ray.startPX - center);
+                float climb = slope - dot(bounds.slope, ray.deltaPX);
+                float aboveFirst = above + climb * share;
+                float aboveLast = above + climb * last;
+                float rounding = kRounding * abs(start + slope * share);
+                bool inFront = min(aboveFirst, aboveLast) >= -rounding;
+                // From a pixel before, as single pixels are tested.
+                bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
+                if (!inFront && !behind) {
+                    float fall = -climb * pixelShare; // a pixel
+                    bool flatCell = aboveFirst >= -rounding && aboveLast < -bounds.depth &&
+                                    bounds.depth <= kFlatEnough * fall;
+                    if (flatCell && result.iterations > settings.selfCollisionSkip) {
+                        // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
+                        float meets = clamp((-0.5 * bounds.depth - above) / climb, share, last);
+                        Sample s = takeSample(ray, meets, result.lookups);
+                        s.share = meets + 0.5 * pixelShare;
+                        s.rayZ = rayViewZ(ray, s.share);
+                        uint met = meetSurface(r, max(meets - 0.5 * pixelShare, 0.0), s, result.lookups);
+                        if (met == kMeets && endsMarch(met, s, result))
+                            return result;
+                    }
+                    if (level > minLevel) {
+                        --level;
+                        // Nothing is met before the ray comes to the bounds.
+                        float bound = aboveFirst > 0.0 ? 0.0 : -bounds.slab;
+                        if (aboveFirst > 0.0 || aboveFirst < -bounds.slab) {
+                            share = clamp((bound - above) / climb - (aboveFirst > 0.0 ? 0.0 : pixelShare), share, last);
+                            ivec2 low = cell << (level + 1);
+                            ivec2 high = min((cell + 1) << (level + 1), screenSize) - 1;
+                            px = clamp(ivec2(floor(ray.startPX + ray.deltaPX * share)), low, high);
+                        }
+                        continue;
+                    }
+                    // The finest level that may be looked at: the cell is taken for what its bounds say.
+                    float meets = aboveFirst > 0.0 ? clamp(-above / climb, share, last) : share;
+                    vec2 meetsPX = clamp(ray.startPX + ray.deltaPX * meets, vec2(cell << level),
+                                         vec2(min((cell + 1) << level, screenSize)) - 0.01);
+                    if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), r)) {
+                        result.share = meets;
+                        result.hitPX = meetsPX;
+                        result.outcome = kOutcomeHit;
+                        return result;
+                    }
+                }
+            }
+        } else {
+            vec2 center = vec2(px) + 0.5;
+            float at = clamp(dot(center - ray.startPX, ray.deltaPX) / dot(ray.deltaPX, ray.deltaPX), share, last);
+            Sample s;
+            s.share = at;
+            s.px = clamp(ray.startPX + ray.deltaPX * at, vec2(px), vec2(px) + 0.999);
+            s.rayZ = rayViewZ(ray, at);
+            s.sceneZ = texelFetch(viewZ, px, 0).r;
+            ++result.lookups;
+            if (s.rayZ < s.sceneZ) {
+                nearlyThickEnough = false;
+            } else if (result.iterations > settings.selfCollisionSkip) {
+                uint met = meetSurface(r, max(at - pixelShare, 0.0), s, result.lookups);
+                if (endsMarch(met, s, result))
+                    return result;
+                nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
+            }
+        }
+
+        // On to the next cell, and up where that lies in another cell of the level above.
+        share = last;
+        if (leave >= endShare)
+            break;
+        px = enterNext(ray, cell, level, leave, overX);
+        if (level < maxLevel && (px >> (level + 1)) != (cell >> 1))
+            ++level;
+    }
+
+    result.share = endShare;
+    if (endShare >= 1.0) { // the ray ends on screen
+        vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
+        float sceneZ = texelFetch(viewZ, ivec2(endPX), 0).r;
+        ++result.lookups;
+        if (rayViewZ(ray, 1.0) >= sceneZ)
+            result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
+        else if (ray.clippedNear)
+            result.outcome = kOutcomeBehindCamera;
+        else
+            result.outcome = sceneZ >= kBackgroundZ ? kOutcomeSky : kOutcomeMaxDistance;
+    } else {
+        result.outcome = kOutcomeOffScreen;
+    }
+    return result;
+}

@@ -1,0 +1,76 @@
+// The `linear` marcher: one depth lookup every `step` pixels along the ray's line on screen.
+//
+// Depths are compared at the sample itself, so a plane never hits itself however grazing the ray; McGuire and Mara's
+// half-pixel intervals do (and need `selfCollisionSkip`).
+// Babylon.js' SSRRenderingPipeline is the model for the settings: docs/techniques/linear.md says what differs.
+#include "trace/hit_test.glsl"
+
+/// Between two coarse samples, pixel by pixel: what is met first there. `s` moves to it.
+uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, inout uint lookups) {
+    float pixelShare = 1.0 / pixels;
+    float beforeShare = before.share;
+    for (float share = beforeShare + pixelShare; share < s.share; share += pixelShare) {
+        Sample fine = takeSample(r.screen, share, lookups);
+        uint met = fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
+        if (met == kMeets || met == kMeetsSide || met == kMeetsBehind) {
+            s = fine;
+            return met;
+        }
+        beforeShare = share;
+    }
+    return meetSurface(r, beforeShare, s, lookups);
+}
+
+March march(Ray r) {
+    ScreenRay ray = r.screen;
+    March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
+    bool clip = isOn(kTraceClipToFrustum);
+    float pixels = screenPixels(ray);
+    float endShare = clip ? ray.screenEnd : 1.0;
+    float stepShare = float(settings.step) / pixels;
+    // Neighbours start at different fractions of a coarse step, so that a miss shows as grain and not as bands.
+    float startOffset = settings.step > 1u ? float((r.px.x + r.px.y) & 3) * 0.25 : 0.0;
+    uint needed = uint(min(ceil(endShare / stepShare + startOffset), 8192.0));
+    uint iterations = min(needed, settings.maxSteps);
+
+    float startZ = rayViewZ(ray, 0.0);
+    Sample before = Sample(0.0, ray.startPX, startZ, startZ);
+    bool nearlyThickEnough = false;
+
+    for (uint i = 1u; i <= iterations; ++i) {
+        result.iterations = i;
+        result.share = min((float(i) - startOffset) * stepShare, endShare);
+        if (!onScreen(ray.startPX + ray.deltaPX * result.share)) {
+            result.outcome = kOutcomeOffScreen;
+            return result;
+        }
+        Sample s = takeSample(ray, result.share, result.lookups);
+        if (s.rayZ < s.sceneZ) {
+            nearlyThickEnough = false;
+        } else if (i > settings.selfCollisionSkip) {
+            Sample hit = s;
+            uint met = meetSurface(r, before.share, hit, result.lookups);
+            if (met != kPasses && met != kNearlyMeets && settings.step > 1u && isOn(kTraceSmooth)) {
+                hit = s;
+                met = refineBySinglePixels(r, before, hit, pixels, result.lookups);
+            }
+            if (endsMarch(met, hit, result))
+                return result;
+            nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
+        }
+        before = s;
+    }
+
+    bool endsBehind = before.rayZ >= before.sceneZ && before.share > 0.0;
+    if (needed > iterations)
+        result.outcome = kOutcomeOutOfSteps;
+    else if (clip && ray.screenEnd < 1.0)
+        result.outcome = kOutcomeOffScreen; // as the same ray would without clipping, whatever it passed behind
+    else if (endsBehind)
+        result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
+    else if (ray.clippedNear)
+        result.outcome = kOutcomeBehindCamera;
+    else
+        result.outcome = before.sceneZ >= kBackgroundZ ? kOutcomeSky : kOutcomeMaxDistance;
+    return result;
+}

@@ -1,0 +1,49 @@
+// What every marcher reads and writes, and its settings.
+#ifndef GLINT_TRACE_RAY_INPUTS_GLSL
+#define GLINT_TRACE_RAY_INPUTS_GLSL
+
+#include "lib/screen_ray.glsl"
+#include "lib/surface.glsl"
+#include "shared/outcome.h"
+#include "shared/trace_constants.h"
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
+    RayListHeader header;
+    uint pixels[]; // of the traced image
+} rays;
+layout(set = 0, binding = 11) uniform sampler2D backViewZ; // of any size
+layout(push_constant, scalar) uniform PushBlock {
+    TraceConstants settings;
+};
+
+bool isOn(uint flag) {
+    return (settings.flags & flag) != 0u;
+}
+
+bool onScreen(vec2 px) {
+    return all(greaterThanEqual(px, vec2(0.0))) && all(lessThan(px, frame.constants.size));
+}
+
+/// A ray to be marched.
+struct Ray {
+    ScreenRay screen;
+    vec3 originNormalVS;
+    vec3 directionVS; // unit
+    ivec2 px;         // where it starts
+};
+
+/// How a march ended.
+struct March {
+    float share; // of the ray's line on screen
+    vec2 hitPX;  // of a hit
+    uint iterations;
+    uint lookups; // reads of any depth image
+    uint outcome;
+};
+
+#endif

@@ -1,0 +1,72 @@
+// One ray of the list: where it starts, the marcher's walk (`March march(Ray)`), and what its end is worth.
+#include "lib/fades.glsl"
+#include "lib/noise.glsl"
+#include "lib/trace_pixel.glsl"
+#include "trace/hit_color.glsl"
+#include "trace/ray_inputs.glsl"
+#include "trace/traced.glsl"
+
+layout(local_size_x = 64) in; // kRaysPerGroup
+
+float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float perceptualRoughness, float VoR) {
+    float weight = fadeRoughness(perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness);
+    if (isOn(kFadeBorderSmooth))
+        weight *= fadeBorderSmooth(hitUV);
+    if (isOn(kFadeBorderLinear))
+        weight *= fadeBorderLinear(hitUV, settings.borderWidth);
+    if (isOn(kFadeDistance))
+        weight *= fadeDistance(hitDistance, settings.maxDistance);
+    if (isOn(kFadeIterations))
+        weight *= fadeIterations(float(end.iterations), float(settings.maxSteps));
+    if (isOn(kFadeFacingCamera))
+        weight *= fadeFacingCamera(VoR);
+    if (isOn(kFadeBackface)) {
+        vec3 hitNormalVS = unpackSurface(texelFetch(surface, ivec2(end.hitPX), 0).xy).normalVS;
+        weight *= fadeBackface(dot(hitNormalVS, -ray.directionVS));
+    }
+    return weight;
+}
+
+vec3 jitter(vec3 directionVS, ivec2 px, Surface origin) {
+    vec3 noise = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed) - 0.5;
+    vec3 jittered = normalize(directionVS + noise * origin.perceptualRoughness * settings.roughnessFactor);
+    return dot(jittered, origin.normalVS) > 0.0 ? jittered : directionVS;
+}
+
+void main() {
+    uint index = gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup +
+                 gl_LocalInvocationIndex;
+    if (index >= rays.header.rayCount)
+        return;
+    ivec2 tracePX = ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16);
+    ivec2 px = tracePixelToFull(frame.constants, tracePX);
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    Surface origin = unpackSurface(texelFetch(surface, px, 0).xy);
+    vec3 originVS = viewPosition(frame.constants, uv, texelFetch(viewZ, px, 0).r);
+    vec3 toSurfaceVS = viewDirection(frame.constants, originVS);
+
+    Ray ray;
+    ray.px = px;
+    ray.originNormalVS = origin.normalVS;
+    ray.directionVS = reflect(toSurfaceVS, origin.normalVS);
+    if (settings.roughnessFactor > 0.0)
+        ray.directionVS = jitter(ray.directionVS, px, origin);
+    ray.screen = makeScreenRay(frame.constants, originVS, ray.directionVS, settings.maxDistance);
+    March end = march(ray);
+
+    bool hit = end.outcome == kOutcomeHit || end.outcome == kOutcomeSide;
+    vec2 endPX = hit ? end.hitPX : ray.screen.startPX + ray.screen.deltaPX * end.share;
+    RayRecord record;
+    record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
+    record.hitDistance = rayDistance(ray.screen, end.share);
+    record.lookups = end.lookups;
+    record.outcome = end.outcome;
+
+    vec4 answer = vec4(0.0);
+    if (hit) {
+        float VoR = dot(-toSurfaceVS, ray.directionVS);
+        answer.rgb = hitRadiance(ivec2(end.hitPX));
+        answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
+    }
+    storeTraced(tracePX, answer.rgb, answer.a, record);
+}

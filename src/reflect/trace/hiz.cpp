@@ -1,0 +1,16 @@
+// The `hiz` marcher: cell by cell through the depth pyramid. docs/techniques/hiz.md
+#include "reflect/trace/technique.hpp"
+
+namespace glint::reflect {
+
+static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
+                   Traced& out) {
+    tracePass(frame, pipeline, settings, inputs, out)
+        .read("pyramid", inputs.pyramid.cells)
+        .dispatchIndirect(inputs.rays.list);
+}
+
+const Technique kHizTechnique = {
+    "hiz", March::Hiz, "trace/hiz", "large steps through a depth pyramid, small ones near surfaces", true, record};
+
+} // namespace glint::reflect
