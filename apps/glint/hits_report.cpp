@@ -39,6 +39,7 @@ render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
     reflections.reflect.roughnessFadeStart = 1;
     reflections.reflect.maxRoughness = 1;
     reflections.rough.factor = 0;
+    all.render.display.antialias = render::Antialias::None; // one surface a pixel
     return all;
 }
 
@@ -81,6 +82,8 @@ Json hitFiguresJson(const measure::HitFigures& figures, const OutcomeNames& outc
     json["positionError95"] = figures.positionError95;
     json["lookupsPerRay"] = figures.lookupsMean;
     json["lookups95"] = figures.lookups95;
+    json["dipping"] = figures.dipping;
+    json["dippingWrong"] = figures.dippingWrong;
     json["outcomes"] = countsJson(figures.outcomes, outcomeNames);
     json["missedByOutcome"] = countsJson(figures.missedByOutcome, outcomeNames);
     Json wrong = Json::object();

@@ -9,7 +9,7 @@
 namespace glint::cli {
 
 /// These settings with every reflective pixel traced along its mirror direction: no threshold, no roughness cut, no
-/// jitter. Hits are measured on it.
+/// jitter, one sample a pixel. Hits are measured on it.
 render::ProgramSettings hitSettings(const render::ProgramSettings& settings);
 
 /// The views that measureHits needs.
@@ -26,8 +26,8 @@ Result<measure::HitReport> measureHits(const render::RenderJob& job, const rende
 measure::GBufferPicture gbufferPicture(const render::RenderResult& result);
 
 /// {"rays", "visibleTruths", "facingAway", "reported", "right", "precision", "recall", "positionErrorMedian",
-///  "positionError95", "lookupsPerRay", "lookups95", "outcomes": {name: rays}, "missedByOutcome": {...},
-///  "wrongByTruth": {...}, "wrongPlaceByDistance": {...}}
+///  "positionError95", "lookupsPerRay", "lookups95", "dipping", "dippingWrong", "outcomes": {name: rays},
+///  "missedByOutcome": {...}, "wrongByTruth": {...}, "wrongPlaceByDistance": {...}}
 /// `outcomeNames`  RenderStats::outcomes
 nlohmann::ordered_json hitFiguresJson(const measure::HitFigures& figures,
                                       const std::vector<std::pair<std::string, uint64_t>>& outcomeNames);

@@ -48,6 +48,8 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render)
     Command chosen;
     if (render)
         addRenderCommand(program, chosen, render);
+    addCompareCommand(program, chosen);
+    addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);
     if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())

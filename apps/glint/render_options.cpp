@@ -36,24 +36,6 @@ std::string sceneList() {
     return joinText(names, ", ");
 }
 
-/// "1280x720"
-Result<void> readSize(const std::string& text, render::RenderJob& job) {
-    const char* const end = text.data() + text.size();
-    uint64_t width = 0, height = 0;
-    const auto [x, widthError] = std::from_chars(text.data(), end, width);
-    if (widthError != std::errc() || x == end || *x != 'x')
-        return invalidArgument("--size {}: expected WIDTHxHEIGHT, as in 1280x720", printable(text));
-    const auto [rest, heightError] = std::from_chars(x + 1, end, height);
-    if (heightError != std::errc() || rest != end)
-        return invalidArgument("--size {}: expected WIDTHxHEIGHT, as in 1280x720", printable(text));
-    const uint64_t largest = scene::kMaxImageSide;
-    if (width < 1 || height < 1 || width > largest || height > largest)
-        return invalidArgument("--size {}: each side must be 1 to {} pixels", printable(text), largest);
-    job.width = static_cast<uint32_t>(width);
-    job.height = static_cast<uint32_t>(height);
-    return {};
-}
-
 /// An EXR file always has the frame itself as its main layer; a PNG file shows the views that were asked for.
 Result<std::vector<std::string>> chooseViews(const RenderOptions& options, PictureKind kind) {
     std::vector<std::string> views;
@@ -69,14 +51,6 @@ Result<std::vector<std::string>> chooseViews(const RenderOptions& options, Pictu
     return views;
 }
 
-Result<void> checkFolder(std::string_view option, const std::string& file) {
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    std::error_code error;
-    if (folder.empty() || std::filesystem::is_directory(folder, error))
-        return {};
-    return makeError(ErrorCode::NotFound, "{} {}: there is no folder {}", option, printable(file), folder.string());
-}
-
 /// What a built-in scene would rather have than the table's defaults.
 std::vector<std::string> sceneDefaults(std::string_view scene) {
     for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
@@ -88,16 +62,51 @@ std::vector<std::string> sceneDefaults(std::string_view scene) {
 
 } // namespace
 
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
-    command.add_option("SCENE", options.scene, "A .gltf or .glb file, or " + sceneList())->required();
-    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
-        ->capture_default_str();
+Result<void> readSize(std::string_view option, const std::string& text, render::RenderJob& job) {
+    const char* const end = text.data() + text.size();
+    uint64_t width = 0, height = 0;
+    const auto [x, widthError] = std::from_chars(text.data(), end, width);
+    if (widthError != std::errc() || x == end || *x != 'x')
+        return invalidArgument("{} {}: expected WIDTHxHEIGHT, as in 1280x720", option, printable(text));
+    const auto [rest, heightError] = std::from_chars(x + 1, end, height);
+    if (heightError != std::errc() || rest != end)
+        return invalidArgument("{} {}: expected WIDTHxHEIGHT, as in 1280x720", option, printable(text));
+    const uint64_t largest = scene::kMaxImageSide;
+    if (width < 1 || height < 1 || width > largest || height > largest)
+        return invalidArgument("{} {}: each side must be 1 to {} pixels", option, printable(text), largest);
+    job.width = static_cast<uint32_t>(width);
+    job.height = static_cast<uint32_t>(height);
+    return {};
+}
+
+Result<void> checkFolder(std::string_view option, const std::string& file) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (folder.empty() || std::filesystem::is_directory(folder, error))
+        return {};
+    return makeError(ErrorCode::NotFound, "{} {}: there is no folder {}", option, printable(file), folder.string());
+}
+
+void addSceneOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--camera", options.camera, "Camera: a file, a name in the scene or an index");
     command.add_option("--env", options.environment, "Environment: an .hdr or .exr file, sky or none");
-    command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
     command.add_option("--time", options.time, "Seconds into the scene's animations")->capture_default_str();
-    command.add_option("--frames", options.frames, "Frames to render; the last one is written")->capture_default_str();
     command.add_option("--seed", options.seed, "Seed of the rays' noise")->capture_default_str();
+    command.add_option("--device", options.device, "Part of a device's name, or an index (glint devices)");
+    command.add_flag("--validate", options.validate, "Fail on any message of the Vulkan validation layer");
+}
+
+std::string sceneHelp() {
+    return "A .gltf or .glb file, or " + sceneList();
+}
+
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("SCENE", options.scene, sceneHelp())->required();
+    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
+        ->capture_default_str();
+    addSceneOptions(command, options);
+    command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
+    command.add_option("--frames", options.frames, "Frames to render; the last one is written")->capture_default_str();
     command.add_option("--view", options.views, "What to show, several parted by commas: " + viewNames())
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -106,8 +115,6 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--settings", options.settings.file, "Settings file (JSON), stronger than the preset");
     command.add_option("--set", options.settings.assignments, "KEY=VALUE, strongest; may be repeated (glint settings)")
         ->allow_extra_args(false);
-    command.add_option("--device", options.device, "Part of a device's name, or an index (glint devices)");
-    command.add_flag("--validate", options.validate, "Fail on any message of the Vulkan validation layer");
 }
 
 Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
@@ -119,7 +126,7 @@ Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
     job.validate = options.validate;
     job.seed = options.seed;
     if (!options.size.empty())
-        GLINT_CHECK(readSize(options.size, job));
+        GLINT_CHECK(readSize("--size", options.size, job));
     if (!std::isfinite(options.time))
         return invalidArgument("--time {}: expected a number of seconds", options.time);
     job.time = options.time;

@@ -30,6 +30,16 @@ struct RenderOptions {
 };
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+/// Those of every command that renders a scene: camera, environment, time, seed, device.
+void addSceneOptions(CLI::App& command, RenderOptions& options);
+/// What SCENE may be.
+std::string sceneHelp();
+
+/// "1280x720" into the job. Errors: InvalidArgument names the option.
+Result<void> readSize(std::string_view option, const std::string& text, render::RenderJob& job);
+
+/// Errors: NotFound if the folder that `file` is to be written to is not there.
+Result<void> checkFolder(std::string_view option, const std::string& file);
 
 /// Errors: InvalidArgument, InvalidInput or NotFound, each naming its option. All that can be known before the scene is
 /// read is checked here, so that a long job does not fail at its end for a misspelt name.

@@ -32,9 +32,9 @@ enum class AliasTransform {
     OneMinus,       ///< 1-x: smoothness becomes roughness
     InverseOnePlus, ///< 1/(n+1): a downsampling becomes a scale
     Choice,         ///< a switch picks one of two enum values: `whenFalse`, `whenTrue`
-    Numbered,       ///< a whole number picks one of several enum values: `numbers`
     Always,         ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
     Instead,        ///< the same, but only in place of `whenFalse`: other modes stay
+    Numbers,        ///< an enum value by its name, or by the number that the system has for it (`numbers`)
 };
 
 /// A parameter of another system that this setting answers to, as `system:name`.
@@ -44,7 +44,7 @@ struct SettingAlias {
     AliasTransform transform = AliasTransform::Same;
     int whenFalse = 0;
     int whenTrue = 0;
-    std::vector<std::pair<int, int>> numbers; ///< (number there, enum value here); no others are known
+    std::vector<std::pair<int, int>> numbers; ///< theirs, and the index into our `choices`
 };
 
 struct SettingInfo {

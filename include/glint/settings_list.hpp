@@ -1,7 +1,7 @@
 // Every setting of the library, each stated once: SETTING(type, name, default, range, unit, meaning, aliases).
 // Aliases are names that other systems use, `system:name`, parted by spaces; `=1-x`, `=1/(n+1)`, `=a|b` (a switch: a
-// when false, b when true), `=1:a|4:b` (a number: a for 1, b for 4), `=a` (implies a) and `=a>b` (implies b where a was
-// in force) say where the meaning differs. One alias may stand at several settings.
+// when false, b when true), `=0:a|2:b` (their numbers for our values, whose names work too), `=a` (implies a) and `=a>b`
+// (implies b where a was in force) say where the meaning differs. One alias may stand at several settings.
 #pragma once
 
 // clang-format off
@@ -52,7 +52,7 @@
         "babylon:ssrDownsample=1/(n+1) compute-ssr:resolutionScale")                                                   \
     SETTING(TargetFormat, targetFormat, TargetFormat::Auto, "", "",                                                    \
         "Format of the traced radiance: rgba16f, rgba8 (clamped to [0, 1]), or auto, which is rgba16f",                \
-        "babylon:textureType")                                                                                         \
+        "babylon:textureType=0:rgba8|2:rgba16f")                                                                       \
     SETTING(ColorSource, colorSource, ColorSource::Current, "", "",                                                    \
         "Where a hit takes its colour: this frame, or the previous one with its own reflections, reprojected",         \
         "hdrp:colorSource")

@@ -63,9 +63,8 @@ float viewCosine(ivec2 px, float z, vec3 normalVS) {
     return clamp(dot(normalVS, -toSurfaceVS), 0.0, 1.0);
 }
 
-/// One of the host's colours, linear.
-vec3 loadColor(sampler2D image, ivec2 px) {
-    return linearColor(texelFetch(image, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
+vec3 loadLit(ivec2 px) {
+    return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
 }
 
 /// Of the pixels around `px`, itself among them, the one whose surface is most like this one; -1 if none is.
@@ -91,13 +90,13 @@ ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
 /// Its light, where the pixel itself shows others too.
 vec3 litNearby(ivec2 px, float z, vec3 normalVS) {
     ivec2 at = likestPixel(px, z, normalVS, true);
-    return loadColor(litRadiance, at.x >= 0 ? at : px);
+    return loadLit(at.x >= 0 ? at : px);
 }
 
 Share frontShare(ivec2 px, float z, Surface here) {
     vec4 resolved = texelFetch(material, px, 0);
     vec3 f0 = here.reflectivity > 0.0 ? resolved.rgb : vec3(0.0);
-    vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadColor(litRadiance, px);
+    vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadLit(px);
     return Share(resolved.a, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS),
                  texelFetch(reflected, px, 0), lit);
 }
@@ -171,10 +170,11 @@ void main() {
     if (z < kBackgroundZ) {
         Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy));
         Share second = secondShare(px, front.coverage);
-        float reflects = maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a;
-        if (reflects > 0.0) {
+        if (maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a > 0.0) {
             bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
-            vec3 fallback = hasFallback ? loadColor(fallbackSpecular, px) : vec3(0.0);
+            vec3 fallback = vec3(0.0);
+            if (hasFallback)
+                fallback = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, fromGamma);
             result = settings.model == 0u ? physical(lit, fallback, front, second) : lerped(lit, front, second);
             result = sanitize(result); // two large halves make an infinite one
             untouched = false;

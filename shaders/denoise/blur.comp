@@ -25,9 +25,16 @@ layout(push_constant, scalar) uniform PushBlock {
 #include "denoise/blur_radius.glsl"
 #include "denoise/neighbourhood.glsl"
 
-/// Babylon.js' kernel is a centre and two steps; this is the Gaussian of the same variance. `x`: share of the reach.
+/// Babylon.js' kernel is two steps that end at the reach, and shows a bright point as a square. This is the Gaussian of
+/// the same variance, round in two passes, up to where it has fallen to a sixtieth. `x`: share of the reach.
+const float kKernelEnd = 1.5;
 float kernel(float x) {
-    return exp(-0.717 * x * x);
+    return exp(-1.824 * x * x);
+}
+
+/// In [0, 1), even over any small neighbourhood: Jimenez 2014, "Next Generation Post Processing in Call of Duty".
+float gradientNoise(ivec2 px) {
+    return fract(52.9829189 * fract(dot(vec2(px), vec2(0.06711056, 0.00583715))));
 }
 
 /// Premultiplied answer of one source pixel, and its weight in the fourth; 0 if it is none of this surface's.
@@ -70,9 +77,12 @@ void main() {
     reach *= settings.sourceSize[axis] / frame.constants.size[axis];
     if (shrink[axis] > 1.0)
         reach = max(reach, 0.75 * shrink[axis]); // no source pixel is left out
-    // A tap a source pixel, as long as there are taps enough.
-    int side = min(int(ceil(reach)), int(settings.maxTaps) / 2);
-    float spacing = max(reach / max(float(side), 1.0), 1.0);
+    // A tap a source pixel, as long as there are taps enough. Beyond, neighbours take others, so that what lies between
+    // the taps shows as grain and not as a grid.
+    float end = kKernelEnd * reach;
+    int side = min(int(ceil(end)), int(settings.maxTaps) / 2);
+    float spacing = max(end / max(float(side), 1.0), 1.0);
+    float shift = (gradientNoise(px) - 0.5) * (spacing - 1.0);
     vec2 along = axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
 
     // When downsampling, the first pass takes each of the rows that fall together.
@@ -81,8 +91,8 @@ void main() {
     Gathered sum = Gathered(vec4(0.0), 0.0);
     for (int line = 0; line < lines; ++line)
         for (int i = -side; i <= side; ++i) {
-            float offset = float(i) * spacing;
-            float weight = kernel(offset / max(reach, 0.5)) * clamp(reach - abs(offset) + 1.0, 0.0, 1.0);
+            float offset = float(i) * spacing + shift;
+            float weight = kernel(offset / max(reach, 1e-3)) * clamp(end - abs(offset) + 1.0, 0.0, 1.0);
             gather(sum, here, herePX, ivec2(floor(first + along * offset + (1.0 - along) * float(line))), weight);
         }
     vec4 mean = sum.total > 0.0 ? sum.premultiplied / sum.total : vec4(0.0);

@@ -107,7 +107,7 @@ vec4 mostSimilar(Place here, ivec2 px) {
 /// that place, or a side that the ray would not meet.
 bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
     const float kMeetsFront = 0.02;  // cosine
-    const float kSameHit = 0.25;     // share of the distance by which the plane of the surface found may correct it
+    const float kSameHit = 1.5;      // the surface found may be farther by half; toward a contact rays become short
     const float kSameDepth = 0.002;  // of viewZ, besides half a pixel
     float along = distance;
     for (int step = 0; step < 2; ++step) {
@@ -127,17 +127,56 @@ bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
         if (step == 1)
             return abs(beyond) <= 0.5 * there.metresPerPixel + kSameDepth * -there.positionVS.z;
         along += beyond / approach;
-        if (abs(along - distance) > kSameHit * distance)
+        if (along <= 0.0 || along > kSameHit * distance)
             return false;
     }
     return false;
 }
 
+vec4 answerAt(ivec2 hitPX, float weight) {
+    vec3 radiance = hitRadiance(hitPX);
+    if ((frame.constants.flags & kTraceTarget8) != 0u)
+        radiance = min(radiance, 1.0);
+    return vec4(radiance, 1.0) * weight;
+}
+
+/// The usual case, by two gathers: all four rays hit and count alike. Whose surface each started from does not matter,
+/// as the pixel's own ray either finds what is there or does not.
+bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, out vec4 answer) {
+    const float kAlike = 0.05;
+    answer = vec4(0.0);
+    if (any(lessThan(corner, ivec2(0))) || any(greaterThanEqual(corner + 1, ivec2(frame.constants.traceSize))))
+        return false;
+    vec4 weights = textureGather(traced, vec2(corner + 1) / vec2(textureSize(traced, 0)), 3);
+    uvec4 words = textureGather(rayRecord, vec2(corner + 1) / vec2(textureSize(rayRecord, 0)), 1);
+    vec4 distances;
+    for (int i = 0; i < 4; ++i) {
+        RayRecord ray = unpackRayRecord(uvec2(0u, words[i]));
+        if (ray.outcome != kOutcomeHit || abs(weights[i] - weights.x) > kAlike)
+            return false;
+        distances[i] = ray.hitDistance;
+    }
+    vec2 low = vec2(tracePixelToFull(frame.constants, corner));
+    vec2 high = vec2(tracePixelToFull(frame.constants, corner + 1));
+    vec2 share = clamp((vec2(px) - low) / (high - low), 0.0, 1.0);
+    // A gather begins at the bottom left and goes round.
+    vec4 shares = vec4((1.0 - share.x) * share.y, share.x * share.y, share.x * (1.0 - share.y),
+                       (1.0 - share.x) * (1.0 - share.y));
+    ivec2 hitPX;
+    if (!aim(here, directionVS, dot(distances, shares), hitPX))
+        return false;
+    answer = answerAt(hitPX, dot(weights, shares));
+    return true;
+}
+
 /// The answer of the pixel's own ray, premultiplied, where the four traced rays around tell its length. False: they
 /// tell nothing, mix them.
 bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
-    answer = vec4(0.0);
+    vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
     ivec2 corner = cornerOf(frame.constants.traceSize, px);
+    if (aimAmongHits(here, directionVS, px, corner, answer))
+        return true;
+    answer = vec4(0.0);
     float distances[4];
     float hits = 0.0;
     float misses = 0.0;
@@ -165,17 +204,13 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
     }
     if (hits <= 0.0)
         return false;
-    vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
     ivec2 hitPX;
     bool found = aim(here, directionVS, meanDistance / hits, hitPX);
     for (int i = 0; i < 4 && !found; ++i) // across an edge of what they hit, one of them alone may be right
         found = distances[i] > 0.0 && aim(here, directionVS, distances[i], hitPX);
     if (!found)
         return misses > 0.0; // beside a miss and not to be found: a miss itself
-    vec3 radiance = hitRadiance(hitPX);
-    if ((frame.constants.flags & kTraceTarget8) != 0u)
-        radiance = min(radiance, 1.0);
-    answer = vec4(radiance, 1.0) * (alpha / hits);
+    answer = answerAt(hitPX, alpha / hits);
     return true;
 }
 

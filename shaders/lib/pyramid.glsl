@@ -4,20 +4,21 @@
 // a cell that shows one flat surface has bounds as thin as the depth's own rounding at every level: a ray that leaves a
 // floor is known to be in front of it at once, and one that meets a wall meets it in a large cell, without going down
 // to single pixels. With slope 0 this is the usual minimum and maximum of depth.
+// Each cell also bounds its four quarters, coarsely, so that one lookup tells which of them are worth another.
 //
 // Level 0 is viewZ itself. The others lie in one image of rgba32ui, level 1 at the left and the rest in a column beside
 // it, so that any size of picture has exact cells: ceil(size / 2^level) of them, none larger than it says.
 #ifndef GLINT_LIB_PYRAMID_GLSL
 #define GLINT_LIB_PYRAMID_GLSL
 
-/// Over the pixels of the cell, at offset `d` (px) from its centre:
-///     front + dot(slope, d) - depth <= nearness of the surface <= front + dot(slope, d)
-///     front + dot(slope, d) - slab  <= nearness of where it ends behind
+/// What is solid in a cell, as depths (of nearness) below the plane front + dot(slope, d), d px from the cell's centre:
+/// every surface lies in [0, depth] and ends behind by `slab`.
 struct Cell {
     float front; // kEmptyCell: nothing is drawn here
     float depth; // kBroken: some pixel shows no surface
     float slab;
     vec2 slope; // a pixel
+    vec2 quarters[4]; // the same for (0,0), (1,0), (0,1), (1,1): solid from, to; from > to: nothing
 };
 
 const float kEmptyCell = -1.0e37;
@@ -35,15 +36,55 @@ ivec2 pyramidOffset(ivec2 size, int level) {
     return ivec2((size.x + 1) >> 1, ((size.y * ((1 << (level - 2)) - 1)) >> (level - 1)) + level - 2);
 }
 
-/// Slopes are kept as halves of a picture's width, which keeps them clear of the smallest halves.
+// A cell in four words: front as a float; slopes as halves of a picture's width, which keeps them clear of the smallest
+// halves; twice two quarters of 2 x 6 bits, in 63rds of the slab; beside them depth and slab in quarter octaves of the
+// front. All rounded so that the bounds stay bounds.
+
+const float kOctaveZero = 160.0;
+
+uint packOctaves(float value, float unit) {
+    if (value >= kBroken)
+        return 255u;
+    return uint(clamp(ceil(4.0 * log2(max(value, 1e-37) / max(unit, 1e-37)) + 0.01) + kOctaveZero, 0.0, 255.0));
+}
+
+float unpackOctaves(uint packed, float unit) {
+    return packed == 255u ? kBroken : unit * exp2((float(packed) - kOctaveZero) * 0.25);
+}
+
+uint packQuarter(vec2 quarter, float slab) {
+    if (quarter.x > quarter.y)
+        return 63u; // from 63 to 0
+    vec2 steps = clamp(quarter / slab, 0.0, 1.0) * 63.0;
+    return uint(max(floor(steps.x - 0.01), 0.0)) | (uint(min(ceil(steps.y + 0.01), 63.0)) << 6);
+}
+
+vec2 unpackQuarter(uint packed, float slab) {
+    return vec2(packed & 63u, (packed >> 6) & 63u) * (slab / 63.0);
+}
+
 uvec4 packCell(Cell cell, float width) {
-    return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.depth), floatBitsToUint(cell.slab),
-                 packHalf2x16(cell.slope * width));
+    float unit = abs(cell.front);
+    uint slabOctaves = packOctaves(cell.slab, unit);
+    float slab = unpackOctaves(slabOctaves, unit);
+    return uvec4(floatBitsToUint(cell.front), packHalf2x16(cell.slope * width),
+                 packQuarter(cell.quarters[0], slab) | (packQuarter(cell.quarters[1], slab) << 12) |
+                     (packOctaves(cell.depth, unit) << 24),
+                 packQuarter(cell.quarters[2], slab) | (packQuarter(cell.quarters[3], slab) << 12) |
+                     (slabOctaves << 24));
 }
 
 Cell unpackCell(uvec4 packed, float invWidth) {
-    return Cell(uintBitsToFloat(packed.x), uintBitsToFloat(packed.y), uintBitsToFloat(packed.z),
-                unpackHalf2x16(packed.w) * invWidth);
+    Cell cell;
+    cell.front = uintBitsToFloat(packed.x);
+    cell.slope = unpackHalf2x16(packed.y) * invWidth;
+    cell.depth = unpackOctaves(packed.z >> 24, abs(cell.front));
+    cell.slab = unpackOctaves(packed.w >> 24, abs(cell.front));
+    cell.quarters[0] = unpackQuarter(packed.z, cell.slab);
+    cell.quarters[1] = unpackQuarter(packed.z >> 12, cell.slab);
+    cell.quarters[2] = unpackQuarter(packed.w, cell.slab);
+    cell.quarters[3] = unpackQuarter(packed.w >> 12, cell.slab);
+    return cell;
 }
 
 #endif

@@ -50,78 +50,128 @@ float slabNearness(ivec2 px, float z, bool orthographic) {
     return nearnessOf(orthographic, reach + settings.thickness + settings.thicknessRelative * z);
 }
 
+Cell emptyCell() {
+    Cell cell = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0), vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0)));
+    for (int i = 0; i < 4; ++i)
+        cell.quarters[i] = vec2(1.0, 0.0);
+    return cell;
+}
+
+/// What a cell above needs to know of this one, exactly.
+uvec4 packBounds(Cell cell) {
+    return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.depth), floatBitsToUint(cell.slab),
+                 packHalf2x16(cell.slope * width));
+}
+
+Cell unpackBounds(uvec4 packed) {
+    Cell cell = emptyCell();
+    cell.front = uintBitsToFloat(packed.x);
+    cell.depth = uintBitsToFloat(packed.y);
+    cell.slab = uintBitsToFloat(packed.z);
+    cell.slope = unpackHalf2x16(packed.w) / width;
+    return cell;
+}
+
+/// Makes the whole from its quarters, which say from where to where they are solid in nearness above the cell's plane
+/// of front 0 (from the nearest down).
+Cell cellOfQuarters(vec2 slope, vec2 solids[4], bool there[4], float lowestFront, bool broken) {
+    Cell cell = emptyCell();
+    cell.slope = slope;
+    float lowest = 1e37;
+    for (int i = 0; i < 4; ++i)
+        if (there[i]) {
+            cell.front = max(cell.front, solids[i].x);
+            lowest = min(lowest, solids[i].y);
+        }
+    for (int i = 0; i < 4; ++i)
+        if (there[i])
+            cell.quarters[i] = cell.front - solids[i];
+    cell.depth = broken ? kBroken : cell.front - lowestFront;
+    cell.slab = cell.front - lowest;
+    return cell;
+}
+
 /// Level 1 at `cell`, from its pixels.
 Cell cellOfPixels(ivec2 cell) {
     bool orthographic = isOrthographic(frame.constants);
-    float nearness[4];
-    float slab[4];
-    bool inside[4];
+    vec2 solids[4];
     bool seen[4];
     bool all4 = true;
+    bool broken = false;
+    bool any4 = false;
     for (int i = 0; i < 4; ++i) {
         ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
-        inside[i] = all(lessThan(px, size));
-        float z = inside[i] ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
+        bool inside = all(lessThan(px, size));
+        float z = inside ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
         seen[i] = z < kBackgroundZ;
-        nearness[i] = seen[i] ? nearnessOf(orthographic, z) : 0.0;
-        slab[i] = seen[i] ? slabNearness(px, z, orthographic) : 0.0;
+        solids[i] = seen[i] ? vec2(nearnessOf(orthographic, z), slabNearness(px, z, orthographic)) : vec2(0.0);
         all4 = all4 && seen[i];
+        any4 = any4 || seen[i];
+        broken = broken || (inside && !seen[i]);
     }
-    Cell result = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
+    if (!any4)
+        return emptyCell();
+    vec2 slope = vec2(0.0);
     if (all4)
-        result.slope = storedSlope(0.5 * vec2(nearness[1] - nearness[0] + nearness[3] - nearness[2],
-                                              nearness[2] - nearness[0] + nearness[3] - nearness[1]));
+        slope = storedSlope(0.5 * vec2(solids[1].x - solids[0].x + solids[3].x - solids[2].x,
+                                       solids[2].x - solids[0].x + solids[3].x - solids[1].x));
     float low = 1e37;
-    float lowSlab = 1e37;
-    bool broken = false;
     for (int i = 0; i < 4; ++i) {
-        broken = broken || (inside[i] && !seen[i]);
-        if (!seen[i])
-            continue;
-        float along = dot(result.slope, vec2(i & 1, i >> 1) - 0.5);
-        result.front = max(result.front, nearness[i] - along);
-        low = min(low, nearness[i] - along);
-        lowSlab = min(lowSlab, slab[i] - along);
+        solids[i] -= dot(slope, vec2(i & 1, i >> 1) - 0.5);
+        if (seen[i])
+            low = min(low, solids[i].x);
     }
-    if (result.front > kEmptyCell) {
-        result.depth = broken ? kBroken : result.front - low;
-        result.slab = result.front - lowSlab;
-    }
-    return result;
+    return cellOfQuarters(slope, solids, seen, low, broken);
 }
 
-/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1).
-Cell cellOfCells(Cell children[4], float childSize) {
-    vec2 slope = vec2(0.0);
-    float count = 0.0;
-    for (int i = 0; i < 4; ++i)
-        if (children[i].front > kEmptyCell) {
-            slope += children[i].slope;
-            count += 1.0;
-        }
-    Cell result = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
-    if (count == 0.0)
-        return result;
-    result.slope = storedSlope(slope / count);
+/// One cell from four of half its size, about planes of this slope.
+Cell boundCells(Cell children[4], float childSize, vec2 slope) {
+    vec2 solids[4];
+    bool there[4];
     float low = 1e37;
-    float lowSlab = 1e37;
     bool broken = false;
     for (int i = 0; i < 4; ++i) {
         Cell child = children[i];
-        broken = broken || child.depth == kBroken;
-        if (child.front == kEmptyCell)
-            continue;
+        broken = broken || child.depth >= kBroken;
+        there[i] = child.front > kEmptyCell;
         // Two planes differ most at a corner of the pixels' centres.
-        vec2 tilt = abs(child.slope - result.slope);
+        vec2 tilt = abs(child.slope - slope);
         float apart = (tilt.x + tilt.y) * 0.5 * (childSize - 1.0);
-        float front = child.front - dot(result.slope, (vec2(i & 1, i >> 1) - 0.5) * childSize);
-        result.front = max(result.front, front + apart);
-        low = min(low, front - child.depth - apart);
-        lowSlab = min(lowSlab, front - child.slab - apart);
+        float front = child.front - dot(slope, (vec2(i & 1, i >> 1) - 0.5) * childSize);
+        solids[i] = vec2(front + apart, front - child.slab - apart);
+        if (there[i])
+            low = min(low, front - (child.depth >= kBroken ? 0.0 : child.depth) - apart);
     }
-    result.depth = broken ? kBroken : result.front - low;
-    result.slab = result.front - lowSlab;
-    return result;
+    return cellOfQuarters(slope, solids, there, low, broken);
+}
+
+float solidIn(Cell cell) {
+    float sum = 0.0;
+    for (int i = 0; i < 4; ++i)
+        sum += max(cell.quarters[i].y - cell.quarters[i].x, 0.0);
+    return sum;
+}
+
+/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1): about the
+/// planes that leave the least solid, of those of the four and their mean.
+Cell cellOfCells(Cell children[4], float childSize) {
+    vec2 mean = vec2(0.0);
+    float count = 0.0;
+    for (int i = 0; i < 4; ++i)
+        if (children[i].front > kEmptyCell) {
+            mean += children[i].slope;
+            count += 1.0;
+        }
+    if (count == 0.0)
+        return emptyCell();
+    Cell best = boundCells(children, childSize, storedSlope(mean / count));
+    for (int i = 0; i < 4; ++i)
+        if (children[i].front > kEmptyCell) {
+            Cell other = boundCells(children, childSize, children[i].slope);
+            if (solidIn(other) < solidIn(best))
+                best = other;
+        }
+    return best;
 }
 
 // ---------------------------------------------------------------- levels
@@ -129,11 +179,6 @@ Cell cellOfCells(Cell children[4], float childSize) {
 void store(int level, ivec2 cell, Cell value) {
     if (level <= int(settings.levels) && all(lessThan(cell, pyramidLevelSize(size, level))))
         imageStore(pyramid, pyramidOffset(size, level) + cell, packCell(value, width));
-}
-
-/// A cell outside the picture takes no part in anything.
-Cell outside() {
-    return Cell(kEmptyCell, 0.0, 0.0, vec2(0.0));
 }
 
 void reduceTile() {
@@ -147,7 +192,7 @@ void reduceTile() {
     }
     Cell value = cellOfCells(children, 2.0);
     store(2, level2, value);
-    sharedCells[gl_LocalInvocationIndex] = packCell(value, width);
+    sharedCells[gl_LocalInvocationIndex] = packBounds(value);
 
     int across = 16; // cells a side in shared memory
     for (int level = 3; level <= int(kPyramidTileLevel); ++level) {
@@ -157,14 +202,14 @@ void reduceTile() {
         if (works) {
             for (int i = 0; i < 4; ++i) {
                 ivec2 child = thread * 2 + ivec2(i & 1, i >> 1);
-                children[i] = unpackCell(sharedCells[child.y * across + child.x], 1.0 / width);
+                children[i] = unpackBounds(sharedCells[child.y * across + child.x]);
             }
             value = cellOfCells(children, float(1 << (level - 1)));
             store(level, ivec2(gl_WorkGroupID.xy) * half_ + thread, value);
         }
         barrier();
         if (works)
-            sharedCells[thread.y * half_ + thread.x] = packCell(value, width);
+            sharedCells[thread.y * half_ + thread.x] = packBounds(value);
         across = half_;
     }
 }
@@ -182,12 +227,12 @@ void reduceTiles() {
             for (int i = 0; i < 4; ++i) {
                 ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
                 children[i] = all(lessThan(child, childSize))
-                                  ? unpackCell(tiles.cells[from + child.y * childSize.x + child.x], 1.0 / width)
-                                  : outside();
+                                  ? unpackBounds(tiles.cells[from + child.y * childSize.x + child.x])
+                                  : emptyCell(); // outside the picture
             }
             Cell value = cellOfCells(children, float(1 << (level - 1)));
             store(level, cell, value);
-            tiles.cells[to + k] = packCell(value, width);
+            tiles.cells[to + k] = packBounds(value);
         }
         memoryBarrierBuffer();
         barrier();

@@ -15,9 +15,9 @@ layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - curre
 /// Farther than this from where a surface at rest would have been, in pixels, motion says that the surface moved. Hosts
 /// leave their jitter out of motion, and that alone may make a pixel's diagonal.
 const float kMovedPX = 1.5;
-/// A surface at rest was where it is, within this share of its distance; of one that moved, only its depth is known,
-/// and that roughly.
-const float kSamePlace = 0.01;
+/// A surface at rest was where it is, within this share of its distance and a quarter of a pixel; of one that moved,
+/// only its depth is known, and that roughly.
+const float kSamePlace = 0.002;
 const float kSameDepth = 0.1;
 
 /// Where the surface of pixel `px` was in the previous frame, if that frame showed it.
@@ -57,8 +57,10 @@ bool showedIt(Before before, ivec2 texel) {
         return abs(z - expectedZ) <= kSameDepth * expectedZ;
     vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
     vec2 sideways = uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw;
-    vec3 positionVS = vec3(sideways * (isOrthographic(frame.constants) ? 1.0 : z), -z);
-    return abs(dot(before.normalVS, positionVS - before.positionVS)) <= kSamePlace * expectedZ;
+    float spread = isOrthographic(frame.constants) ? 1.0 : z;
+    float metresPerPixel = abs(frame.constants.prevUvToView.y) * frame.constants.invSize.y * spread;
+    vec3 between = vec3(sideways * spread, -z) - before.positionVS;
+    return abs(dot(before.normalVS, between)) <= kSamePlace * expectedZ + 0.25 * metresPerPixel;
 }
 
 /// Bilinear over those of the four texels that showed the same surface: nothing bleeds in from what stood before it.

@@ -10,12 +10,13 @@
 /// dot(normal at the hit, -ray) below which a surface was met from behind. A little below 0, as shading normals lean;
 /// `fade.backface` fades what lies between.
 const float kBackFaceLimit = -0.17;
-/// dot(normal at the hit, normal at the start) above which both may be one surface, which its own ray never meets from
-/// the front; 25 degrees.
-const float kOwnSurface = 0.9;
+/// Both points may lie on one surface, which its own ray never meets from the front, if their normals differ by no more
+/// than 25 degrees (cosine) and the start lies no farther off the other point's plane than this share of their distance.
+const float kOwnNormal = 0.9;
+const float kOwnPlane = 0.15;
 
 /// So close behind the front, in parts of its distance, a ray from beside meets what the picture shows.
-const float kAtSurface = 0.01;
+const float kAtSurface = 0.005;
 
 /// One depth sample of the ray.
 struct Sample {
@@ -50,15 +51,16 @@ float slabEnd(vec2 px, float sceneZ, inout uint lookups) {
     return reach + settings.thickness + settings.thicknessRelative * sceneZ;
 }
 
-bool isOwnSurface(vec3 hitNormalVS, Ray ray) {
-    return dot(hitNormalVS, ray.originNormalVS) > kOwnSurface;
+bool isOwnSurface(vec3 hitVS, vec3 hitNormalVS, Ray ray) {
+    vec3 apart = ray.originVS - hitVS;
+    return dot(hitNormalVS, ray.originNormalVS) > kOwnNormal &&
+           abs(dot(hitNormalVS, apart)) <= kOwnPlane * length(apart);
 }
 
 /// Was the surface met from its front? From behind, the ray either grazes the surface that it starts from, where
 /// shading normals disagree with depth, or meets a side that nobody sees.
-bool facesRay(vec3 hitNormalVS, Ray ray) {
-    float limit = isOwnSurface(hitNormalVS, ray) ? 0.0 : kBackFaceLimit;
-    return dot(hitNormalVS, -ray.directionVS) > limit;
+bool facesRay(vec3 hitNormalVS, bool own, Ray ray) {
+    return dot(hitNormalVS, -ray.directionVS) > (own ? 0.0 : kBackFaceLimit);
 }
 
 vec3 normalAt(vec2 px) {
@@ -102,7 +104,8 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     float heightHere = dot(normalVS, hereVS - surfaceVS);
     if (heightHere > 0.0 && heightFrom > 0.0)
         return kPasses; // perhaps behind the pixel's centre, but not behind its plane
-    bool faces = facesRay(normalVS, r);
+    bool own = isOwnSurface(surfaceVS, normalVS, r);
+    bool faces = facesRay(normalVS, own, r);
     if (faces && heightFrom >= 0.0) {
         // Heights are linear along the ray in 3D, shares on screen: over this step both are, closely.
         float meets = heightFrom / max(heightFrom - heightHere, 1e-30);
@@ -111,11 +114,11 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
         return kMeets;
     }
     float nearest = min(s.rayZ, fromZ);
-    if (faces && nearest <= s.sceneZ * (1.0 + kAtSurface))
+    if (faces && 0.5 * (s.rayZ + fromZ) <= s.sceneZ * (1.0 + kAtSurface))
         return kMeets;
     float slabZ = slabEnd(s.px, s.sceneZ, lookups);
     if (nearest <= slabZ)
-        return faces ? kMeetsSide : isOwnSurface(normalVS, r) ? kGrazes : kMeetsBehind;
+        return faces ? kMeetsSide : own ? kGrazes : kMeetsBehind;
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
 }
 

@@ -7,7 +7,7 @@
 layout(set = 0, binding = 12) uniform usampler2D pyramid;
 
 /// Where a ray starts to look around: most leave a surface that is flat over this many pixels.
-const int kFirstLevel = 3;
+const int kFirstLevel = 4;
 /// Rounding of nearness and of the ray's, as a share of it.
 const float kRounding = 2e-6;
 /// A flat cell answers for itself if it places the hit this exactly, in pixels along the ray.
@@ -38,6 +38,51 @@ ivec2 enterNext(ScreenRay ray, ivec2 cell, int level, float share, bool overX) {
     else
         px.y = ray.deltaPX.y > 0.0 ? high.y + 1 : low.y - 1;
     return px;
+}
+
+/// Where the march goes on inside a cell that it has to look into.
+struct Quarter {
+    bool found; // else the ray passes all of them
+    float share;
+    ivec2 px;
+};
+
+/// The first quarter of `cell` that the ray does not just pass, from `share` to `last` of its line. `above` and `climb`
+/// give the ray's height over the cell's plane.
+Quarter firstQuarter(ScreenRay ray, Cell cell, int level, ivec2 px, float share, float last, float above, float climb,
+                     float rounding) {
+    float pixelShare = 1.0 / screenPixels(ray);
+    ivec2 parent = px >> level;
+    for (int i = 0; i < 3; ++i) { // a line crosses three at most
+        ivec2 child = px >> (level - 1);
+        bool overX;
+        float leave = leaveCell(ray, vec2(child << (level - 1)), float(1 << (level - 1)), overX);
+        float end = min(max(leave, share), last);
+        vec2 solid = cell.quarters[(child.x & 1) + 2 * (child.y & 1)];
+        float first = above + climb * share;
+        float final = above + climb * end;
+        bool inFront = min(first, final) >= -solid.x - rounding;
+        bool behind = max(above + climb * max(share - pixelShare, 0.0), final) < -solid.y;
+        if (!inFront && !behind && solid.x <= solid.y) {
+            // Nothing is met before the ray comes to what is solid.
+            float to = share;
+            if (first > -solid.x)
+                to = clamp((-solid.x - above) / climb, share, end);
+            else if (first < -solid.y)
+                to = clamp((-solid.y - above) / climb - pixelShare, share, end);
+            ivec2 low = child << (level - 1);
+            ivec2 high = min((child + 1) << (level - 1), ivec2(frame.constants.size)) - 1;
+            return Quarter(true, to, clamp(ivec2(floor(ray.startPX + ray.deltaPX * to)), low, high));
+        }
+        if (leave >= last)
+            break;
+        ivec2 next = enterNext(ray, child, level - 1, leave, overX);
+        if ((next >> level) != parent)
+            break;
+        px = next;
+        share = end;
+    }
+    return Quarter(false, last, px);
 }
 
 March march(Ray r) {
@@ -104,26 +149,25 @@ March march(Ray r) {
                             return result;
                     }
                     if (level > minLevel) {
-                        --level;
-                        // Nothing is met before the ray comes to the bounds.
-                        float bound = aboveFirst > 0.0 ? 0.0 : -bounds.slab;
-                        if (aboveFirst > 0.0 || aboveFirst < -bounds.slab) {
-                            share = clamp((bound - above) / climb - (aboveFirst > 0.0 ? 0.0 : pixelShare), share, last);
-                            ivec2 low = cell << (level + 1);
-                            ivec2 high = min((cell + 1) << (level + 1), screenSize) - 1;
-                            px = clamp(ivec2(floor(ray.startPX + ray.deltaPX * share)), low, high);
+                        Quarter quarter = firstQuarter(ray, bounds, level, px, share, last, above, climb, rounding);
+                        if (quarter.found) {
+                            share = quarter.share;
+                            px = quarter.px;
+                            --level;
+                            continue;
                         }
-                        continue;
                     }
+                    else {
                     // The finest level that may be looked at: the cell is taken for what its bounds say.
                     float meets = aboveFirst > 0.0 ? clamp(-above / climb, share, last) : share;
                     vec2 meetsPX = clamp(ray.startPX + ray.deltaPX * meets, vec2(cell << level),
                                          vec2(min((cell + 1) << level, screenSize)) - 0.01);
-                    if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), r)) {
+                    if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), false, r)) {
                         result.share = meets;
                         result.hitPX = meetsPX;
                         result.outcome = kOutcomeHit;
                         return result;
+                    }
                     }
                 }
             }
@@ -146,12 +190,13 @@ March march(Ray r) {
             }
         }
 
-        // On to the next cell, and up where that lies in another cell of the level above.
+        // On to the next cell, and up, twice at most, where that lies in another cell of the level above.
         share = last;
         if (leave >= endShare)
             break;
         px = enterNext(ray, cell, level, leave, overX);
-        if (level < maxLevel && (px >> (level + 1)) != (cell >> 1))
+        ivec2 left = cell << level;
+        for (int i = 0; i < 2 && level < maxLevel && (px >> (level + 1)) != (left >> (level + 1)); ++i)
             ++level;
     }
 

@@ -32,6 +32,7 @@ bool onScreen(vec2 px) {
 /// A ray to be marched.
 struct Ray {
     ScreenRay screen;
+    vec3 originVS;
     vec3 originNormalVS;
     vec3 directionVS; // unit
     ivec2 px;         // where it starts

@@ -47,6 +47,7 @@ void main() {
 
     Ray ray;
     ray.px = px;
+    ray.originVS = originVS;
     ray.originNormalVS = origin.normalVS;
     ray.directionVS = reflect(toSurfaceVS, origin.normalVS);
     if (settings.roughnessFactor > 0.0)

@@ -26,8 +26,8 @@ struct ReportedRay {
 ReportedRay reportedRay(std::span<const float> rays, size_t pixel) {
     const float* ray = rays.data() + 4 * pixel;
     return {{ray[0], ray[1]},
-            std::min(static_cast<uint32_t>(ray[2] + 0.5f), shared::kOutcomeCount - 1),
-            static_cast<uint32_t>(ray[3] + 0.5f)};
+            std::min(static_cast<uint32_t>(ray[2]), shared::kOutcomeCount - 1),
+            static_cast<uint32_t>(ray[3])};
 }
 
 bool wasTraced(uint32_t outcome) {
@@ -70,6 +70,7 @@ public:
         ++figures_.outcomes[reported.outcome];
         const bool visible = truth.kind == TruthKind::Visible;
         const bool right = verdict.hitClass == HitClass::Right;
+        figures_.dipping += truth.dips;
         figures_.visibleTruths += visible;
         figures_.facingAway += visible && truth.facesAway;
         if (wasTraced(reported.outcome))
@@ -84,6 +85,7 @@ public:
             errors_.push_back(verdict.errorPX);
             return;
         }
+        figures_.dippingWrong += truth.dips;
         ++figures_.wrongByTruth[static_cast<size_t>(truth.kind)];
         if (visible) {
             const auto band = std::ranges::lower_bound(kDistanceBandsPX, verdict.errorPX);

@@ -34,6 +34,8 @@ struct HitFigures {
     double positionError95 = 0;     ///< 95th percentile
     double lookupsMean = 0;         ///< depth reads a traced ray
     uint32_t lookups95 = 0;
+    uint64_t dipping = 0;      ///< rays that leaning shading normals send below their own triangle
+    uint64_t dippingWrong = 0; ///< of these: hits that are not right
     std::array<uint64_t, shared::kOutcomeCount> outcomes = {};
     std::array<uint64_t, shared::kOutcomeCount> missedByOutcome = {}; ///< visible truths without a right hit
     std::array<uint64_t, kTruthKinds> wrongByTruth = {}; ///< hits that are not right; Visible: in the wrong place

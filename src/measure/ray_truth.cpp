@@ -51,6 +51,8 @@ struct Tracer {
         const glm::dvec3 startWS = camera.position(eye, startZ);
         const glm::dvec3 directionWS = glm::normalize(glm::reflect(eye.directionWS, normalWS));
         const std::optional<OracleHit> hit = oracle.trace(startWS, directionWS, kStartSkip * startZ);
+        const std::optional<OracleHit> start = oracle.trace(eye.originWS, eye.directionWS, 0);
+        truth.dips = start && glm::dot(directionWS, start->geometricNormalWS) < 0;
         truth.kind = TruthKind::Nothing;
         if (!hit)
             return truth;

@@ -23,6 +23,7 @@ constexpr size_t kTruthKinds = 6;
 
 struct RayTruth {
     TruthKind kind = TruthKind::NoRay;
+    bool dips = false;           ///< a leaning shading normal sends the ray below its own triangle
     bool facesAway = false;      ///< the triangle hit shows the camera its other side
     float distance = 0;          ///< metres along the ray; 0 with NoRay and Nothing
     glm::vec2 px = glm::vec2(0); ///< pixels, centres at .5; 0 where it is not in front of the camera

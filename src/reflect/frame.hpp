@@ -95,8 +95,8 @@ private:
     void makeTables(gpu::Frame& frame);
     void turnHistory();
     void prepare(gpu::Frame& frame, const View& view);
-    void prepareSurface(gpu::Frame& frame, bool manySamples);
     Result<void> makeImagesFor(const Settings& settings);
+    void prepareSurface(gpu::Frame& frame, bool manySamples);
     void prepareBackFaces(gpu::Frame& frame);
     void classify(gpu::Frame& frame);
     void makePyramid(gpu::Frame& frame);

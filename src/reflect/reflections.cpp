@@ -171,14 +171,14 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     if (gbuffer.fallbackSpecular)
         GLINT_CHECK(checkImage(gbuffer.fallbackSpecular, "fallbackSpecular", desc));
     GLINT_CHECK(checkBackDepth(gbuffer.backDepth));
+    if (gbuffer.motion)
+        GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
+    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
+        return invalidArgument("motionScale must be finite");
     GLINT_CHECK(checkSamples(gbuffer.litRadiance, "litRadiance", 1));
     GLINT_CHECK(checkSamples(gbuffer.fallbackSpecular, "fallbackSpecular", 1));
     GLINT_CHECK(checkSamples(gbuffer.backDepth, "backDepth", 1));
-    if (gbuffer.motion)
-        GLINT_CHECK(checkImage(gbuffer.motion, "motion", desc));
     GLINT_CHECK(checkSamples(gbuffer.motion, "motion", 1));
-    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
-        return invalidArgument("motionScale must be finite");
     GLINT_CHECK(checkEnvironment(environment));
 
     state_->gbuffer = gbuffer;

@@ -190,7 +190,7 @@ struct JobSession::State {
             const View view = renderer_->view(parameters_);
             const HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
             composite_ = borrow(lit, "job/composite");
-            if (plan.draw) {
+            if (plan.draw && plan.blend) {
                 renderer_->drawTransparent(frame, composite_);
                 renderer_->drawTransparent(frame, scene_);
             }

@@ -18,6 +18,7 @@ namespace glint::render {
 struct FramePlan {
     bool draw = true;    ///< the host's own passes; false: the G-buffer of the frame before serves again
     bool reflect = true; ///< the reflections
+    bool blend = true;   ///< what is blended over both pictures, if the frame is drawn
     std::function<void(gpu::Frame&, GBuffer&)> afterOpaque; ///< more passes, before the reflections; may be empty
 };
 

@@ -205,6 +205,41 @@ TEST_F(CliTest, BadArgumentsEndWithTwoAndOneLine) {
     expectError(runRender({"-o", folder_ + "none/a.png"}), kBadInput, "there is no folder");
 }
 
+TEST_F(CliTest, CompareFindsBadArgumentsBeforeAnyWork) {
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{}, "--config"},
+        {{"--config", "slow"}, "--config slow: no preset of this name"},
+        {{"--config", "fast", "--config", "screen.stpe=1"}, "did you mean 'screen.step'?"},
+        {{"--config", folder_ + "none.json"}, "none.json: No such file"},
+        {{"--config", "fast", "--size", "0x0"}, "--size 0x0"},
+        {{"--config", "fast", "--frames", "0"}, "--frames 0: expected 1 to"},
+        {{"--config", "fast", "--json", folder_ + "none/a.json"}, "--json"},
+        {{"--config", "fast", "--set", "screen.step=0"}, "out of range"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), {"compare", "builtin:exact"});
+        expectError(run(arguments), kBadInput, part);
+    }
+}
+
+TEST_F(CliTest, BenchFindsBadArgumentsBeforeAnyWork) {
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{"--config", "slow"}, "--config slow: no preset of this name"},
+        {{"--sizes", "640x360,64"}, "--sizes 64: expected WIDTHxHEIGHT"},
+        {{"--shares", "0,101"}, "--shares 101: expected percentages"},
+        {{"--shares", "half"}, "--shares half: expected percentages"},
+        {{"--frames", "0"}, "--frames 0"},
+        {{"--warm-up", "-1"}, "--warm-up -1"},
+        {{"--budget", "-1"}, "--budget -1"},
+        {{"--config", "display.antialias=msaa4"}, "one sample a pixel"},
+        {{"--json", folder_ + "none/a.json"}, "there is no folder"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), {"bench", "builtin:mirror"});
+        expectError(run(arguments), kBadInput, part);
+    }
+}
+
 TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
     const std::pair<ErrorCode, int> cases[] = {
         {ErrorCode::InvalidArgument, kBadInput},
@@ -224,7 +259,7 @@ TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
 TEST_F(CliTest, HelpListsOnlyWhatIsThere) {
     const Ended with = run({"--help"});
     EXPECT_EQ(with.code, kDone);
-    for (const char* command : {"render", "settings", "devices"})
+    for (const char* command : {"render", "compare", "bench", "settings", "devices"})
         EXPECT_NE(with.out.find(command), with.out.npos) << command;
     const char* argv[] = {"glint", "--help"};
     testing::internal::CaptureStdout();

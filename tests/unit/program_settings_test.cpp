@@ -56,9 +56,7 @@ TEST_F(ProgramSettingsTest, NumbersOfOtherSystemsPickAChoice) {
     EXPECT_EQ(antialias("samples=4"), Antialias::Msaa4);
     EXPECT_EQ(antialias("babylon:samples=4"), Antialias::Msaa4);
     EXPECT_EQ(errorOf({{}, "", "", {"babylon:samples=3"}}),
-              "--set babylon:samples=3: babylon:samples: expected 1 or 4, got '3'");
-    EXPECT_EQ(errorOf({{}, "", "", {"babylon:samples=true"}}),
-              "--set babylon:samples=true: babylon:samples: expected a whole number, got 'true'");
+              "--set babylon:samples=3: babylon:samples: expected 1, 4, none, fxaa or msaa4, got '3'");
     const std::string page = settingsPage();
     EXPECT_NE(page.find("`babylon:samples` (1: none, 4: msaa4)"), page.npos);
 }

@@ -109,6 +109,21 @@ TEST_F(RayHitsTest, TruthIsTheMirroredPointAndVisibleWhereTheWallIs) {
     EXPECT_GT(nothing, 100u);
 }
 
+TEST_F(RayHitsTest, LeaningNormalsSendRaysBelowTheirSurface) {
+    for (size_t i = 0; i < normal_.size(); i += 4) // floor normals that lean away from the camera: rays dip steeply
+        if (material_[i] > 0) {
+            normal_[i + 1] = 0;
+            normal_[i + 2] = -1;
+        }
+    size_t rays = 0, dipping = 0;
+    for (const RayTruth& truth : truths()) {
+        rays += truth.kind != TruthKind::NoRay;
+        dipping += truth.dips;
+    }
+    EXPECT_GT(rays, 0u);
+    EXPECT_EQ(dipping, rays);
+}
+
 TEST_F(RayHitsTest, WhatSomethingElseCoversIsHidden) {
     for (uint32_t y = 0; y < kHeight / 2; ++y) // a board before the upper half of the picture
         for (uint32_t x = 0; x < kWidth; ++x)
@@ -129,6 +144,7 @@ TEST_F(RayHitsTest, APerfectTracerHasPerfectFigures) {
     EXPECT_LT(report.all.positionError95, 1e-3);
     EXPECT_EQ(report.all.lookupsMean, 10);
     EXPECT_EQ(report.all.lookups95, 10u);
+    EXPECT_EQ(report.all.dipping, 0u);
     EXPECT_EQ(report.all.rays, report.bands[size_t(RoughnessBand::Mirror)].rays);
     EXPECT_EQ(report.bands[size_t(RoughnessBand::Rough)].rays, 0u);
     EXPECT_EQ(report.classes.size(), size_t(kWidth) * kHeight);

@@ -64,6 +64,20 @@ TEST(SettingsNames, AliasesCarryTheirOwnMeaning) {
     EXPECT_EQ(settings.screen.thicknessRelative, 0.02f);
 }
 
+TEST(SettingsNames, AnAliasTakesTheNumbersOfItsSystem) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "babylon:textureType", "0").ok());
+    EXPECT_EQ(settings.screen.targetFormat, TargetFormat::Rgba8);
+    ASSERT_TRUE(set(settings, "textureType", "2").ok());
+    EXPECT_EQ(settings.screen.targetFormat, TargetFormat::Rgba16f);
+    ASSERT_TRUE(set(settings, "textureType", "auto").ok());
+    EXPECT_EQ(settings.screen.targetFormat, TargetFormat::Auto);
+    ASSERT_TRUE(fromJson(settings, R"({"babylon:textureType": 2})", "test").ok());
+    EXPECT_EQ(settings.screen.targetFormat, TargetFormat::Rgba16f);
+    EXPECT_FALSE(set(settings, "textureType", "1").ok());
+    EXPECT_FALSE(set(settings, "screen.targetFormat", "2").ok()) << "the key itself has no numbers";
+}
+
 TEST(SettingsNames, AnAliasWithABadValueChangesNothing) {
     Settings settings;
     ASSERT_TRUE(set(settings, "fade.border", "none").ok());

@@ -119,7 +119,7 @@ TEST(SettingsTable, ValidateFindsWhatAHostWroteIntoTheStruct) {
     EXPECT_EQ(validate(settings).error().message, "screen.step = 0 is out of range [1, 64] px");
     settings = {};
     settings.screen.thicknessMode = static_cast<ThicknessMode>(7);
-    EXPECT_EQ(validate(settings).error().message, "screen.thicknessMode = 7 is none of constant, relative");
+    EXPECT_EQ(validate(settings).error().message, "screen.thicknessMode = 7 is none of constant, relative, backface");
 }
 
 TEST(SettingsTable, EndsOfARangeThatAreNoFloatsAreValid) {
@@ -144,6 +144,8 @@ TEST(SettingsTable, EveryAliasIsTaken) {
             std::string value = otherValue(info);
             if (alias.transform == AliasTransform::OneMinus)
                 value = "0.25";
+            else if (alias.transform == AliasTransform::InverseOnePlus)
+                value = "1";
             else if (alias.transform == AliasTransform::Choice)
                 value = "false";
             else if (alias.transform == AliasTransform::Always || alias.transform == AliasTransform::Instead)

@@ -85,7 +85,7 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
     } else if (transform == "1/(n+1)") {
         alias.transform = AliasTransform::InverseOnePlus;
     } else if (transform.find(':') != transform.npos) {
-        alias.transform = AliasTransform::Numbered;
+        alias.transform = AliasTransform::Numbers;
         for (const std::string_view part : split(transform, '|')) {
             const size_t mark = std::min(part.find(':'), part.size() - 1);
             alias.numbers.emplace_back(static_cast<int>(readNumber(info.key, part.substr(0, mark))),

@@ -21,6 +21,14 @@ std::string_view typeName(SettingType type) {
     return "enum";
 }
 
+/// "0: rgba8, 2: rgba16f"
+std::string numbersText(const SettingInfo& info, const SettingAlias& alias) {
+    std::vector<std::string> pairs;
+    for (const auto& [theirs, ours] : alias.numbers)
+        pairs.push_back(fmt::format("{}: {}", theirs, settingText(info, ours)));
+    return joinText(pairs, ", ");
+}
+
 /// As the list writes it behind the '=': empty where the alias means the same.
 std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
     switch (alias.transform) {
@@ -29,14 +37,9 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::InverseOnePlus: return "1/(n+1)";
     case AliasTransform::Choice:
         return fmt::format("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
-    case AliasTransform::Numbered: {
-        std::vector<std::string> parts;
-        for (const auto& [number, choice] : alias.numbers)
-            parts.push_back(fmt::format("{}:{}", number, settingText(info, choice)));
-        return joinText(parts, "|");
-    }
     case AliasTransform::Always:
     case AliasTransform::Instead: return settingText(info, alias.whenTrue);
+    case AliasTransform::Numbers: return numbersText(info, alias);
     }
     return {};
 }
@@ -49,17 +52,12 @@ std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::Choice:
         return fmt::format("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
                            settingText(info, alias.whenTrue));
-    case AliasTransform::Numbered: {
-        std::vector<std::string> parts;
-        for (const auto& [number, choice] : alias.numbers)
-            parts.push_back(fmt::format("{}: {}", number, settingText(info, choice)));
-        return fmt::format("{} ({})", name, joinText(parts, ", "));
-    }
     case AliasTransform::Always: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
     case AliasTransform::Instead:
         return fmt::format("{} (makes {} {})", name, settingText(info, alias.whenFalse),
                            settingText(info, alias.whenTrue));
     case AliasTransform::OneMinus:
+    case AliasTransform::Numbers:
     case AliasTransform::InverseOnePlus: return fmt::format("{} ({})", name, transformText(info, alias));
     }
     return name;

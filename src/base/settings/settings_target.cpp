@@ -97,12 +97,12 @@ Result<std::vector<Match>> findSettings(SettingsTargets targets, std::string_vie
 SettingType writtenType(const Match& match) {
     switch (match.alias ? match.alias->transform : AliasTransform::Same) {
     case AliasTransform::OneMinus: return SettingType::Float;
-    case AliasTransform::InverseOnePlus:
-    case AliasTransform::Numbered: return SettingType::Int;
+    case AliasTransform::InverseOnePlus: return SettingType::Int;
     case AliasTransform::Choice: return SettingType::Bool;
     case AliasTransform::Same:
     case AliasTransform::Always:
-    case AliasTransform::Instead: break;
+    case AliasTransform::Instead:
+    case AliasTransform::Numbers: break;
     }
     return match.info->type;
 }
@@ -143,6 +143,21 @@ Result<double> readChoice(std::string_view name, const SettingInfo& info, const 
     return wrongType(name, listText(info.choices, " or "), input);
 }
 
+/// One of the other system's numbers, or the name of our own value.
+Result<double> readNumberOrChoice(std::string_view name, const Match& match, const SettingInput& input) {
+    std::vector<std::string> known;
+    for (const auto& [theirs, ours] : match.alias->numbers) {
+        known.push_back(std::to_string(theirs));
+        if (kindIs(input, Kind::Number) && input.text == known.back())
+            return ours;
+    }
+    const std::vector<std::string>& choices = match.info->choices;
+    if (kindIs(input, Kind::String) && std::ranges::find(choices, input.text) != choices.end())
+        return readChoice(name, *match.info, input);
+    known.insert(known.end(), choices.begin(), choices.end());
+    return wrongType(name, listText(known, " or "), input);
+}
+
 Result<double> readValue(std::string_view name, const Match& match, const SettingInput& input) {
     switch (writtenType(match)) {
     case SettingType::Bool: return readBool(name, input);
@@ -150,18 +165,9 @@ Result<double> readValue(std::string_view name, const Match& match, const Settin
     case SettingType::Float: return readNumber(name, input, false);
     case SettingType::Enum: break;
     }
+    if (match.alias && !match.alias->numbers.empty())
+        return readNumberOrChoice(name, match, input);
     return readChoice(name, *match.info, input);
-}
-
-/// The enum value behind a number of the other system's.
-Result<double> numbered(std::string_view name, const SettingAlias& alias, double value, const SettingInput& input) {
-    std::vector<std::string> known;
-    for (const auto& [number, choice] : alias.numbers) {
-        if (number == value)
-            return static_cast<double>(choice);
-        known.push_back(fmt::format("{}", number));
-    }
-    return wrongType(name, listText(known, " or "), input);
 }
 
 double transformed(const SettingAlias* alias, double value) {
@@ -171,8 +177,8 @@ double transformed(const SettingAlias* alias, double value) {
     case AliasTransform::Choice: return value != 0 ? alias->whenTrue : alias->whenFalse;
     case AliasTransform::Always:
     case AliasTransform::Instead: return alias->whenTrue;
-    case AliasTransform::Numbered:
-    case AliasTransform::Same: break;
+    case AliasTransform::Same:
+    case AliasTransform::Numbers: break;
     }
     return value;
 }
@@ -203,11 +209,7 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
         return assignment;
     }
     GLINT_TRY(written, readValue(name, match, input));
-    double value = transformed(match.alias, written);
-    if (transform == AliasTransform::Numbered) {
-        GLINT_TRY(choice, numbered(name, *match.alias, written, input));
-        value = choice;
-    }
+    const double value = transformed(match.alias, written);
     assignment.value = narrowed(info, value);
     if (!info.range.text.empty() && !inRange(info.range, value, assignment.value)) {
         Error error = outOfRange(info, fmt::format("{}", value));

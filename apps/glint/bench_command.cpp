@@ -1,0 +1,138 @@
+// glint bench: what the reflections cost, pass by pass, over sizes and over the share of the picture that reflects.
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "bench.hpp"
+#include "commands.hpp"
+#include "config_option.hpp"
+#include "render_options.hpp"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+#include <memory>
+
+namespace glint::cli {
+namespace {
+
+struct BenchOptions {
+    RenderOptions scene;
+    std::vector<std::string> scenes;
+    std::vector<std::string> configs = {"balanced"};
+    std::vector<std::string> sizes;
+    std::vector<std::string> shares = {"0", "25", "50", "100"};
+    int64_t frames = 30;
+    int64_t warmUp = 10;
+    double budget = 20;
+    std::string json;
+};
+
+/// Percentages, or the one word "none".
+Result<std::vector<float>> readShares(const std::vector<std::string>& texts) {
+    std::vector<float> shares;
+    if (texts == std::vector<std::string>{"none"})
+        return shares;
+    for (const std::string& text : texts) {
+        double percent = -1;
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, percent);
+        if (error != std::errc() || rest != end || !(percent >= 0 && percent <= 100))
+            return invalidArgument("--shares {}: expected percentages from 0 to 100, or none", printable(text));
+        shares.push_back(static_cast<float>(percent / 100));
+    }
+    return shares;
+}
+
+Result<BenchPlan> makePlan(const BenchOptions& options) {
+    BenchPlan plan;
+    for (const std::string& size : options.sizes) {
+        render::RenderJob job;
+        auto read = readSize("--sizes", size, job);
+        GLINT_CHECK(read);
+        plan.sizes.emplace_back(job.width, job.height);
+    }
+    GLINT_TRY(shares, readShares(options.shares));
+    plan.shares = std::move(shares);
+    if (options.frames < 1 || options.frames > 100000)
+        return invalidArgument("--frames {}: expected 1 to 100000", options.frames);
+    if (options.warmUp < 0 || options.warmUp > 100000)
+        return invalidArgument("--warm-up {}: expected 0 to 100000", options.warmUp);
+    if (!(options.budget >= 0 && options.budget <= 1e6))
+        return invalidArgument("--budget {:g}: expected 0 to 1e6 seconds", options.budget);
+    plan.frames = static_cast<uint32_t>(options.frames);
+    plan.warmUp = static_cast<uint32_t>(options.warmUp);
+    plan.budgetSeconds = options.budget;
+    return plan;
+}
+
+/// All that can be known to be wrong is found here, before any scene is read.
+Result<BenchScene> makeScene(const BenchOptions& options, const std::string& name, bool shares) {
+    BenchScene scene;
+    for (const std::string& text : options.configs) {
+        GLINT_TRY(job, makeConfigJob(options.scene, name, text));
+        if (shares && job.settings.render.display.antialias == render::Antialias::Msaa4)
+            return invalidArgument("--config {}: shares of mirrors need one sample a pixel: leave out "
+                                   "display.antialias=msaa4 or give --shares none",
+                                   printable(text));
+        scene.configs.push_back({text, job.settings});
+        scene.job = std::move(job);
+    }
+    return scene;
+}
+
+void showProgress(const std::string& point) {
+    if (isatty(fileno(stderr)))
+        fmt::print(stderr, "measuring {}\n", printable(point));
+}
+
+Result<void> bench(const BenchOptions& options) {
+    GLINT_TRY(plan, makePlan(options));
+    std::vector<BenchScene> scenes;
+    for (const std::string& name : options.scenes.empty() ? std::vector<std::string>{"builtin:hall"} : options.scenes) {
+        GLINT_TRY(scene, makeScene(options, name, !plan.shares.empty()));
+        scenes.push_back(std::move(scene));
+    }
+    if (!options.json.empty() && options.json != "-")
+        GLINT_CHECK(checkFolder("--json", options.json));
+    GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    GLINT_TRY(result, runBench(*context, scenes, plan, showProgress));
+    if (!context->validationMessages().empty())
+        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                         context->validationMessages().size(), context->validationMessages().front());
+    const std::string text = options.json == "-" ? benchJson(result) : benchText(result);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    if (options.json.empty() || options.json == "-")
+        return {};
+    return writeFile(options.json, benchJson(result));
+}
+
+} // namespace
+
+void addBenchCommand(CLI::App& program, Command& chosen) {
+    const auto options = std::make_shared<BenchOptions>();
+    CLI::App* const command = program.add_subcommand("bench", "Time the reflections pass by pass");
+    command->add_option("SCENE", options->scenes, sceneHelp() + " (default: builtin:hall)");
+    command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false)->capture_default_str();
+    command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE for every config, weaker than its own")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--sizes", options->sizes,
+                     "WIDTHxHEIGHT,... (default: 640x360,1280x720; on a GPU also 1920x1080,3840x2160)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command
+        ->add_option("--shares", options->shares,
+                     "Percentages of the surfaces to make mirrors, one point each; none: leave these points out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->capture_default_str();
+    command->add_option("--frames", options->frames, "Frames to time for each config")->capture_default_str();
+    command->add_option("--warm-up", options->warmUp, "Frames before them")->capture_default_str();
+    command->add_option("--budget", options->budget, "Seconds for each point, then fewer frames do; 0: no limit")
+        ->capture_default_str();
+    addSceneOptions(*command, options->scene);
+    command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
+    command->callback([&chosen, options] { chosen = [options] { return bench(*options); }; });
+}
+
+} // namespace glint::cli

@@ -1,0 +1,87 @@
+// glint compare: several settings on one view of a scene, measured against truth and against each other.
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "comparison_output.hpp"
+#include "config_option.hpp"
+#include "render_options.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace glint::cli {
+namespace {
+
+struct CompareOptions {
+    RenderOptions scene;
+    std::vector<std::string> configs;
+    std::string report;
+    std::string json;
+};
+
+/// All that can be known to be wrong is found here, before the scene is read.
+Result<std::vector<ComparedConfig>> makeConfigs(const CompareOptions& options) {
+    std::vector<ComparedConfig> configs;
+    for (const std::string& text : options.configs) {
+        GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, text));
+        configs.push_back({text, std::move(job)});
+    }
+    return configs;
+}
+
+Result<void> checkOutputs(const CompareOptions& options) {
+    if (!options.json.empty() && options.json != "-")
+        GLINT_CHECK(checkFolder("--json", options.json));
+    std::error_code ignored;
+    if (!options.report.empty() && std::filesystem::exists(options.report, ignored) &&
+        !std::filesystem::is_directory(options.report, ignored))
+        return invalidArgument("--report {}: this is a file, not a folder", printable(options.report));
+    if (options.scene.frames < 1 || options.scene.frames > 10000)
+        return invalidArgument("--frames {}: expected 1 to 10000", options.scene.frames);
+    return {};
+}
+
+void showProgress(const std::string& config) {
+    if (isatty(fileno(stderr)))
+        fmt::print(stderr, "measuring {}\n", printable(config));
+}
+
+Result<void> compare(const CompareOptions& options) {
+    GLINT_CHECK(checkOutputs(options));
+    GLINT_TRY(configs, makeConfigs(options));
+    GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    GLINT_TRY(comparison, compareConfigs(*context, configs, static_cast<uint32_t>(options.scene.frames), showProgress));
+    if (!context->validationMessages().empty())
+        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                         context->validationMessages().size(), context->validationMessages().front());
+    const std::string text = options.json == "-" ? comparisonJson(comparison) : comparisonText(comparison);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    if (!options.json.empty() && options.json != "-")
+        GLINT_CHECK(writeFile(options.json, comparisonJson(comparison)));
+    return options.report.empty() ? Result<void>() : writeReport(options.report, comparison);
+}
+
+} // namespace
+
+void addCompareCommand(CLI::App& program, Command& chosen) {
+    const auto options = std::make_shared<CompareOptions>();
+    options->scene.frames = 5;
+    CLI::App* const command = program.add_subcommand("compare", "Measure several settings on a scene against truth");
+    command->add_option("SCENE", options->scene.scene, sceneHelp())->required();
+    command->add_option("--config", options->configs, kConfigHelp)->required()->allow_extra_args(false);
+    command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE for every config, weaker than its own")
+        ->allow_extra_args(false);
+    addSceneOptions(*command, options->scene);
+    command->add_option("--size", options->scene.size,
+                        "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
+    command->add_option("--frames", options->scene.frames, "Frames to time for each config")->capture_default_str();
+    command->add_option("--report", options->report, "Folder for pictures and index.html");
+    command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
+    command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
+}
+
+} // namespace glint::cli

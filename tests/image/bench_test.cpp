@@ -1,0 +1,87 @@
+// Benchmarks: points as planned, times that belong to the effect, and a share of mirrors that is the share asked for.
+#include "bench.hpp"
+#include "gpu/context.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace glint::test {
+namespace {
+
+template <class T>
+T must(Result<T> result) {
+    if (!result)
+        throw std::runtime_error(result.error().message);
+    return std::move(result).value();
+}
+
+render::ProgramSettings settings(const std::vector<std::string>& assignments) {
+    return must(render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = assignments}));
+}
+
+TEST(Bench, MeasuresEveryPointForEveryConfig) {
+    const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
+    cli::BenchScene scene;
+    scene.job.scene = "builtin:mirror";
+    scene.configs = {{"fine", settings({"screen.march=linear"})},
+                     {"coarse", settings({"screen.march=linear", "screen.step=16"})}};
+    cli::BenchPlan plan;
+    plan.sizes = {{160, 90}, {320, 180}};
+    plan.shares = {0, 0.5f, 1};
+    plan.warmUp = 1;
+    plan.frames = 3;
+    const cli::BenchResult result = must(cli::runBench(*context, {scene}, plan));
+    for (const std::string& message : context->validationMessages())
+        ADD_FAILURE() << "validation: " << message;
+
+    ASSERT_EQ(result.points.size(), 5u);
+    for (const cli::BenchPoint& point : result.points) {
+        ASSERT_EQ(point.figures.size(), 2u);
+        for (const measure::SeriesFigures& figures : point.figures) {
+            EXPECT_EQ(figures.times.frames(), 3u);
+            EXPECT_GT(figures.times.floor().median, 0);
+            EXPECT_GT(figures.times.total().median, 0);
+            EXPECT_LE(figures.times.total().median, figures.times.total().p95);
+        }
+    }
+    EXPECT_EQ(result.points[1].plan.width, 320u);
+    const auto rays = [&](size_t point) { return double(result.points[point].figures[0].stats.rays); };
+    EXPECT_EQ(rays(2), 0);
+    EXPECT_GT(rays(4), 30000);
+    EXPECT_NEAR(rays(3) / rays(4), 0.5, 0.03);
+    const auto& all = result.points[4].figures;
+    EXPECT_GT(all[0].stats.lookupsPerRay, all[1].stats.lookupsPerRay * 3);
+    if (context->info().software) { // 57600 rays of some 100 lookups: far above any noise
+        EXPECT_GT(all[0].times.total().median, result.points[2].figures[0].times.total().median);
+        EXPECT_GT(all[0].times.floorMultiple(), 2);
+        EXPECT_NEAR(all[0].wallMs.median / all[0].times.total().median, 1, 0.5);
+    }
+
+    const auto json = nlohmann::json::parse(cli::benchJson(result));
+    ASSERT_EQ(json["points"].size(), 5u);
+    EXPECT_TRUE(json["points"][0]["share"].is_null());
+    EXPECT_EQ(json["points"][3]["share"], 0.5);
+    EXPECT_EQ(json["points"][3]["configs"][1]["name"], "coarse");
+    const std::string text = cli::benchText(result);
+    EXPECT_NE(text.find("builtin:mirror, 320x180, 50 % of the surfaces mirrors"), text.npos) << text;
+}
+
+TEST(Bench, ABudgetMeansFewerFrames) {
+    const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = false}));
+    cli::BenchScene scene;
+    scene.job.scene = "builtin:mirror";
+    scene.configs = {{"balanced", settings({})}};
+    cli::BenchPlan plan;
+    plan.sizes = {{64, 36}};
+    plan.frames = 100000;
+    plan.warmUp = 100000;
+    plan.budgetSeconds = 0.2;
+    const cli::BenchResult result = must(cli::runBench(*context, {scene}, plan));
+    EXPECT_GE(result.points[0].figures[0].times.frames(), 1u);
+    EXPECT_LT(result.points[0].figures[0].times.frames(), 10000u);
+}
+
+} // namespace
+} // namespace glint::test

@@ -1,0 +1,104 @@
+// Comparing settings on a built-in scene: figures as they must be, and a report that is complete.
+#include "comparison_output.hpp"
+#include "config_option.hpp"
+#include "gpu/context.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace glint::test {
+namespace {
+
+template <class T>
+T must(Result<T> result) {
+    if (!result)
+        throw std::runtime_error(result.error().message);
+    return std::move(result).value();
+}
+
+cli::ComparedConfig config(const std::string& scene, const std::string& text) {
+    cli::ComparedConfig config;
+    config.name = text;
+    config.job.scene = scene;
+    config.job.width = 320;
+    config.job.height = 180;
+    config.job.settings = must(render::loadSettings(must(cli::readConfig(text))));
+    return config;
+}
+
+/// One comparison for all tests: of a marcher that sees every pixel, one that sees every 16th, and none.
+const cli::Comparison& comparison() {
+    static const cli::Comparison made = [] {
+        const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
+        cli::Comparison result =
+            must(cli::compareConfigs(*context,
+                                     {config("builtin:exact", "screen.march=linear,fade.border=none"),
+                                      config("builtin:exact", "babylon+screen.step=16,screen.smooth=false"),
+                                      config("builtin:exact", "screen.enabled=false")},
+                                     2));
+        for (const std::string& message : context->validationMessages())
+            ADD_FAILURE() << "validation: " << message;
+        return result;
+    }();
+    return made;
+}
+
+TEST(Compare, FiguresFollowTheSettings) {
+    const auto& configs = comparison().configs;
+    ASSERT_EQ(configs.size(), 3u);
+    const measure::HitFigures& fine = configs[0].hits.all;
+    const measure::HitFigures& coarse = configs[1].hits.all;
+    const measure::HitFigures& none = configs[2].hits.all;
+    EXPECT_GT(fine.recall(), 0.85);
+    EXPECT_GT(fine.precision(), 0.95);
+    EXPECT_LT(coarse.precision(), fine.precision());
+    EXPECT_LT(coarse.lookupsMean, fine.lookupsMean / 4);
+    EXPECT_EQ(fine.visibleTruths, coarse.visibleTruths);
+    EXPECT_EQ(none.visibleTruths, fine.visibleTruths);
+    EXPECT_EQ(none.reported, 0u);
+    EXPECT_EQ(none.recall(), 0);
+    ASSERT_TRUE(configs[0].exact && configs[1].exact && configs[2].exact);
+    EXPECT_LT(configs[0].exact->oneBounceShare(), configs[1].exact->oneBounceShare());
+    EXPECT_EQ(configs[2].exact->share(), 1); // without reflections every pixel that they change is wrong
+}
+
+TEST(Compare, TimesAreThoseOfTheEffectAlone) {
+    for (const cli::ConfigFigures& figures : comparison().configs) {
+        EXPECT_EQ(figures.times.frames(), 2u);
+        EXPECT_GT(figures.times.floor().median, 0);
+        for (const measure::PassSpread& pass : figures.times.passes())
+            EXPECT_TRUE(!pass.name.starts_with("render/") && !pass.name.starts_with("measure/")) << pass.name;
+    }
+    const measure::EffectTimes& fine = comparison().configs[0].times;
+    EXPECT_GT(fine.total().median, fine.floor().median);
+    EXPECT_GT(fine.floorMultiple(), 1);
+}
+
+TEST(Compare, TheReportHasEveryPictureItShows) {
+    const std::string folder = testing::TempDir() + "glint_compare_test/report";
+    ASSERT_TRUE(cli::writeReport(folder, comparison()));
+    size_t pictures = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        pictures += entry.path().extension() == ".png";
+    EXPECT_EQ(pictures, 9u);
+    EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
+    EXPECT_TRUE(std::filesystem::exists(folder + "/1-screen.march-linear-fade.border-none.hits.png"));
+    std::filesystem::remove_all(testing::TempDir() + "glint_compare_test");
+
+    const auto json = nlohmann::json::parse(cli::comparisonJson(comparison()));
+    ASSERT_EQ(json["configs"].size(), 3u);
+    EXPECT_EQ(json["width"], 320);
+    EXPECT_EQ(json["configs"][1]["preset"], "babylon");
+    EXPECT_EQ(json["configs"][1]["settings"]["screen"]["step"], 16);
+    for (const char* key : {"hits", "exact", "effectMs", "floorMultiple", "passes", "outcomes"})
+        EXPECT_TRUE(json["configs"][0].contains(key)) << key;
+    const std::string text = cli::comparisonText(comparison());
+    for (const char* part : {"precision", "recall", "floors", "wrong", "outcomes hit"})
+        EXPECT_NE(text.find(part), text.npos) << part;
+}
+
+} // namespace
+} // namespace glint::test
