@@ -9,8 +9,8 @@
 namespace glint::reflect {
 
 inline constexpr std::array<std::string_view, shared::kOutcomeCount> kOutcomeNames = {
-    "none",   "hit",      "sky",      "offScreen",      "behindCamera", "maxDistance", "outOfSteps",
-    "hidden", "tooThick", "backFace", "side", "belowThreshold", "tooRough", "facingCamera"};
+    "none",   "hit",      "sky",      "offScreen", "behindCamera",   "maxDistance", "outOfSteps",
+    "hidden", "tooThick", "backFace", "side",      "belowThreshold", "tooRough",    "facingCamera"};
 
 /// Was a ray marched at all?
 constexpr bool isTraced(uint32_t outcome) {

@@ -18,6 +18,7 @@ uint32_t Picture::outcome(size_t pixel) const {
         {shared::kOutcomeHidden, {0.5f, 0, 0.5f}},
         {shared::kOutcomeTooThick, {0.9f, 0.3f, 0.9f}},
         {shared::kOutcomeBackFace, {0.45f, 0.3f, 0.15f}},
+        {shared::kOutcomeSide, {0.45f, 0.75f, 0.1f}},
         {shared::kOutcomeBelowThreshold, {0.15f, 0.15f, 0.15f}},
         {shared::kOutcomeTooRough, {0.3f, 0.3f, 0.3f}},
         {shared::kOutcomeFacingCamera, {0, 0.5f, 0.5f}},
