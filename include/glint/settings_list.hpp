@@ -1,7 +1,7 @@
 // Every setting of the library, each stated once: SETTING(type, name, default, range, unit, meaning, aliases).
 // Aliases are names that other systems use, `system:name`, parted by spaces; `=1-x`, `=1/(n+1)`, `=a|b` (a switch: a
-// when false, b when true), `=0:a|2:b` (their numbers for our values, whose names work too), `=a` (implies a) and `=a>b`
-// (implies b where a was in force) say where the meaning differs. One alias may stand at several settings.
+// when false, b when true), `=0:a|2:b` (their numbers for our values, whose names work too), `=a` (implies a) and
+// `=a>b` (implies b where a was in force) say where the meaning differs. One alias may stand at several settings.
 #pragma once
 
 // clang-format off

@@ -37,19 +37,21 @@ ivec2 pyramidOffset(ivec2 size, int level) {
 }
 
 // A cell in four words: front as a float; slopes as halves of a picture's width, which keeps them clear of the smallest
-// halves; twice two quarters of 2 x 6 bits, in 63rds of the slab; beside them depth and slab in quarter octaves of the
-// front. All rounded so that the bounds stay bounds.
+// halves; twice two quarters of 2 x 6 bits, in 63rds of the slab; beside them depth and slab as parts of the front, in
+// floats of 6 bits of exponent and 2 of mantissa. All rounded so that the bounds stay bounds.
 
-const float kOctaveZero = 160.0;
+const uint kSmallestExponent = 127u - 40u;
 
-uint packOctaves(float value, float unit) {
+/// A byte for `value` / `unit`, rounded up: 2^-40 to 2^23.
+uint packShare(float value, float unit) {
     if (value >= kBroken)
         return 255u;
-    return uint(clamp(ceil(4.0 * log2(max(value, 1e-37) / max(unit, 1e-37)) + 0.01) + kOctaveZero, 0.0, 255.0));
+    uint bits = (floatBitsToUint(max(value, 0.0) / max(unit, 1e-37)) >> 21) + 1u;
+    return clamp(bits, kSmallestExponent << 2, (kSmallestExponent << 2) + 255u) - (kSmallestExponent << 2);
 }
 
-float unpackOctaves(uint packed, float unit) {
-    return packed == 255u ? kBroken : unit * exp2((float(packed) - kOctaveZero) * 0.25);
+float unpackShare(uint packed, float unit) {
+    return packed == 255u ? kBroken : unit * uintBitsToFloat((packed + (kSmallestExponent << 2)) << 21);
 }
 
 uint packQuarter(vec2 quarter, float slab) {
@@ -65,21 +67,21 @@ vec2 unpackQuarter(uint packed, float slab) {
 
 uvec4 packCell(Cell cell, float width) {
     float unit = abs(cell.front);
-    uint slabOctaves = packOctaves(cell.slab, unit);
-    float slab = unpackOctaves(slabOctaves, unit);
+    uint slabShare = packShare(cell.slab, unit);
+    float slab = unpackShare(slabShare, unit);
     return uvec4(floatBitsToUint(cell.front), packHalf2x16(cell.slope * width),
                  packQuarter(cell.quarters[0], slab) | (packQuarter(cell.quarters[1], slab) << 12) |
-                     (packOctaves(cell.depth, unit) << 24),
+                     (packShare(cell.depth, unit) << 24),
                  packQuarter(cell.quarters[2], slab) | (packQuarter(cell.quarters[3], slab) << 12) |
-                     (slabOctaves << 24));
+                     (slabShare << 24));
 }
 
 Cell unpackCell(uvec4 packed, float invWidth) {
     Cell cell;
     cell.front = uintBitsToFloat(packed.x);
     cell.slope = unpackHalf2x16(packed.y) * invWidth;
-    cell.depth = unpackOctaves(packed.z >> 24, abs(cell.front));
-    cell.slab = unpackOctaves(packed.w >> 24, abs(cell.front));
+    cell.depth = unpackShare(packed.z >> 24, abs(cell.front));
+    cell.slab = unpackShare(packed.w >> 24, abs(cell.front));
     cell.quarters[0] = unpackQuarter(packed.z, cell.slab);
     cell.quarters[1] = unpackQuarter(packed.z >> 12, cell.slab);
     cell.quarters[2] = unpackQuarter(packed.w, cell.slab);

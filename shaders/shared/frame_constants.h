@@ -29,9 +29,9 @@ struct FrameConstants {
     float environmentMips; // mips that roughness 0..1 spreads over
     uint frameIndex;
     uint seed;
-    float2 traceSize;   // pixels of the traced image that this frame traces, from the top left
-    float2 traceScale;  // size / traceSize: full-resolution pixels a traced pixel, >= 1
-    float2 motionScale; // stored motion times this = previous UV - current UV
+    float2 traceSize;     // pixels of the traced image that this frame traces, from the top left
+    float2 traceScale;    // size / traceSize: full-resolution pixels a traced pixel, >= 1
+    float2 motionScale;   // stored motion times this = previous UV - current UV
     uint metallicChannel; // of the material image
     uint materialKind;    // kMaterial*, MaterialKind of glint/gbuffer.hpp
 };
@@ -52,7 +52,7 @@ GLINT_CONSTANT(uint, kInputGamma, 4096);      // litRadiance and fallbackSpecula
 GLINT_CONSTANT(uint, kHistoryGamma, 8192);    // so is the previous frame's picture
 GLINT_CONSTANT(uint, kOutputGamma, 16384);    // so shall this frame's be
 GLINT_CONSTANT(uint, kTraceTarget8, 32768);   // the traced radiance goes into the RGBA8 image
-GLINT_CONSTANT(uint, kInputHalfDepth, 65536);  // viewZ is rounded to sixteen bits
+GLINT_CONSTANT(uint, kInputHalfDepth, 65536); // viewZ is rounded to sixteen bits
 GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
 
 GLINT_CONSTANT(uint, kMaterialF0Roughness, 0);

@@ -1,6 +1,6 @@
-// Finds the pixels that need a ray and lists them, tile by tile, so that tracing runs over full groups of neighbours and
+// Finds the pixels that need a ray and lists them, neighbours by neighbours, so that tracing runs over full groups and
 // costs nothing where there is nothing to reflect. The other pixels get their answer here.
-// Which place in the list a ray gets may change from run to run; nothing depends on it.
+// Which place in the list a ray gets may change from run to run; nothing depends on it, nor on a subgroup's size.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -13,7 +13,7 @@
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 0) const bool kSubgroups = true; // off: shared memory alone, for the same list of rays
+layout(constant_id = 0) const bool kSubgroups = true; // off: an atomic a ray, for the same rays
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
@@ -30,9 +30,6 @@ layout(push_constant, scalar) uniform PushBlock {
 
 #include "trace/traced.glsl"
 
-shared uint tileRays;
-shared uint tileStart;
-
 /// kOutcomeNone where a ray is needed.
 uint whyNoRay(float z, Surface here, vec2 uv) {
     if (here.reflectivity <= settings.threshold)
@@ -47,14 +44,29 @@ uint whyNoRay(float z, Surface here, vec2 uv) {
     return kOutcomeNone;
 }
 
-/// The ray's place among those of its tile; call from every invocation.
-uint placeInTile(bool needsRay) {
+/// Room for `count` rays in the list: the first one's place. Whoever fills a row of groups first has it dispatched.
+uint takePlaces(uint count) {
+    const uint kRowRays = kRaysPerGroup * kRayGroupsX;
+    uint first = atomicAdd(rays.header.rayCount, count);
+    if (first % kRowRays == 0u || first / kRowRays != (first + count - 1u) / kRowRays)
+        atomicMax(rays.header.rayGroups[1], (first + count - 1u) / kRowRays + 1u);
+    if (first == 0u) { // somebody needs the pyramid
+        ivec2 tiles = (ivec2(frame.constants.size) + int(kPyramidTile) - 1) / int(kPyramidTile);
+        rays.header.pyramidGroups[0] = uint(tiles.x);
+        rays.header.pyramidGroups[1] = uint(tiles.y);
+    }
+    return first;
+}
+
+/// The place of this invocation's ray; call from every invocation.
+uint takePlace(bool needsRay) {
     if (!kSubgroups)
-        return needsRay ? atomicAdd(tileRays, 1u) : 0u;
+        return needsRay ? takePlaces(1u) : 0u;
     uvec4 wanting = subgroupBallot(needsRay);
+    uint count = subgroupBallotBitCount(wanting);
     uint first = 0u;
-    if (subgroupElect())
-        first = atomicAdd(tileRays, subgroupBallotBitCount(wanting));
+    if (count > 0u && subgroupElect())
+        first = takePlaces(count);
     return subgroupBroadcastFirst(first) + subgroupBallotExclusiveBitCount(wanting);
 }
 
@@ -74,20 +86,7 @@ void main() {
             storeTraced(tracePX, vec3(0.0), 0.0, record);
     }
 
-    if (gl_LocalInvocationIndex == 0u)
-        tileRays = 0u;
-    barrier();
-    uint place = placeInTile(needsRay);
-    barrier();
-    if (gl_LocalInvocationIndex == 0u && tileRays > 0u) {
-        tileStart = atomicAdd(rays.header.rayCount, tileRays);
-        uint groups = (tileStart + tileRays + kRaysPerGroup - 1u) / kRaysPerGroup;
-        atomicMax(rays.header.rayGroups[1], (groups + kRayGroupsX - 1u) / kRayGroupsX);
-        ivec2 tiles = (ivec2(frame.constants.size) + int(kPyramidTile) - 1) / int(kPyramidTile);
-        atomicMax(rays.header.pyramidGroups[0], uint(tiles.x));
-        atomicMax(rays.header.pyramidGroups[1], uint(tiles.y));
-    }
-    barrier();
+    uint place = takePlace(needsRay);
     if (needsRay)
-        rays.pixels[tileStart + place] = uint(tracePX.x) | (uint(tracePX.y) << 16);
+        rays.pixels[place] = uint(tracePX.x) | (uint(tracePX.y) << 16);
 }

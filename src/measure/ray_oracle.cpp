@@ -88,7 +88,8 @@ Result<RayOracle> RayOracle::create(const scene::Scene& scene, const scene::Pose
         const scene::Material& material =
             item.material < 0 ? state->defaultMaterial : scene.materials[static_cast<size_t>(item.material)];
         const bool transmits = material.transmissionFactor > 0 && !material.unlit && !material.specularGlossiness;
-        if (geometry.topology != scene::Topology::Triangles || material.alphaMode == scene::AlphaMode::Blend || transmits)
+        if (geometry.topology != scene::Topology::Triangles || material.alphaMode == scene::AlphaMode::Blend ||
+            transmits)
             continue;
         RTCGeometry triangles = rtcNewGeometry(state->device, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(

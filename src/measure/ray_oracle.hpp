@@ -21,8 +21,9 @@ struct OracleHit {
     bool frontFace = true;
 };
 
-/// Triangles of opaque and masked surfaces; blended and light-transmitting ones, lines and points are left out. Back faces of single-sided
-/// materials and the holes of masked ones (alpha_test.hpp) are passed through, as the raster pass leaves them out.
+/// Triangles of opaque and masked surfaces; blended and light-transmitting ones, lines and points are left out. Back
+/// faces of single-sided materials and the holes of masked ones (alpha_test.hpp) are passed through, as the raster pass
+/// leaves them out.
 class RayOracle {
 public:
     /// Refers to `pose` and `scene`, which must outlive it. Errors: Unsupported if Embree has no device.

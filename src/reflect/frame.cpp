@@ -102,7 +102,7 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
     constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environmentFlipY ? -1 : 1, 1)),
-                                                -environmentRotation, glm::vec3(0, 1, 0));
+                                               -environmentRotation, glm::vec3(0, 1, 0));
     if (!frame.rehearsing()) {
         lastFrame = constants;
         historyGamma = settings.output.colorIsGamma;
@@ -286,9 +286,9 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface),   std::move(surfaceSamples), std::move(backFaces), std::move(dfg),
-                     std::move(classify),  std::move(pyramid),        std::move(trace),     std::move(denoise),
-                     std::move(combine),   std::move(composite),      std::move(view),      std::move(statistics)};
+    return Pipelines{std::move(surface),  std::move(surfaceSamples), std::move(backFaces), std::move(dfg),
+                     std::move(classify), std::move(pyramid),        std::move(trace),     std::move(denoise),
+                     std::move(combine),  std::move(composite),      std::move(view),      std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -400,12 +400,11 @@ Result<void> FrameState::createImages() {
 }
 
 Result<void> FrameState::createRays() {
-    GLINT_TRY(list, gpu::Buffer::create(*context, {"glint/rays",
-                                                   sizeof(shared::RayListHeader) + size_t{4} * desc.width * desc.height,
-                                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                                                   gpu::BufferHome::Device}));
+    GLINT_TRY(list, gpu::Buffer::create(
+                        *context, {"glint/rays", sizeof(shared::RayListHeader) + size_t{4} * desc.width * desc.height,
+                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                   gpu::BufferHome::Device}));
     rays.list = std::move(list);
     return {};
 }
@@ -419,13 +418,13 @@ Result<void> FrameState::createPyramid() {
                                                    half(desc.width, 1) + half(desc.width, 2),
                                                    half(desc.height, 1) + pyramid.levels, 1, 1, gpu::ImageShape::Flat,
                                                    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT}));
-    const size_t tiles = size_t{half(desc.width, shared::kPyramidTileLevel)} *
-                         half(desc.height, shared::kPyramidTileLevel);
+    const size_t tiles =
+        size_t{half(desc.width, shared::kPyramidTileLevel)} * half(desc.height, shared::kPyramidTileLevel);
     const size_t above = tiles; // more than the level above has
-    GLINT_TRY(tileCells, gpu::Buffer::create(*context, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
-                                                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                        gpu::BufferHome::Device}));
+    GLINT_TRY(tileCells,
+              gpu::Buffer::create(*context, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                             gpu::BufferHome::Device}));
     pyramid.cells = std::move(cells);
     pyramid.tiles = std::move(tileCells);
     tablesMade = false; // its counter starts at 0
