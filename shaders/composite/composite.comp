@@ -13,6 +13,7 @@
 #include "lib/input_color.glsl"
 #include "lib/math.glsl"
 #include "lib/outcome_color.glsl"
+#include "lib/resolved_material.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
@@ -63,6 +64,11 @@ float viewCosine(ivec2 px, float z, vec3 normalVS) {
     return clamp(dot(normalVS, -toSurfaceVS), 0.0, 1.0);
 }
 
+/// F0 and coverage.
+vec4 loadMaterial(ivec2 px) {
+    return resolvedMaterial(frame.constants, texelFetch(material, px, 0));
+}
+
 vec3 loadLit(ivec2 px) {
     return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
 }
@@ -75,7 +81,7 @@ ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 at = clamp(px + ivec2(x, y), ivec2(0), ivec2(frame.constants.size) - 1);
-            if (whole && texelFetch(material, at, 0).a < 1.0)
+            if (whole && loadMaterial(at).a < 1.0)
                 continue;
             Surface there = unpackSurface(texelFetch(surface, at, 0).xy);
             float difference = abs(texelFetch(viewZ, at, 0).r - z) / z + (1.0 - dot(there.normalVS, normalVS));
@@ -94,7 +100,7 @@ vec3 litNearby(ivec2 px, float z, vec3 normalVS) {
 }
 
 Share frontShare(ivec2 px, float z, Surface here) {
-    vec4 resolved = texelFetch(material, px, 0);
+    vec4 resolved = loadMaterial(px);
     vec3 f0 = here.reflectivity > 0.0 ? resolved.rgb : vec3(0.0);
     vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadLit(px);
     return Share(resolved.a, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS),

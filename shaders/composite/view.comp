@@ -5,6 +5,7 @@
 
 #include "lib/camera.glsl"
 #include "lib/outcome_color.glsl"
+#include "lib/resolved_material.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
@@ -78,7 +79,7 @@ void main() {
         value.rgb = vec3(background ? 0.0 : here.perceptualRoughness);
         break;
     case kViewReflectivity:
-        value.rgb = background ? vec3(0.0) : texelFetch(material, px, 0).rgb;
+        value.rgb = background ? vec3(0.0) : resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb;
         break;
     case kViewHitUv:
         value.rg = hit ? ray.hitUV : vec2(0.0);

@@ -31,5 +31,6 @@ void main() {
     imageStore(viewZ, px, vec4(storedViewZ(frame.constants, here.viewZ)));
     imageStore(surface, px,
                uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));
-    imageStore(resolvedMaterial, px, vec4(here.f0, 1.0));
+    if ((frame.constants.flags & kInputResolved) != 0u) // else the host's own image says it as well
+        imageStore(resolvedMaterial, px, vec4(here.f0, 1.0));
 }

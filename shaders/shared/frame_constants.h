@@ -55,6 +55,8 @@ GLINT_CONSTANT(uint, kTraceTarget8, 32768);   // the traced radiance goes into t
 GLINT_CONSTANT(uint, kInputHalfDepth, 65536); // viewZ is rounded to sixteen bits
 GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
 
+GLINT_CONSTANT(uint, kInputResolved, 262144); // material is to be read as prepare resolved it: F0 and coverage
+
 GLINT_CONSTANT(uint, kMaterialF0Roughness, 0);
 GLINT_CONSTANT(uint, kMaterialMetallicRoughness, 1);
 GLINT_CONSTANT(uint, kMaterialSpecularGlossiness, 2);

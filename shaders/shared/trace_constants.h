@@ -24,6 +24,7 @@ struct TraceConstants {
     uint baseSteps;
     float pixelSpacing;
     uint refinements;
+    uint2 backFaceGroups; // that prepare/back_faces needs
 };
 
 GLINT_CONSTANT(uint, kTraceSmooth, 1);
@@ -37,12 +38,14 @@ GLINT_CONSTANT(uint, kFadeBackface, 128);
 GLINT_CONSTANT(uint, kTraceBackDepth, 256); // back faces say how thick each surface is
 
 // What classify.comp finds: how many rays there are, as the arguments of the indirect dispatches that trace them and
-// that make the pyramid for them. The rays' pixels follow, x in the low half and y in the high half of a word.
+// that make what they look at: without a ray, nothing. The rays' pixels follow, x in the low half and y in the high
+// half of a word.
 struct RayListHeader {
     uint rayGroups[3];
     uint rayCount;
     uint pyramidGroups[3];
-    uint padding;
+    uint backFaceGroups[3];
+    uint padding[2];
 };
 
 GLINT_CONSTANT(uint, kRaysPerGroup, 64);

@@ -50,10 +50,12 @@ uint takePlaces(uint count) {
     uint first = atomicAdd(rays.header.rayCount, count);
     if (first % kRowRays == 0u || first / kRowRays != (first + count - 1u) / kRowRays)
         atomicMax(rays.header.rayGroups[1], (first + count - 1u) / kRowRays + 1u);
-    if (first == 0u) { // somebody needs the pyramid
+    if (first == 0u) { // somebody needs what rays look at
         ivec2 tiles = (ivec2(frame.constants.size) + int(kPyramidTile) - 1) / int(kPyramidTile);
         rays.header.pyramidGroups[0] = uint(tiles.x);
         rays.header.pyramidGroups[1] = uint(tiles.y);
+        rays.header.backFaceGroups[0] = settings.backFaceGroups.x;
+        rays.header.backFaceGroups[1] = settings.backFaceGroups.y;
     }
     return first;
 }

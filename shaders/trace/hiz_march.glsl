@@ -18,25 +18,39 @@ Cell lookUp(ivec2 cell, int level) {
     return unpackCell(texelFetch(pyramid, pyramidOffset(size, level) + cell, 0), frame.constants.invSize.x);
 }
 
+/// The line on screen, as crossings of cell borders need it.
+struct Line {
+    vec2 startPX;
+    vec2 deltaPX;
+    vec2 invDelta; // of a direction in which it does not move: large
+    vec2 forward;  // 1 where it moves toward larger coordinates, else 0
+    float pixelShare; // a pixel along its longer axis, as a share of it
+};
+
+Line makeLine(ScreenRay ray) {
+    vec2 moves = vec2(notEqual(ray.deltaPX, vec2(0.0)));
+    vec2 invDelta = mix(vec2(1e30), 1.0 / mix(vec2(1.0), ray.deltaPX, moves), moves);
+    return Line(ray.startPX, ray.deltaPX, invDelta, vec2(greaterThan(ray.deltaPX, vec2(0.0))), 1.0 / screenPixels(ray));
+}
+
 /// Share of the line at which it leaves the cell that spans [low, low + size) pixels, and over which axis.
-float leaveCell(ScreenRay ray, vec2 low, float size, out bool overX) {
-    vec2 far = low + vec2(ray.deltaPX.x > 0.0 ? size : 0.0, ray.deltaPX.y > 0.0 ? size : 0.0);
-    float x = ray.deltaPX.x != 0.0 ? (far.x - ray.startPX.x) / ray.deltaPX.x : 1e30;
-    float y = ray.deltaPX.y != 0.0 ? (far.y - ray.startPX.y) / ray.deltaPX.y : 1e30;
-    overX = x < y;
-    return min(x, y);
+float leaveCell(Line line, vec2 low, float size, out bool overX) {
+    vec2 at = (low + line.forward * size - line.startPX) * line.invDelta;
+    at = mix(at, vec2(1e30), greaterThan(abs(line.invDelta), vec2(1e29)));
+    overX = at.x < at.y;
+    return min(at.x, at.y);
 }
 
 /// The pixel behind the border over which the ray leaves a cell.
-ivec2 enterNext(ScreenRay ray, ivec2 cell, int level, float share, bool overX) {
-    vec2 at = ray.startPX + ray.deltaPX * share;
+ivec2 enterNext(Line line, ivec2 cell, int level, float share, bool overX) {
+    vec2 at = line.startPX + line.deltaPX * share;
     ivec2 low = cell << level;
     ivec2 high = ((cell + 1) << level) - 1;
     ivec2 px = clamp(ivec2(floor(at)), low, high);
     if (overX)
-        px.x = ray.deltaPX.x > 0.0 ? high.x + 1 : low.x - 1;
+        px.x = line.deltaPX.x > 0.0 ? high.x + 1 : low.x - 1;
     else
-        px.y = ray.deltaPX.y > 0.0 ? high.y + 1 : low.y - 1;
+        px.y = line.deltaPX.y > 0.0 ? high.y + 1 : low.y - 1;
     return px;
 }
 
@@ -49,34 +63,33 @@ struct Quarter {
 
 /// The first quarter of `cell` that the ray does not just pass, from `share` to `last` of its line. `above` and `climb`
 /// give the ray's height over the cell's plane.
-Quarter firstQuarter(ScreenRay ray, Cell cell, int level, ivec2 px, float share, float last, float above, float climb,
+Quarter firstQuarter(Line line, Cell cell, int level, ivec2 px, float share, float last, float above, float climb,
                      float rounding) {
-    float pixelShare = 1.0 / screenPixels(ray);
     ivec2 parent = px >> level;
     for (int i = 0; i < 3; ++i) { // a line crosses three at most
         ivec2 child = px >> (level - 1);
         bool overX;
-        float leave = leaveCell(ray, vec2(child << (level - 1)), float(1 << (level - 1)), overX);
+        float leave = leaveCell(line, vec2(child << (level - 1)), float(1 << (level - 1)), overX);
         float end = min(max(leave, share), last);
         vec2 solid = cell.quarters[(child.x & 1) + 2 * (child.y & 1)];
         float first = above + climb * share;
         float final = above + climb * end;
         bool inFront = min(first, final) >= -solid.x - rounding;
-        bool behind = max(above + climb * max(share - pixelShare, 0.0), final) < -solid.y;
+        bool behind = max(above + climb * max(share - line.pixelShare, 0.0), final) < -solid.y;
         if (!inFront && !behind && solid.x <= solid.y) {
             // Nothing is met before the ray comes to what is solid.
             float to = share;
             if (first > -solid.x)
                 to = clamp((-solid.x - above) / climb, share, end);
             else if (first < -solid.y)
-                to = clamp((-solid.y - above) / climb - pixelShare, share, end);
+                to = clamp((-solid.y - above) / climb - line.pixelShare, share, end);
             ivec2 low = child << (level - 1);
             ivec2 high = min((child + 1) << (level - 1), ivec2(frame.constants.size)) - 1;
-            return Quarter(true, to, clamp(ivec2(floor(ray.startPX + ray.deltaPX * to)), low, high));
+            return Quarter(true, to, clamp(ivec2(floor(line.startPX + line.deltaPX * to)), low, high));
         }
         if (leave >= last)
             break;
-        ivec2 next = enterNext(ray, child, level - 1, leave, overX);
+        ivec2 next = enterNext(line, child, level - 1, leave, overX);
         if ((next >> level) != parent)
             break;
         px = next;
@@ -88,7 +101,8 @@ Quarter firstQuarter(ScreenRay ray, Cell cell, int level, ivec2 px, float share,
 March march(Ray r) {
     ScreenRay ray = r.screen;
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
-    float pixelShare = 1.0 / screenPixels(ray);
+    Line line = makeLine(ray);
+    float pixelShare = line.pixelShare;
     // The ray's nearness at a share of the line.
     float start = rayNearness(frame.constants, ray, 0.0);
     float slope = rayNearness(frame.constants, ray, 1.0) - start;
@@ -100,8 +114,8 @@ March march(Ray r) {
     bool nearlyThickEnough = false;
     bool overX;
     // The first pixel is the ray's own.
-    float share = leaveCell(ray, vec2(r.px), 1.0, overX);
-    ivec2 px = enterNext(ray, r.px, 0, share, overX);
+    float share = leaveCell(line, vec2(r.px), 1.0, overX);
+    ivec2 px = enterNext(line, r.px, 0, share, overX);
     int level = clamp(kFirstLevel, minLevel, maxLevel);
 
     while (share < endShare) {
@@ -117,7 +131,7 @@ March march(Ray r) {
         }
         ++result.iterations;
         ivec2 cell = px >> level;
-        float leave = leaveCell(ray, vec2(cell << level), float(1 << level), overX);
+        float leave = leaveCell(line, vec2(cell << level), float(1 << level), overX);
         float last = min(max(leave, share), endShare);
 
         if (level > 0) {
@@ -149,7 +163,7 @@ March march(Ray r) {
                             return result;
                     }
                     if (level > minLevel) {
-                        Quarter quarter = firstQuarter(ray, bounds, level, px, share, last, above, climb, rounding);
+                        Quarter quarter = firstQuarter(line, bounds, level, px, share, last, above, climb, rounding);
                         if (quarter.found) {
                             share = quarter.share;
                             px = quarter.px;
@@ -194,7 +208,7 @@ March march(Ray r) {
         share = last;
         if (leave >= endShare)
             break;
-        px = enterNext(ray, cell, level, leave, overX);
+        px = enterNext(line, cell, level, leave, overX);
         ivec2 left = cell << level;
         for (int i = 0; i < 2 && level < maxLevel && (px >> (level + 1)) != (left >> (level + 1)); ++i)
             ++level;

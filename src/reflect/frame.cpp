@@ -31,6 +31,7 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     prepare(frame, view);
     if (desc.settings.screen.enabled) {
         classify(frame);
+        prepareBackFaces(frame);
         if (techniqueFor(desc.settings.screen.march).usesPyramid)
             makePyramid(frame);
         trace(frame);
@@ -83,6 +84,7 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     flag(static_cast<bool>(inputs.environment), shared::kInputEnvironment);
     flag(static_cast<bool>(inputs.fallbackSpecular), shared::kInputFallback);
     flag(static_cast<bool>(inputs.material), shared::kInputMaterial);
+    flag(resolvesMaterial(), shared::kInputResolved);
     flag(static_cast<bool>(inputs.motion), shared::kInputMotion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
     flag(usesHistory, shared::kInputHistory);
@@ -114,6 +116,11 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     prepareBackFaces(frame);
 }
 
+/// Else the host's image of it is as good.
+bool FrameState::resolvesMaterial() const {
+    return inputs.depth.desc().samples > 1 || conventions.material != MaterialKind::F0Roughness;
+}
+
 void FrameState::prepareSurface(gpu::Frame& frame, bool manySamples) {
     // What this kind of host does not have is not looked at: any image stands in that has as many samples.
     gpu::Image& material = inputs.material ? inputs.material : inputs.normal;
@@ -137,7 +144,7 @@ void FrameState::prepareBackFaces(gpu::Frame& frame) {
             .read("frame", frameConstants)
             .read("backDepth", inputs.backDepth, kTexels)
             .write("backViewZ", prepared.backViewZ)
-            .dispatch(prepared.backViewZ.width(), prepared.backViewZ.height());
+            .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, backFaceGroups));
     else if (!noBackFaces)
         frame.clear(prepared.backViewZ, {.float32 = {shared::kBackgroundZ}});
     noBackFaces = !hasBackFaces && !frame.rehearsing();
@@ -148,16 +155,18 @@ TraceInputs FrameState::traceInputs() {
 }
 
 void FrameState::classify(gpu::Frame& frame) {
-    constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, 0};
+    constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, {0, 0, 1}, {}};
     frame.update(rays.list, &kNoRays, sizeof(kNoRays));
     gpu::Pass pass = frame.pass(pipelines.classify);
     pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
         .readWrite("rays", rays.list);
-    writeTraced(pass, traced, false)
-        .push(traceConstants(desc.settings, hasBackFaces))
-        .dispatch(traced.width, traced.height);
+    shared::TraceConstants constants = traceConstants(desc.settings, hasBackFaces);
+    const uint32_t* local = pipelines.backFaces.localSize();
+    constants.backFaceGroups = {(prepared.backViewZ.width() + local[0] - 1) / local[0],
+                                (prepared.backViewZ.height() + local[1] - 1) / local[1]};
+    writeTraced(pass, traced, false).push(constants).dispatch(traced.width, traced.height);
 }
 
 void FrameState::makePyramid(gpu::Frame& frame) {
@@ -221,7 +230,7 @@ void FrameState::compose(gpu::Frame& frame) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("material", prepared.material, kTexels)
+        .read("material", resolvesMaterial() ? prepared.material : inputs.material, kTexels)
         .read("edge", prepared.edge)
         .read("litRadiance", inputs.litRadiance, kTexels)
         .read("fallbackSpecular", inputs.fallbackSpecular ? inputs.fallbackSpecular : black, kTexels)
@@ -256,7 +265,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("material", prepared.material, kTexels)
+        .read("material", resolvesMaterial() ? prepared.material : inputs.material, kTexels)
         .read("radianceWeight", *denoised.answer)
         .read("rayRecord", traced.rayRecord)
         .read("reflected", reflected.reflected)
@@ -475,6 +484,7 @@ Result<void> FrameState::rehearse() {
     makeTables(frame);
     prepare(frame, {});
     classify(frame);
+    prepareBackFaces(frame);
     makePyramid(frame);
     for (size_t i = 0; i < techniques().size(); ++i)
         techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);

@@ -96,6 +96,7 @@ private:
     void turnHistory();
     void prepare(gpu::Frame& frame, const View& view);
     Result<void> makeImagesFor(const Settings& settings);
+    bool resolvesMaterial() const;
     void prepareSurface(gpu::Frame& frame, bool manySamples);
     void prepareBackFaces(gpu::Frame& frame);
     void classify(gpu::Frame& frame);
