@@ -75,7 +75,8 @@ const uint kGrazes = 4u;      // its slab, but it is the surface that the ray st
 const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
 
 /// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if it
-/// shows the same surface, so that positions are exact, else `px`, so that no other surface lends its colour.
+/// shows the same surface, by depth and normal, so that positions are exact, else `px`, so that no other surface lends
+/// its colour.
 vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
     vec2 at = ray.startPX + ray.deltaPX * share;
     ivec2 there = ivec2(floor(at));
@@ -83,7 +84,7 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
         float rayZ = rayViewZ(ray, share);
         float sceneZ = texelFetch(viewZ, there, 0).r;
         ++lookups;
-        if (abs(sceneZ - rayZ) <= kAtSurface * rayZ)
+        if (abs(sceneZ - rayZ) <= kAtSurface * rayZ && dot(normalAt(at), normalAt(vec2(px))) > kOwnNormal)
             return at;
     }
     return clamp(at, vec2(px), vec2(px) + 0.999);
