@@ -2,6 +2,7 @@
 
 #include "reflect/conventions.hpp"
 #include "shared/outcome.h"
+#include "shared/ray_log.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -102,7 +103,7 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     constants.environmentStrength = environmentStrength;
     constants.environmentMips = static_cast<float>(environmentMips);
     constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environmentFlipY ? -1 : 1, 1)),
-                                                -environmentRotation, glm::vec3(0, 1, 0));
+                                               -environmentRotation, glm::vec3(0, 1, 0));
     if (!frame.rehearsing()) {
         lastFrame = constants;
         historyGamma = settings.output.colorIsGamma;
@@ -143,8 +144,9 @@ void FrameState::prepareBackFaces(gpu::Frame& frame) {
     noBackFaces = !hasBackFaces && !frame.rehearsing();
 }
 
-TraceInputs FrameState::traceInputs() {
-    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces, usesHistory ? &history : nullptr, black};
+TraceInputs FrameState::traceInputs(Rays& list) {
+    return {frameConstants, inputs, prepared, list, pyramid, hasBackFaces, usesHistory ? &history : nullptr,
+            black,          nullptr};
 }
 
 void FrameState::classify(gpu::Frame& frame) {
@@ -177,12 +179,12 @@ void FrameState::makePyramid(gpu::Frame& frame) {
 void FrameState::trace(gpu::Frame& frame) {
     const Technique& technique = techniqueFor(desc.settings.screen.march);
     const auto index = static_cast<size_t>(&technique - techniques().data());
-    technique.record(frame, pipelines.trace[index], desc.settings, traceInputs(), traced);
+    technique.record(frame, pipelines.trace[index], desc.settings, traceInputs(rays), traced);
     untraced = false;
 }
 
 void FrameState::denoise(gpu::Frame& frame) {
-    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
+    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(rays), traced}, denoised);
 }
 
 /// While the screen source is off, its images say that no ray was traced.
@@ -196,17 +198,21 @@ void FrameState::forgetTrace(gpu::Frame& frame) {
 }
 
 void FrameState::combine(gpu::Frame& frame) {
+    combinePass(frame, pipelines.combine).dispatch(desc.width, desc.height);
+}
+
+gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline) {
     const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled};
-    frame.pass(pipelines.combine)
-        .read("frame", frameConstants)
+    gpu::Pass pass = frame.pass(pipeline);
+    pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
         .read("radianceWeight", *denoised.answer)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
-        .push(constants)
-        .dispatch(desc.width, desc.height);
+        .push(constants);
+    return pass;
 }
 
 void FrameState::compose(gpu::Frame& frame) {
@@ -243,14 +249,19 @@ void FrameState::countOutcomes(gpu::Frame& frame) {
     frame.copyBuffer(statistics, statisticsReadback);
 }
 
+/// Makes what the last frame did not need, so that there is something to show.
+void FrameState::bringUpToDate(gpu::Frame& frame) {
+    if (upToDate)
+        return;
+    makeTables(frame);
+    prepare(frame, lastView);
+    forgetTrace(frame);
+    combine(frame);
+    upToDate = !frame.rehearsing();
+}
+
 void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
-    if (!upToDate) {
-        makeTables(frame);
-        prepare(frame, lastView);
-        forgetTrace(frame);
-        combine(frame);
-        upToDate = !frame.rehearsing();
-    }
+    bringUpToDate(frame);
     const shared::ViewConstants constants = {which, static_cast<uint32_t>(desc.settings.screen.maxSteps)};
     frame.pass(pipelines.view)
         .read("frame", frameConstants)
@@ -264,6 +275,34 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .write("view", viewImage)
         .push(constants)
         .dispatch(desc.width, desc.height);
+}
+
+void FrameState::recordInspection(gpu::Frame& frame, uint32_t x, uint32_t y) {
+    inspect(frame, x, y, techniqueFor(desc.settings.screen.march));
+}
+
+void FrameState::inspect(gpu::Frame& frame, uint32_t x, uint32_t y, const Technique& technique) {
+    bringUpToDate(frame);
+    const shared::InspectConstants constants = {{x, y}};
+    frame.fill(inspector->log, 0);
+    frame.pass(inspector->pixel)
+        .read("frame", frameConstants)
+        .read("viewZ", prepared.viewZ)
+        .read("surface", prepared.surface)
+        .read("material", prepared.material, kTexels)
+        .read("rayRecord", traced.rayRecord)
+        .read("reflected", reflected.reflected)
+        .read("composite", ranPasses || frame.rehearsing() ? composite : inputs.litRadiance, kTexels)
+        .write("rays", inspector->rays.list)
+        .write("rayLog", inspector->log)
+        .push(constants)
+        .dispatch(1);
+    const auto index = static_cast<size_t>(&technique - techniques().data());
+    TraceInputs oneRay = traceInputs(inspector->rays);
+    oneRay.log = &inspector->log;
+    technique.record(frame, inspector->trace[index], desc.settings, oneRay, traced);
+    combinePass(frame, inspector->combine).readWrite("rayLog", inspector->log).dispatch(desc.width, desc.height);
+    frame.copyBuffer(inspector->log, inspector->readback);
 }
 
 // ---------------------------------------------------------------- creation
@@ -286,9 +325,9 @@ Result<Pipelines> Pipelines::create(gpu::Context& context) {
     GLINT_TRY(composite, Pipeline::compute(context, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
     GLINT_TRY(view, Pipeline::compute(context, {"composite/view", sizeof(shared::ViewConstants), {}}));
     GLINT_TRY(statistics, Pipeline::compute(context, {"composite/statistics", 0, {}}));
-    return Pipelines{std::move(surface),   std::move(surfaceSamples), std::move(backFaces), std::move(dfg),
-                     std::move(classify),  std::move(pyramid),        std::move(trace),     std::move(denoise),
-                     std::move(combine),   std::move(composite),      std::move(view),      std::move(statistics)};
+    return Pipelines{std::move(surface),  std::move(surfaceSamples), std::move(backFaces), std::move(dfg),
+                     std::move(classify), std::move(pyramid),        std::move(trace),     std::move(denoise),
+                     std::move(combine),  std::move(composite),      std::move(view),      std::move(statistics)};
 }
 
 Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, const ReflectionsDesc& desc) {
@@ -302,6 +341,10 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_CHECK(state->expectSamples(1));
     GLINT_CHECK(state->createRays());
     GLINT_CHECK(state->setSettings(desc.settings));
+    if (desc.inspection) {
+        GLINT_TRY(inspector, Inspector::create(context));
+        state->inspector = std::make_unique<Inspector>(std::move(inspector));
+    }
     GLINT_TRY(timers, gpu::Timers::create(context));
     state->timers = std::move(timers);
     GLINT_CHECK(state->rehearse());
@@ -400,12 +443,11 @@ Result<void> FrameState::createImages() {
 }
 
 Result<void> FrameState::createRays() {
-    GLINT_TRY(list, gpu::Buffer::create(*context, {"glint/rays",
-                                                   sizeof(shared::RayListHeader) + size_t{4} * desc.width * desc.height,
-                                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                       VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                                                   gpu::BufferHome::Device}));
+    GLINT_TRY(list, gpu::Buffer::create(
+                        *context, {"glint/rays", sizeof(shared::RayListHeader) + size_t{4} * desc.width * desc.height,
+                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                       VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                   gpu::BufferHome::Device}));
     rays.list = std::move(list);
     return {};
 }
@@ -419,13 +461,13 @@ Result<void> FrameState::createPyramid() {
                                                    half(desc.width, 1) + half(desc.width, 2),
                                                    half(desc.height, 1) + pyramid.levels, 1, 1, gpu::ImageShape::Flat,
                                                    VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT}));
-    const size_t tiles = size_t{half(desc.width, shared::kPyramidTileLevel)} *
-                         half(desc.height, shared::kPyramidTileLevel);
+    const size_t tiles =
+        size_t{half(desc.width, shared::kPyramidTileLevel)} * half(desc.height, shared::kPyramidTileLevel);
     const size_t above = tiles; // more than the level above has
-    GLINT_TRY(tileCells, gpu::Buffer::create(*context, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
-                                                        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                        gpu::BufferHome::Device}));
+    GLINT_TRY(tileCells,
+              gpu::Buffer::create(*context, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                             gpu::BufferHome::Device}));
     pyramid.cells = std::move(cells);
     pyramid.tiles = std::move(tileCells);
     tablesMade = false; // its counter starts at 0
@@ -478,14 +520,16 @@ Result<void> FrameState::rehearse() {
     classify(frame);
     makePyramid(frame);
     for (size_t i = 0; i < techniques().size(); ++i)
-        techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);
-    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
+        techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(rays), traced);
+    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(rays), traced}, denoised);
     combine(frame);
     compose(frame);
     if (desc.statistics)
         countOutcomes(frame);
     if (desc.views)
         recordView(frame, 0);
+    for (size_t i = 0; inspector && i < techniques().size(); ++i)
+        inspect(frame, 0, 0, techniques()[i]);
     return frame.firstError();
 }
 
