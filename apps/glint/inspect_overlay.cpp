@@ -15,6 +15,7 @@ using Color = glm::vec3; ///< as displayed, [0, 1]
 
 constexpr Color kWhite = Color(1);
 constexpr Color kBlack = Color(0);
+constexpr Color kNothing = Color(0.95f, 0.2f, 0.15f);
 
 Color decisionColor(std::string_view decision) {
     constexpr std::pair<std::string_view, Color> kColors[] = {
@@ -104,10 +105,16 @@ glm::vec2 toVec2(const Float2& v) {
     return {v[0], v[1]};
 }
 
-/// Far outside, a line keeps its direction but not its length.
-glm::vec2 nearPicture(glm::vec2 start, glm::vec2 end, float reach) {
-    const float length = glm::distance(start, end);
-    return length > reach ? start + (end - start) * (reach / length) : end;
+/// The last point of the line, from a start inside, that lies at least `margin` inside a picture of this size.
+glm::vec2 lastInside(glm::vec2 start, glm::vec2 end, glm::vec2 size, float margin) {
+    float share = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const float delta = end[axis] - start[axis];
+        const float border = delta > 0 ? size[axis] - margin : margin;
+        if (delta != 0)
+            share = std::min(share, (border - start[axis]) / delta);
+    }
+    return start + (end - start) * std::max(share, 0.0f);
 }
 
 void drawCells(Canvas& canvas, const RayInspection& inspection, float unit) {
@@ -140,6 +147,18 @@ void drawHit(Canvas& canvas, glm::vec2 at, float unit, Color color) {
     strokes(1.0f * unit, color);
 }
 
+/// Where a ray ended that met nothing, or where it left the picture.
+void drawEnd(Canvas& canvas, glm::vec2 at, float unit) {
+    const auto strokes = [&](float halfWidth, Color stroke) {
+        for (const float turn : {-1.0f, 1.0f}) {
+            const glm::vec2 arm = glm::vec2(1, turn) * (5 * unit);
+            canvas.line(at - arm, at + arm, halfWidth, stroke);
+        }
+    };
+    strokes(1.9f * unit, kBlack);
+    strokes(1.0f * unit, kNothing);
+}
+
 } // namespace
 
 void drawRay(const RayInspection& inspection, uint32_t width, uint32_t height, std::span<uint8_t> rgb) {
@@ -149,11 +168,11 @@ void drawRay(const RayInspection& inspection, uint32_t width, uint32_t height, s
     const glm::vec2 pixel = glm::vec2(inspection.pixel[0], inspection.pixel[1]) + 0.5f;
     if (!inspection.traced) {
         canvas.diamond(pixel, 6 * unit, kBlack);
-        canvas.diamond(pixel, 4 * unit, Color(0.95f, 0.2f, 0.15f));
+        canvas.diamond(pixel, 4 * unit, kNothing);
         return;
     }
     const glm::vec2 start = toVec2(inspection.start.px);
-    const glm::vec2 end = nearPicture(start, toVec2(inspection.end.px), 4 * static_cast<float>(width + height));
+    const glm::vec2 end = lastInside(start, toVec2(inspection.end.px), glm::vec2(width, height), 0);
     drawCells(canvas, inspection, unit);
     canvas.line(start, end, 1.6f * unit, kBlack, 0.6f);
     canvas.line(start, end, 0.7f * unit, kWhite);
@@ -162,6 +181,8 @@ void drawRay(const RayInspection& inspection, uint32_t width, uint32_t height, s
     canvas.diamond(start, 4 * unit, kWhite);
     if (inspection.answered)
         drawHit(canvas, end, unit, decisionColor(inspection.outcome));
+    else
+        drawEnd(canvas, lastInside(start, end, glm::vec2(width, height), 5 * unit), unit);
 }
 
 } // namespace glint::cli
