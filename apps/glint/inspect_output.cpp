@@ -98,7 +98,7 @@ Json sourcesJson(const RayInspection& inspection) {
     return sources;
 }
 
-constexpr size_t kLineWidth = 160;
+constexpr size_t kLineWidth = 180;
 
 /// One line for whatever fits on one: a sample, a point, a list of numbers.
 void write(const Json& json, size_t indent, std::string& out) {
