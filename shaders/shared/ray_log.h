@@ -94,7 +94,7 @@ struct RayLogHeader {
     LoggedPixel pixel;
     LoggedRay ray;
     LoggedSource sources[kLoggedSourceCount];
-    uint sampleCount;        // those beyond kMaxLoggedSamples are counted, not written
+    uint sampleCount; // those beyond kMaxLoggedSamples are counted, not written
 };
 
 GLINT_CONSTANT(uint, kMaxLoggedSamples, 4096);
