@@ -33,6 +33,7 @@ Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
     s.rayZ = rayViewZ(ray, share);
     s.sceneZ = texelFetch(viewZ, ivec2(s.px), 0).r;
     ++lookups;
+    logSample(ray, share, s.px, s.rayZ, s.sceneZ);
     return s;
 }
 
@@ -48,7 +49,9 @@ float slabEnd(vec2 px, float sceneZ, inout uint lookups) {
         if (backZ < kBackgroundZ && backZ >= sceneZ * 0.999)
             reach = max(backZ, sceneZ);
     }
-    return reach + settings.thickness + settings.thicknessRelative * sceneZ;
+    reach += settings.thickness + settings.thicknessRelative * sceneZ;
+    logSlab(px, reach);
+    return reach;
 }
 
 bool isOwnSurface(vec3 hitVS, vec3 hitNormalVS, Ray ray) {
@@ -84,15 +87,14 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
         float rayZ = rayViewZ(ray, share);
         float sceneZ = texelFetch(viewZ, there, 0).r;
         ++lookups;
+        logPlace(ray, share, at, rayZ, sceneZ);
         if (abs(sceneZ - rayZ) <= kAtSurface * rayZ && dot(normalAt(at), normalAt(vec2(px))) > kOwnNormal)
             return at;
     }
     return clamp(at, vec2(px), vec2(px) + 0.999);
 }
 
-/// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
-/// `s` moves to where it does.
-uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     ivec2 px = ivec2(s.px);
     vec3 normalVS = normalAt(s.px);
     vec3 surfaceVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, s.sceneZ);
@@ -121,6 +123,15 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     if (nearest <= slabZ)
         return faces ? kMeetsSide : own ? kGrazes : kMeetsBehind;
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
+}
+
+/// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
+/// `s` moves to where it does.
+uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+    vec2 px = s.px;
+    uint met = testSurface(r, fromShare, s, lookups);
+    logDecision(px, kSamplePasses + met); // in the same order
+    return met;
 }
 
 /// Ends the march if `met` ends it.
