@@ -298,7 +298,7 @@ void FrameState::inspect(gpu::Frame& frame, uint32_t x, uint32_t y, const Techni
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
-        .read("material", prepared.material, kTexels)
+        .read("material", resolvesMaterial() ? prepared.material : inputs.material, kTexels)
         .read("rayRecord", traced.rayRecord)
         .read("reflected", reflected.reflected)
         .read("composite", ranPasses || frame.rehearsing() ? composite : inputs.litRadiance, kTexels)

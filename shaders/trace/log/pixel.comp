@@ -5,6 +5,7 @@
 
 #include "lib/camera.glsl"
 #include "lib/ray_record.glsl"
+#include "lib/resolved_material.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 #include "shared/ray_log.h"
@@ -52,13 +53,13 @@ void main() {
     pixel.positionVS = background ? vec3(0.0) : positionVS;
     pixel.positionWS = background ? vec3(0.0) : (frame.constants.viewToWorld * vec4(positionVS, 1.0)).xyz;
     pixel.normalWS = background ? vec3(0.0) : mat3(frame.constants.viewToWorld) * here.normalVS;
-    pixel.f0 = background ? vec3(0.0) : texelFetch(material, px, 0).rgb;
+    pixel.f0 = background ? vec3(0.0) : resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb;
     pixel.perceptualRoughness = background ? 0.0 : here.perceptualRoughness;
     pixel.reflected = texelFetch(reflected, px, 0);
     pixel.composite = texelFetch(composite, px, 0);
     rayLog.header.pixel = pixel;
 
     uint count = traced ? 1u : 0u;
-    rays.header = RayListHeader(uint[3](count, count, 1u), count, uint[3](0u, 0u, 1u), 0u);
+    rays.header = RayListHeader(uint[3](count, count, 1u), count, uint[3](0u, 0u, 1u), uint[3](0u, 0u, 1u), uint[2](0u, 0u));
     rays.pixels[0] = uint(tracePX.x) | (uint(tracePX.y) << 16);
 }
