@@ -15,6 +15,9 @@ const float kBackFaceLimit = -0.17;
 const float kOwnNormal = 0.9;
 const float kOwnPlane = 0.15;
 
+/// How exactly depth places a surface, in parts of its distance.
+const float kDepthRounding = 1e-5;
+
 /// So close behind the front, in parts of its distance, a ray from beside meets what the picture shows.
 const float kAtSurface = 0.005;
 
@@ -94,6 +97,14 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
     return clamp(at, vec2(px), vec2(px) + 0.999);
 }
 
+/// So far behind a pixel's plane, in metres, a point may be that lay in front of the depth of a pixel's centre: as far as
+/// the plane rises over half a pixel.
+float planeSlack(vec3 normalVS, float sceneZ) {
+    float spread = isOrthographic(frame.constants) ? 1.0 : sceneZ;
+    vec2 pixel = abs(frame.constants.uvToView.xy) * frame.constants.invSize * spread;
+    return 0.5 * dot(abs(normalVS.xy), pixel) + kDepthRounding * sceneZ;
+}
+
 uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     ivec2 px = ivec2(s.px);
     vec3 normalVS = normalAt(s.px);
@@ -109,10 +120,11 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
         return kPasses; // perhaps behind the pixel's centre, but not behind its plane
     bool own = isOwnSurface(surfaceVS, normalVS, r);
     bool faces = facesRay(normalVS, own, r);
-    if (faces && heightFrom >= 0.0) {
-        // Heights are linear along the ray in 3D, shares on screen: over this step both are, closely.
-        float meets = heightFrom / max(heightFrom - heightHere, 1e-30);
-        s.share = mix(fromShare, s.share, clamp(meets, 0.0, 1.0));
+    if (faces && heightFrom >= -planeSlack(normalVS, s.sceneZ)) {
+        // Heights are linear along the ray in 3D; over w, on screen.
+        float from = heightFrom * mix(r.screen.startInvW, r.screen.endInvW, fromShare);
+        float here = heightHere * mix(r.screen.startInvW, r.screen.endInvW, s.share);
+        s.share = mix(fromShare, s.share, clamp(from / max(from - here, 1e-30), 0.0, 1.0));
         s.px = placeOfHit(r.screen, s.share, px, lookups);
         return kMeets;
     }

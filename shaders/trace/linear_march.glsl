@@ -58,7 +58,8 @@ March march(Ray r) {
                 return result;
             nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
         }
-        before = s;
+        if (i > settings.selfCollisionSkip || s.rayZ < s.sceneZ)
+            before = s; // what was crossed in skipped iterations is met by the first that counts
     }
 
     bool endsBehind = before.rayZ >= before.sceneZ && before.share > 0.0;

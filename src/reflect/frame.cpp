@@ -114,7 +114,6 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     prepareSurface(frame, inputs.depth.desc().samples > 1);
     if (frame.rehearsing())
         prepareSurface(frame, true);
-    prepareBackFaces(frame);
 }
 
 /// Else the host's image of it is as good.
@@ -231,7 +230,7 @@ void FrameState::compose(gpu::Frame& frame) {
                                                   settings.debug.outcome,
                                                   settings.reflect.strength,
                                                   settings.reflect.falloffExponent,
-                                                  static_cast<uint32_t>(settings.screen.maxSteps)};
+                                                  traceConstants(settings, hasBackFaces).maxSteps};
     frame.pass(pipelines.composite)
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
@@ -271,7 +270,7 @@ void FrameState::bringUpToDate(gpu::Frame& frame) {
 
 void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
     bringUpToDate(frame);
-    const shared::ViewConstants constants = {which, static_cast<uint32_t>(desc.settings.screen.maxSteps)};
+    const shared::ViewConstants constants = {which, traceConstants(desc.settings, hasBackFaces).maxSteps};
     frame.pass(pipelines.view)
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)

@@ -259,6 +259,7 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
     gpu::Frame frame(*state.context, commands);
     state.recordView(frame, static_cast<uint32_t>(found - reflect::kViewNames.begin()));
     frame.hand(state.viewImage, kHandedOut);
+    state_->giveBackInputs(frame);
     return handOut(state.viewImage);
 }
 
