@@ -90,7 +90,8 @@ TEST_F(DenoiseTest, mirrorsOfASmallerTraceStaySharp) {
                 continue; // at the wall's end a coarse trace may miss
             ++kept;
             const float apart = glm::length(answered(small, i) - answered(whole, i));
-            ASSERT_LT(apart, 1.5f * kPixel + kHalfStep) << "scale " << scale << ", pixel " << i % kWidth << "," << i / kWidth;
+            ASSERT_LT(apart, 1.5f * kPixel + kHalfStep)
+                << "scale " << scale << ", pixel " << i % kWidth << "," << i / kWidth;
             moved += apart > kPixel / 2;
         }
         EXPECT_GT(compared, 1000u);

@@ -19,9 +19,7 @@ struct MirrorRay {
 
 class OutcomeTest : public LibraryTest, public testing::WithParamInterface<size_t> {
 protected:
-    static Settings settings() {
-        return plainSettings(reflect::techniques()[GetParam()].march);
-    }
+    static Settings settings() { return plainSettings(reflect::techniques()[GetParam()].march); }
     static March march() { return reflect::techniques()[GetParam()].march; }
 
     static std::optional<MirrorRay> mirrorRay(const SyntheticScene& scene, const SyntheticCamera& camera, uint32_t i) {
@@ -191,30 +189,31 @@ TEST_P(OutcomeTest, hiddenAndTooThick) {
         changed.screen.maxDistance = tooThick ? 0.25f : 1.0f;
         const double length = changed.screen.maxDistance;
         const double t = static_cast<double>(changed.screen.thickness);
-        EXPECT_GT(check(scene, camera, changed,
-                        [&](const MirrorRay& ray) -> std::optional<uint32_t> {
-                            // Along the whole way behind the card, and a little beside it.
-                            double least = 1e9;
-                            double most = 0;
-                            for (int i = 1; i <= 200; ++i) {
-                                const glm::dvec3 p = ray.start + ray.direction * (length * i / 200);
-                                if (const auto gap = gapAt(p)) {
-                                    least = std::min(least, *gap);
-                                    most = std::max(most, *gap);
-                                }
-                            }
-                            const glm::dvec3 end = ray.start + ray.direction * length;
-                            const glm::dvec2 px = camera.project(end, kWidth, kHeight);
-                            const bool clear = gapAt(end + glm::dvec3(0.03, 0.03, 0)) && gapAt(end) &&
-                                               gapAt(end - glm::dvec3(0.03, 0.03, 0)) && onScreen(px, 1.5);
-                            if (!clear || most == 0)
-                                return std::nullopt;
-                            if (tooThick ? least > 1.05 * t && most < 1.95 * t : least > 2.1 * t)
-                                return tooThick ? shared::kOutcomeTooThick : shared::kOutcomeHidden;
-                            return std::nullopt;
-                        },
-                        // What hiz passes in large cells, behind their slabs, it does not look at closely.
-                        march() == March::Hiz ? std::optional(shared::kOutcomeHidden) : std::nullopt),
+        EXPECT_GT(check(
+                      scene, camera, changed,
+                      [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+                          // Along the whole way behind the card, and a little beside it.
+                          double least = 1e9;
+                          double most = 0;
+                          for (int i = 1; i <= 200; ++i) {
+                              const glm::dvec3 p = ray.start + ray.direction * (length * i / 200);
+                              if (const auto gap = gapAt(p)) {
+                                  least = std::min(least, *gap);
+                                  most = std::max(most, *gap);
+                              }
+                          }
+                          const glm::dvec3 end = ray.start + ray.direction * length;
+                          const glm::dvec2 px = camera.project(end, kWidth, kHeight);
+                          const bool clear = gapAt(end + glm::dvec3(0.03, 0.03, 0)) && gapAt(end) &&
+                                             gapAt(end - glm::dvec3(0.03, 0.03, 0)) && onScreen(px, 1.5);
+                          if (!clear || most == 0)
+                              return std::nullopt;
+                          if (tooThick ? least > 1.05 * t && most < 1.95 * t : least > 2.1 * t)
+                              return tooThick ? shared::kOutcomeTooThick : shared::kOutcomeHidden;
+                          return std::nullopt;
+                      },
+                      // What hiz passes in large cells, behind their slabs, it does not look at closely.
+                      march() == March::Hiz ? std::optional(shared::kOutcomeHidden) : std::nullopt),
                   20u)
             << (tooThick ? "too thick" : "hidden");
     }

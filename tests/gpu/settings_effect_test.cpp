@@ -311,7 +311,8 @@ TEST_F(SettingsEffectTest, clipToFrustumSavesNoHitAndChangesNone) {
             if (clipped.hit(i) && whole.hit(i)) {
                 ++both;
                 ASSERT_LT(glm::length(clipped.hitPX(i) - whole.hitPX(i)), 1) << i;
-            } else if (clipped.answered(i) != whole.answered(i) && (whole.hit(i) || technique.march != March::Adaptive)) {
+            } else if (clipped.answered(i) != whole.answered(i) &&
+                       (whole.hit(i) || technique.march != March::Adaptive)) {
                 ASSERT_LT(inside(clipped.hit(i) ? clipped : whole, i), 1) << i << ": only before the border";
             }
         }
@@ -520,12 +521,13 @@ TEST_F(SettingsEffectTest, iterationsFadeToTheLastOne) {
     settings.fade.iterations = true;
     settings.screen.maxSteps = 90;
     const Picture linear = show(settings);
-    // One iteration a pixel, up to the first behind the wall's plane, or the next where that is behind the pixel's depth.
+    // One iteration a pixel, up to the first behind the wall's plane, or the next where that is behind the pixel's
+    // depth.
     expectWeights(
         linear,
         [&](glm::dvec2 uv, uint32_t i) {
-            const glm::dvec2 way = glm::abs(uv * glm::dvec2(kWidth, kHeight) -
-                                            glm::dvec2(i % kWidth + 0.5, i / kWidth + 0.5));
+            const glm::dvec2 way =
+                glm::abs(uv * glm::dvec2(kWidth, kHeight) - glm::dvec2(i % kWidth + 0.5, i / kWidth + 0.5));
             return 1 - (std::max(way.x, way.y) + 1) / 90;
         },
         1.0 / 90 + kWeightStep);

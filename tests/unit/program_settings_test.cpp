@@ -27,12 +27,14 @@ protected:
 };
 
 TEST_F(ProgramSettingsTest, SceneThenPresetThenFileThenSet) {
-    const auto loaded = loadSettings({{"screen.maxSteps=5", "screen.selfCollisionSkip=2", "screen.step=9"},
-                                      "fast",
-                                      file_,
-                                      {"display.exposure=2", "display.exposure=3"}});
+    const auto loaded = loadSettings(
+        {{"hiz.maxIterations=5", "screen.selfCollisionSkip=2", "screen.resolutionScale=0.9", "screen.step=9"},
+         "fast",
+         file_,
+         {"display.exposure=2", "display.exposure=3"}});
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
-    EXPECT_EQ(loaded->reflections.screen.maxSteps, 128);
+    EXPECT_EQ(loaded->reflections.hiz.maxIterations, 64);
+    EXPECT_EQ(loaded->reflections.screen.resolutionScale, 0.5f);
     EXPECT_EQ(loaded->reflections.screen.step, 4);
     EXPECT_EQ(loaded->reflections.screen.selfCollisionSkip, 2);
     EXPECT_EQ(loaded->render.display.exposure, 3);

@@ -44,6 +44,9 @@ TEST(SettingsNames, AThicknessInMetresActsWhateverModeIsTheDefault) {
         Settings settings;
         ASSERT_TRUE(set(settings, name, "0.2").ok());
         EXPECT_EQ(settings.screen.thickness, 0.2f) << name;
+        EXPECT_EQ(settings.screen.thicknessMode, ThicknessMode::Backface) << name << ": an offset on top";
+        settings.screen.thicknessMode = ThicknessMode::Relative; // where it would not act
+        ASSERT_TRUE(set(settings, name, "0.3").ok());
         EXPECT_EQ(settings.screen.thicknessMode, ThicknessMode::Constant) << name;
     }
 }
