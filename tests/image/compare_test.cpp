@@ -36,7 +36,7 @@ const cli::Comparison& comparison() {
         cli::Comparison result =
             must(cli::compareConfigs(*context,
                                      {config("builtin:exact", "screen.march=linear,fade.border=none"),
-                                      config("builtin:exact", "screen.march=linear,screen.step=16,screen.smooth=false"),
+                                      config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
                                       config("builtin:exact", "screen.enabled=false")},
                                      2));
         for (const std::string& message : context->validationMessages())
