@@ -33,12 +33,12 @@ cli::ComparedConfig config(const std::string& scene, const std::string& text) {
 const cli::Comparison& comparison() {
     static const cli::Comparison made = [] {
         const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
-        cli::Comparison result =
-            must(cli::compareConfigs(*context,
-                                     {config("builtin:exact", "screen.march=linear,fade.border=none"),
-                                      config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
-                                      config("builtin:exact", "screen.enabled=false")},
-                                     2));
+        cli::Comparison result = must(cli::compareConfigs(
+            *context,
+            {config("builtin:exact", "screen.march=linear,fade.border=none"),
+             config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
+             config("builtin:exact", "screen.enabled=false")},
+            2));
         for (const std::string& message : context->validationMessages())
             ADD_FAILURE() << "validation: " << message;
         return result;
