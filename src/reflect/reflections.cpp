@@ -125,6 +125,7 @@ struct Reflections::State {
                                          : frame->expectBackFaces(0, 0);
     }
     void note();
+    void giveBack(gpu::Frame& recording);
 };
 
 /// What settings and inputs together leave undone.
@@ -139,6 +140,24 @@ void Reflections::State::note() {
     if (wantsBackFaces() && !gbuffer.backDepth)
         notes.emplace_back("no backDepth: screen.thicknessMode backface takes every surface to be as thick as "
                            "screen.thickness says");
+}
+
+/// The host finds its images in the layouts in which it gave them.
+void Reflections::State::giveBack(gpu::Frame& recording) {
+    reflect::Inputs& inputs = frame->inputs;
+    const auto hand = [&](gpu::Image& image, const HostImage& original) {
+        if (image)
+            recording.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
+    };
+    hand(inputs.depth, gbuffer.depth);
+    hand(inputs.normal, gbuffer.normal);
+    hand(inputs.material, gbuffer.material);
+    hand(inputs.baseColor, gbuffer.baseColor);
+    hand(inputs.litRadiance, gbuffer.litRadiance);
+    hand(inputs.fallbackSpecular, gbuffer.fallbackSpecular);
+    hand(inputs.backDepth, gbuffer.backDepth);
+    hand(inputs.motion, gbuffer.motion);
+    hand(inputs.environment, environment.cube);
 }
 
 Reflections::Reflections(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -220,20 +239,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     gpu::Frame frame(*state.context, commands, state.timers.get());
     state.record(frame, view);
     frame.hand(state.composite, kHandedOut);
-    // The host finds its images in the layouts in which it gave them.
-    const auto giveBack = [&](gpu::Image& image, const HostImage& original) {
-        if (image)
-            frame.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
-    };
-    giveBack(inputs.depth, host.depth);
-    giveBack(inputs.normal, host.normal);
-    giveBack(inputs.material, host.material);
-    giveBack(inputs.baseColor, host.baseColor);
-    giveBack(inputs.litRadiance, host.litRadiance);
-    giveBack(inputs.fallbackSpecular, host.fallbackSpecular);
-    giveBack(inputs.backDepth, host.backDepth);
-    giveBack(inputs.motion, host.motion);
-    giveBack(inputs.environment, state_->environment.cube);
+    state_->giveBack(frame);
     return handOut(state.composite);
 }
 
@@ -247,6 +253,7 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
     gpu::Frame frame(*state.context, commands);
     state.recordView(frame, static_cast<uint32_t>(found - reflect::kViewNames.begin()));
     frame.hand(state.viewImage, kHandedOut);
+    state_->giveBack(frame);
     return handOut(state.viewImage);
 }
 
