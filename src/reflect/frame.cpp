@@ -113,7 +113,6 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     prepareSurface(frame, inputs.depth.desc().samples > 1);
     if (frame.rehearsing())
         prepareSurface(frame, true);
-    prepareBackFaces(frame);
 }
 
 /// Else the host's image of it is as good.
