@@ -224,7 +224,7 @@ void FrameState::compose(gpu::Frame& frame) {
                                                   settings.debug.outcome,
                                                   settings.reflect.strength,
                                                   settings.reflect.falloffExponent,
-                                                  static_cast<uint32_t>(settings.screen.maxSteps)};
+                                                  traceConstants(settings, hasBackFaces).maxSteps};
     frame.pass(pipelines.composite)
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
@@ -259,7 +259,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         combine(frame);
         upToDate = !frame.rehearsing();
     }
-    const shared::ViewConstants constants = {which, static_cast<uint32_t>(desc.settings.screen.maxSteps)};
+    const shared::ViewConstants constants = {which, traceConstants(desc.settings, hasBackFaces).maxSteps};
     frame.pass(pipelines.view)
         .read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
