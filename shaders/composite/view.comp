@@ -50,7 +50,7 @@ void main() {
     RayRecord ray = RayRecord(vec2(0.0), 0.0, 0u, kOutcomeNone);
     if (!background)
         ray = unpackRayRecord(texelFetch(rayRecord, fullToTracePixel(frame.constants, px), 0).xy);
-    bool hit = ray.outcome == kOutcomeHit;
+    bool hit = isAnswered(ray.outcome);
 
     vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
     switch (settings.view) {

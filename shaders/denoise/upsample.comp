@@ -191,7 +191,7 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
         vec2 near = max(1.0 - abs(tap.px - vec2(px)) / frame.constants.traceScale, 0.001);
         float weight = tap.similarity * near.x * near.y;
         RayRecord ray = rayOf(tracePX);
-        if (ray.outcome == kOutcomeSide || ray.outcome == kOutcomeBackFace) // an answer, but from no place that could be aimed at
+        if (isAnswered(ray.outcome) && ray.outcome != kOutcomeHit) // from no place that could be aimed at
             return false;
         if (ray.outcome != kOutcomeHit) {
             misses += weight;

@@ -12,6 +12,11 @@ struct RayRecord {
     uint outcome;      // kOutcome*
 };
 
+/// Did the ray bring back a colour?
+bool isAnswered(uint outcome) {
+    return outcome == kOutcomeHit || outcome == kOutcomeSide || outcome == kOutcomeBackFace;
+}
+
 uvec2 packRayRecord(RayRecord ray) {
     const float kLargestHalf = 65504.0;
     uint distance = packHalf2x16(vec2(min(ray.hitDistance, kLargestHalf), 0.0)) & 0xffffu;

@@ -14,7 +14,8 @@ GLINT_CONSTANT(uint, kOutcomeBehindCamera, 4); // reached the near plane
 GLINT_CONSTANT(uint, kOutcomeMaxDistance, 5);  // reached screen.maxDistance in front of everything
 GLINT_CONSTANT(uint, kOutcomeOutOfSteps, 6);   // screen.maxSteps were not enough; never a hit
 GLINT_CONSTANT(uint, kOutcomeHidden, 7);       // ended behind what the picture shows there
-GLINT_CONSTANT(uint, kOutcomeTooThick, 8);     // the same, but a slab of twice the thickness would have been met
+GLINT_CONSTANT(uint, kOutcomeTooThick, 8);     // the same, but a slab of twice the thickness would have been met (hiz
+                                               // says hidden where it passed in cells and not in pixels)
 GLINT_CONSTANT(uint, kOutcomeBackFace, 9);     // met a surface from its unseen side
 GLINT_CONSTANT(uint, kOutcomeSide, 10);        // ran into the slab behind a surface: answered with its front's colour
 GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 11); // not traced: reflects too little

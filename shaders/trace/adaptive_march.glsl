@@ -13,6 +13,18 @@ void refine(ScreenRay ray, inout float front, inout Sample behind, inout uint lo
     }
 }
 
+/// Meets the surface where the step that ends at `s` goes behind the picture; `s` moves there.
+uint meetRefined(Ray r, float from, inout Sample s, inout uint lookups) {
+    float front = from;
+    refine(r.screen, front, s, lookups);
+    // The search ends where the ray goes behind the depth of a pixel's centre; it meets the plane through that centre
+    // anywhere in the pixel.
+    float halfPixel = 0.5 / screenPixels(r.screen);
+    s.share += halfPixel;
+    s.rayZ = rayViewZ(r.screen, s.share);
+    return meetSurface(r, max(front - halfPixel, from), s, lookups);
+}
+
 March march(Ray r) {
     ScreenRay ray = r.screen;
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
@@ -40,16 +52,24 @@ March march(Ray r) {
             nearlyThickEnough = false;
         } else if (i > settings.selfCollisionSkip) {
             Sample hit = s;
-            float from = before.share;
+            uint met = kInFront;
             if (isInFront)
-                refine(ray, from, hit, result.lookups);
-            uint met = meetSurface(r, from, hit, result.lookups);
+                met = meetRefined(r, before.share, hit, result.lookups);
+            if (met == kInFront) { // where the search ended; the step goes on
+                hit = s;
+                met = meetSurface(r, before.share, hit, result.lookups);
+                // The plane was met far from the pixel that shows it: not its surface, as far as the picture tells.
+                vec2 apart = abs(ray.startPX + ray.deltaPX * hit.share - hit.px);
+                if (met == kMeets && max(apart.x, apart.y) > 1.0)
+                    met = kPasses;
+            }
             if (endsMarch(met, hit, result))
                 return result;
             nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
             isInFront = false;
         }
-        before = s;
+        if (i > settings.selfCollisionSkip || s.rayZ < s.sceneZ)
+            before = s; // what was crossed in skipped steps is met by the first that counts
     }
 
     if (clip && ray.screenEnd < 1.0)

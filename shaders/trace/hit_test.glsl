@@ -15,6 +15,9 @@ const float kBackFaceLimit = -0.17;
 const float kOwnNormal = 0.9;
 const float kOwnPlane = 0.15;
 
+/// How exactly depth places a surface, in parts of its distance.
+const float kDepthRounding = 1e-5;
+
 /// So close behind the front, in parts of its distance, a ray from beside meets what the picture shows.
 const float kAtSurface = 0.005;
 
@@ -67,12 +70,13 @@ vec3 normalAt(vec2 px) {
     return unpackSurface(texelFetch(surface, ivec2(px), 0).xy).normalVS;
 }
 
-const uint kPasses = 0u;      // in front of the surface, or far behind it
+const uint kPasses = 0u;      // far behind the surface
 const uint kMeets = 1u;       // its front
 const uint kMeetsSide = 2u;   // its slab, from beside
 const uint kMeetsBehind = 3u; // its slab, from behind
 const uint kGrazes = 4u;      // its slab, but it is the surface that the ray starts from
 const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
+const uint kInFront = 6u;     // not behind the surface's plane, though behind the depth of the pixel's centre
 
 /// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if it
 /// shows the same surface, by depth and normal, so that positions are exact, else `px`, so that no other surface lends
@@ -90,6 +94,14 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
     return clamp(at, vec2(px), vec2(px) + 0.999);
 }
 
+/// So far behind a pixel's plane, in metres, a point may be that lay in front of the depth of a pixel's centre: as far as
+/// the plane rises over half a pixel.
+float planeSlack(vec3 normalVS, float sceneZ) {
+    float spread = isOrthographic(frame.constants) ? 1.0 : sceneZ;
+    vec2 pixel = abs(frame.constants.uvToView.xy) * frame.constants.invSize * spread;
+    return 0.5 * dot(abs(normalVS.xy), pixel) + kDepthRounding * sceneZ;
+}
+
 /// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
 /// `s` moves to where it does.
 uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
@@ -104,13 +116,14 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     float heightFrom = dot(normalVS, fromVS - surfaceVS);
     float heightHere = dot(normalVS, hereVS - surfaceVS);
     if (heightHere > 0.0 && heightFrom > 0.0)
-        return kPasses; // perhaps behind the pixel's centre, but not behind its plane
+        return kInFront;
     bool own = isOwnSurface(surfaceVS, normalVS, r);
     bool faces = facesRay(normalVS, own, r);
-    if (faces && heightFrom >= 0.0) {
-        // Heights are linear along the ray in 3D, shares on screen: over this step both are, closely.
-        float meets = heightFrom / max(heightFrom - heightHere, 1e-30);
-        s.share = mix(fromShare, s.share, clamp(meets, 0.0, 1.0));
+    if (faces && heightFrom >= -planeSlack(normalVS, s.sceneZ)) {
+        // Heights are linear along the ray in 3D; over w, on screen.
+        float from = heightFrom * mix(r.screen.startInvW, r.screen.endInvW, fromShare);
+        float here = heightHere * mix(r.screen.startInvW, r.screen.endInvW, s.share);
+        s.share = mix(fromShare, s.share, clamp(from / max(from - here, 1e-30), 0.0, 1.0));
         s.px = placeOfHit(r.screen, s.share, px, lookups);
         return kMeets;
     }
@@ -123,9 +136,13 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
 }
 
+bool isEnd(uint met) {
+    return met == kMeets || met == kMeetsSide || met == kMeetsBehind;
+}
+
 /// Ends the march if `met` ends it.
 bool endsMarch(uint met, Sample s, inout March march) {
-    if (met != kMeets && met != kMeetsSide && met != kMeetsBehind)
+    if (!isEnd(met))
         return false;
     march.share = s.share;
     march.hitPX = s.px;

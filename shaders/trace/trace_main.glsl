@@ -55,7 +55,7 @@ void main() {
     ray.screen = makeScreenRay(frame.constants, originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);
 
-    bool hit = end.outcome == kOutcomeHit || end.outcome == kOutcomeSide || end.outcome == kOutcomeBackFace;
+    bool hit = isAnswered(end.outcome);
     vec2 endPX = hit ? end.hitPX : ray.screen.startPX + ray.screen.deltaPX * end.share;
     RayRecord record;
     record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
