@@ -125,8 +125,8 @@ TEST_F(ColorSourceTest, hitsAreFoundAgainWhenTheCameraMoves) {
         size_t remembered = 0;
         size_t elsewhere = 0;
         for (size_t i = 0; i < picture.pixels(); ++i) {
-            if (!picture.hit(i))
-                continue;
+            if (!picture.hit(i) || picture.hitDistance[i * 4] < 1e-3f)
+                continue; // the floor's last row may start on the wall itself
             ++hits;
             const double error = std::abs(picture.reflection[i * 4] - expected.reflection[i * 4]) +
                                  std::abs(picture.reflection[i * 4 + 1] - expected.reflection[i * 4 + 1]);

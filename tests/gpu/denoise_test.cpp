@@ -70,7 +70,10 @@ TEST_F(DenoiseTest, resolutionScaleTracesFewerRays) {
 }
 
 TEST_F(DenoiseTest, mirrorsOfASmallerTraceStaySharp) {
-    // The wall shows its own position, so a colour is a hit position: a pixel of the whole trace is 0.02 m there.
+    // The wall shows its own position, so a colour is a hit position: a pixel of the whole trace is 0.077 m there, and
+    // a hit on the border of two, or the corner of four, may show any.
+    constexpr float kPixel = 0.077f;
+    constexpr float kHalfStep = 1.0f / 128; // of a colour of 8 to 16, stored as a half
     Settings settings = plainSettings();
     const Picture whole = show(floorAndWall(), settings);
     for (const float scale : {0.7f, 0.5f, 0.25f}) {
@@ -78,18 +81,22 @@ TEST_F(DenoiseTest, mirrorsOfASmallerTraceStaySharp) {
         const Picture small = show(floorAndWall(), settings);
         size_t compared = 0;
         size_t kept = 0;
+        size_t moved = 0;
         for (size_t i = 0; i < whole.pixels(); ++i) {
-            if (!whole.hit(i))
-                continue;
+            if (!whole.hit(i) || whole.hitDistance[i * 4] < 1e-3f)
+                continue; // the floor's last row may start on the wall itself
             ++compared;
             if (small.weight[i * 4] < 0.99f)
                 continue; // at the wall's end a coarse trace may miss
             ++kept;
-            ASSERT_LT(glm::length(answered(small, i) - answered(whole, i)), 0.04f)
+            const float apart = glm::length(answered(small, i) - answered(whole, i));
+            ASSERT_LT(apart, 1.5f * kPixel + kHalfStep)
                 << "scale " << scale << ", pixel " << i % kWidth << "," << i / kWidth;
+            moved += apart > kPixel / 2;
         }
         EXPECT_GT(compared, 1000u);
         EXPECT_GE(kept, compared * 98 / 100) << scale;
+        EXPECT_LE(moved, compared / 100) << scale;
     }
 }
 

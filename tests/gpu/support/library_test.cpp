@@ -49,9 +49,10 @@ double Picture::meanWeight() const {
     return hits ? sum / static_cast<double>(hits) : 0;
 }
 
-Settings LibraryTest::plainSettings() {
+Settings LibraryTest::plainSettings(March march) {
     // Numbers of the tests' own: defaults are chosen by measurement and may move.
     Settings settings;
+    settings.screen.march = march;
     settings.fade.border = FadeBorder::None;
     settings.screen.thicknessMode = ThicknessMode::Constant;
     settings.screen.thickness = 0.1f;
@@ -59,6 +60,13 @@ Settings LibraryTest::plainSettings() {
     settings.reflect.roughnessFadeStart = 0.3f;
     settings.reflect.maxRoughness = 0.6f;
     return settings;
+}
+
+void LibraryTest::limitIterations(Settings& settings, int most) {
+    if (settings.screen.march == March::Linear)
+        settings.screen.maxSteps = most;
+    else if (settings.screen.march == March::Hiz)
+        settings.hiz.maxIterations = most;
 }
 
 Reflections LibraryTest::reflections(uint32_t width, uint32_t height, const Settings& settings) {

@@ -31,6 +31,10 @@ struct Picture {
     /// kOutcome*, told by its colour; every outcome has its own.
     uint32_t outcome(size_t pixel) const;
     bool hit(size_t pixel) const { return outcome(pixel) == shared::kOutcomeHit; }
+    /// Met something whose colour it took: a front, or the slab behind one.
+    bool answered(size_t pixel) const {
+        return hit(pixel) || outcome(pixel) == shared::kOutcomeSide || outcome(pixel) == shared::kOutcomeBackFace;
+    }
     /// Pixels with this outcome, as the statistics count them.
     uint64_t counted(std::string_view outcome) const;
     double meanWeight() const;
@@ -39,7 +43,9 @@ struct Picture {
 class LibraryTest : public GpuTest {
 protected:
     /// All fades off: a hit has weight 1.
-    static Settings plainSettings();
+    static Settings plainSettings(March march = March::Hiz);
+    /// Limits the marcher's iterations, by the setting that limits its own; adaptive has none.
+    static void limitIterations(Settings& settings, int most);
     static Reflections reflections(uint32_t width, uint32_t height, const Settings& settings = plainSettings());
     /// Records one frame and asks for all there is to know.
     static Picture trace(Reflections& reflections, const View& view);
