@@ -46,8 +46,10 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render)
     program.set_help_all_flag("--help-all", "Print the help of every command");
     program.require_subcommand(1);
     Command chosen;
-    if (render)
+    if (render) {
         addRenderCommand(program, chosen, render);
+        addInspectCommand(program, chosen, render);
+    }
     addCompareCommand(program, chosen);
     addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);

@@ -10,7 +10,7 @@ constexpr int kFailed = 1;   ///< at work: a device, the memory, the disk
 constexpr int kBadInput = 2; ///< arguments or files that cannot be used
 
 /// Runs the command line and returns the exit code; an error is one line on standard error.
-/// `render`  does the work of `glint render`; without it that command is not there
+/// `render`  does the work of `glint render` and `inspect`; without it these commands are not there
 int runProgram(int argc, const char* const* argv, const render::RenderFunction& render);
 
 } // namespace glint::cli

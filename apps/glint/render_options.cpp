@@ -100,24 +100,28 @@ std::string sceneHelp() {
     return "A .gltf or .glb file, or " + sceneList();
 }
 
-void addRenderOptions(CLI::App& command, RenderOptions& options) {
+void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("SCENE", options.scene, sceneHelp())->required();
-    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
-        ->capture_default_str();
     addSceneOptions(command, options);
     command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
-    command.add_option("--frames", options.frames, "Frames to render; the last one is written")->capture_default_str();
-    command.add_option("--view", options.views, "What to show, several parted by commas: " + viewNames())
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON");
+    command.add_option("--frames", options.frames, "Frames to render; the last one counts")->capture_default_str();
     command.add_option("--preset", options.settings.preset, "Settings to start from: " + presetList());
     command.add_option("--settings", options.settings.file, "Settings file (JSON), stronger than the preset");
     command.add_option("--set", options.settings.assignments, "KEY=VALUE, strongest; may be repeated (glint settings)")
         ->allow_extra_args(false);
 }
 
-Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
+void addRenderOptions(CLI::App& command, RenderOptions& options) {
+    addPictureOptions(command, options);
+    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
+        ->capture_default_str();
+    command.add_option("--view", options.views, "What to show, several parted by commas: " + viewNames())
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON");
+}
+
+Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     render::RenderJob job;
     job.scene = options.scene;
     job.camera = options.camera;
@@ -133,7 +137,15 @@ Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
     if (options.frames < 1 || options.frames > kMaxFrames)
         return invalidArgument("--frames {}: expected 1 to {}", options.frames, kMaxFrames);
     job.frames = static_cast<uint32_t>(options.frames);
+    render::SettingsRequest request = options.settings;
+    request.defaults = sceneDefaults(options.scene);
+    GLINT_TRY(settings, render::loadSettings(request));
+    job.settings = std::move(settings);
+    return job;
+}
 
+Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
+    GLINT_TRY(job, makePictureJob(options));
     GLINT_TRY(kind, pictureKind(options.output));
     GLINT_CHECK(checkFolder("-o", options.output));
     job.display = kind == PictureKind::Png;
@@ -143,11 +155,6 @@ Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
         GLINT_CHECK(checkFolder("--stats", options.statsFile));
         job.statistics = true;
     }
-
-    render::SettingsRequest request = options.settings;
-    request.defaults = sceneDefaults(options.scene);
-    GLINT_TRY(settings, render::loadSettings(request));
-    job.settings = std::move(settings);
     return job;
 }
 

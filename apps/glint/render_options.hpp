@@ -30,6 +30,8 @@ struct RenderOptions {
 };
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
+/// Those of a command that renders one picture: the scene and its options, size, frames, settings.
+void addPictureOptions(CLI::App& command, RenderOptions& options);
 /// Those of every command that renders a scene: camera, environment, time, seed, device.
 void addSceneOptions(CLI::App& command, RenderOptions& options);
 /// What SCENE may be.
@@ -40,6 +42,10 @@ Result<void> readSize(std::string_view option, const std::string& text, render::
 
 /// Errors: NotFound if the folder that `file` is to be written to is not there.
 Result<void> checkFolder(std::string_view option, const std::string& file);
+
+/// Without what is written: views, files, figures. Errors: InvalidArgument, InvalidInput or NotFound, each naming its
+/// option.
+Result<render::RenderJob> makePictureJob(const RenderOptions& options);
 
 /// Errors: InvalidArgument, InvalidInput or NotFound, each naming its option. All that can be known before the scene is
 /// read is checked here, so that a long job does not fail at its end for a misspelt name.

@@ -17,11 +17,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+} // namespace
+
+Result<std::vector<uint8_t>> displayedBytes(const render::RenderedView& view) {
+    GLINT_TRY(info, render::findView(view.name));
+    return info->kind == render::ViewKind::Radiance ? view.rgb8 : render::displayBytes(info->kind, view.rgba);
+}
+
+namespace {
+
 Result<void> writePngs(const std::string& path, const render::RenderResult& result) {
     for (const render::RenderedView& view : result.views) {
-        GLINT_TRY(info, render::findView(view.name));
-        const bool radiance = info->kind == render::ViewKind::Radiance;
-        const std::vector<uint8_t> rgb = radiance ? view.rgb8 : render::displayBytes(info->kind, view.rgba);
+        GLINT_TRY(rgb, displayedBytes(view));
         const bool first = &view == &result.views.front();
         GLINT_CHECK(scene::writePng(first ? path : pathForView(path, view.name), result.width, result.height, 3, rgb));
     }

@@ -20,6 +20,9 @@ Result<PictureKind> pictureKind(std::string_view path);
 /// "out.png" and "depth" make "out.depth.png".
 std::string pathForView(const std::string& path, std::string_view view);
 
+/// RGB as a PNG shows it. Errors: InvalidArgument for an unknown view.
+Result<std::vector<uint8_t>> displayedBytes(const render::RenderedView& view);
+
 /// PNG: a file a view, the first under `path` itself, the others under pathForView. EXR: one file, the first view bare
 /// (R, G, B, A), the others as layers with their names. Errors: Io.
 Result<void> writePictures(const std::string& path, const render::RenderResult& result);

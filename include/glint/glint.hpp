@@ -4,6 +4,7 @@
 #include "glint/context.hpp"
 #include "glint/error.hpp"
 #include "glint/gbuffer.hpp"
+#include "glint/inspection.hpp"
 #include "glint/reflections.hpp"
 #include "glint/settings.hpp"
 #include "glint/view.hpp"

@@ -4,6 +4,7 @@
 #include "glint/api.hpp"
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
+#include "glint/inspection.hpp"
 #include "glint/settings.hpp"
 #include "glint/view.hpp"
 
@@ -31,6 +32,7 @@ struct ReflectionsDesc {
     Settings settings;
     bool statistics = false; ///< count outcomes and lookups each frame (a small pass more)
     bool views = false;      ///< keep an image for debug views
+    bool inspection = false; ///< make what recordInspection needs: a pipeline a marcher more, and 256 KiB
 };
 
 struct PassTime {
@@ -82,6 +84,15 @@ public:
     /// Errors: InvalidArgument lists the views.
     Result<HostImage> recordView(VkCommandBuffer commands, std::string_view name);
     static std::vector<std::string_view> viewNames();
+
+    /// Records the trace of the one ray of pixel (x, y), counted from the top left, of the frame recorded last, and
+    /// writes down all that it does (needs ReflectionsDesc::inspection). The host's images must still hold that frame,
+    /// in the layouts in which it handed them over. Traces with the frame's own settings, into its own images: they
+    /// keep their bits.
+    /// Errors: InvalidArgument if nothing was recorded, or the pixel lies outside the picture.
+    Result<void> recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y);
+    /// Of the pixel inspected last; call when the GPU has finished it.
+    RayInspection inspection() const;
 
     /// GPU time of each pass of the newest frame that the GPU has finished. Never waits.
     std::vector<PassTime> passTimes();

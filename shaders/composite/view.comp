@@ -34,10 +34,26 @@ vec3 sourceColor(vec4 shares) {
     return shares.x >= shares.y ? vec3(0.1, 0.8, 0.2) : vec3(0.25, 0.6, 0.9);
 }
 
+/// Unity HDRP's colours; a side is neither of the two.
+vec3 successColor(uint outcome) {
+    if (outcome == kOutcomeNone || outcome >= kOutcomeBelowThreshold)
+        return vec3(0.0);
+    if (outcome == kOutcomeSide)
+        return vec3(0.95, 0.85, 0.4);
+    return outcome == kOutcomeHit ? vec3(0.55, 0.95, 0.55) : vec3(0.6, 0.8, 1.0);
+}
+
 vec3 rayDirectionWS(ivec2 px, Surface here, float z) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
     return mat3(frame.constants.viewToWorld) * reflect(toSurfaceVS, here.normalVS);
+}
+
+/// viewZ of what the picture shows where the ray hit.
+float hitDepth(RayRecord ray) {
+    ivec2 px = min(ivec2(ray.hitUV * frame.constants.size), ivec2(frame.constants.size) - 1);
+    float z = texelFetch(viewZ, px, 0).r;
+    return z < kBackgroundZ ? z : 0.0;
 }
 
 void main() {
@@ -92,6 +108,15 @@ void main() {
         break;
     case kViewRayDirection:
         value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z);
+        break;
+    case kViewColor:
+        value.rgb = texelFetch(radianceWeight, px, 0).a > 0.0 ? texelFetch(radianceWeight, px, 0).rgb : vec3(0.0);
+        break;
+    case kViewHitDepth:
+        value.rgb = vec3(hit ? hitDepth(ray) : 0.0);
+        break;
+    case kViewHitSuccess:
+        value.rgb = successColor(ray.outcome);
         break;
     case kViewRay:
         value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));

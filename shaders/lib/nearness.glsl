@@ -13,4 +13,11 @@ float nearnessOf(FrameConstants frame, float viewZ) {
     return nearnessOf(isOrthographic(frame), viewZ);
 }
 
+/// The inverse; kBackgroundZ for all that is farther than any surface.
+float viewZOf(FrameConstants frame, float nearness) {
+    if (isOrthographic(frame))
+        return min(-nearness, kBackgroundZ);
+    return nearness > 1.0 / kBackgroundZ ? 1.0 / nearness : kBackgroundZ;
+}
+
 #endif

@@ -96,7 +96,10 @@ GLINT_CONSTANT(uint, kViewHitDistance, 10);
 GLINT_CONSTANT(uint, kViewLookups, 11);
 GLINT_CONSTANT(uint, kViewRayDirection, 12);
 GLINT_CONSTANT(uint, kViewRay, 13); // for programs: hitUV, outcome, lookups
-GLINT_CONSTANT(uint, kViewCount, 14);
+GLINT_CONSTANT(uint, kViewColor, 14);
+GLINT_CONSTANT(uint, kViewHitDepth, 15);
+GLINT_CONSTANT(uint, kViewHitSuccess, 16);
+GLINT_CONSTANT(uint, kViewCount, 17);
 
 GLINT_SHARED_END
 

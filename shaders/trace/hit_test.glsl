@@ -36,6 +36,7 @@ Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
     s.rayZ = rayViewZ(ray, share);
     s.sceneZ = texelFetch(viewZ, ivec2(s.px), 0).r;
     ++lookups;
+    logSample(ray, share, s.px, s.rayZ, s.sceneZ);
     return s;
 }
 
@@ -51,7 +52,9 @@ float slabEnd(vec2 px, float sceneZ, inout uint lookups) {
         if (backZ < kBackgroundZ && backZ >= sceneZ * 0.999)
             reach = max(backZ, sceneZ);
     }
-    return reach + settings.thickness + settings.thicknessRelative * sceneZ;
+    reach += settings.thickness + settings.thicknessRelative * sceneZ;
+    logSlab(px, reach);
+    return reach;
 }
 
 bool isOwnSurface(vec3 hitVS, vec3 hitNormalVS, Ray ray) {
@@ -88,6 +91,7 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
         float rayZ = rayViewZ(ray, share);
         float sceneZ = texelFetch(viewZ, there, 0).r;
         ++lookups;
+        logPlace(ray, share, at, rayZ, sceneZ);
         if (abs(sceneZ - rayZ) <= kAtSurface * rayZ && dot(normalAt(at), normalAt(vec2(px))) > kOwnNormal)
             return at;
     }
@@ -102,9 +106,7 @@ float planeSlack(vec3 normalVS, float sceneZ) {
     return 0.5 * dot(abs(normalVS.xy), pixel) + kDepthRounding * sceneZ;
 }
 
-/// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
-/// `s` moves to where it does.
-uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     ivec2 px = ivec2(s.px);
     vec3 normalVS = normalAt(s.px);
     vec3 surfaceVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, s.sceneZ);
@@ -134,6 +136,15 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     if (nearest <= slabZ)
         return faces ? kMeetsSide : own ? kGrazes : kMeetsBehind;
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
+}
+
+/// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
+/// `s` moves to where it does.
+uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+    vec2 px = s.px;
+    uint met = testSurface(r, fromShare, s, lookups);
+    logDecision(px, met == kInFront ? kSampleFront : kSamplePasses + met); // in the same order
+    return met;
 }
 
 bool isEnd(uint met) {

@@ -148,6 +148,8 @@ March march(Ray r) {
                 bool inFront = min(aboveFirst, aboveLast) >= -rounding;
                 // From a pixel before, as single pixels are tested.
                 bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
+                logCell(ray, share, cell, level, start + slope * share - aboveFirst, bounds.slab,
+                        inFront ? kSampleFront : behind ? kSampleBehind : kSampleLookInto);
                 if (!inFront && !behind) {
                     float fall = -climb * pixelShare; // a pixel
                     bool flatCell = aboveFirst >= -rounding && aboveLast < -bounds.depth &&
@@ -170,6 +172,7 @@ March march(Ray r) {
                             --level;
                             continue;
                         }
+                        logCellDecision(kSamplePasses);
                     }
                     else {
                     // The finest level that may be looked at: the cell is taken for what its bounds say.
@@ -180,10 +183,14 @@ March march(Ray r) {
                         result.share = meets;
                         result.hitPX = meetsPX;
                         result.outcome = kOutcomeHit;
+                        logCellDecision(kSampleHit);
                         return result;
                     }
+                    logCellDecision(kSamplePasses);
                     }
                 }
+            } else {
+                logCell(ray, share, cell, level, 0.0, 0.0, kSampleEmpty);
             }
         } else {
             vec2 center = vec2(px) + 0.5;
@@ -194,6 +201,7 @@ March march(Ray r) {
             s.rayZ = rayViewZ(ray, at);
             s.sceneZ = texelFetch(viewZ, px, 0).r;
             ++result.lookups;
+            logSample(ray, at, s.px, s.rayZ, s.sceneZ);
             if (s.rayZ < s.sceneZ) {
                 nearlyThickEnough = false;
             } else if (result.iterations > settings.selfCollisionSkip) {
@@ -219,6 +227,7 @@ March march(Ray r) {
         vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
         float sceneZ = texelFetch(viewZ, ivec2(endPX), 0).r;
         ++result.lookups;
+        logSample(ray, 1.0, endPX, rayViewZ(ray, 1.0), sceneZ);
         if (rayViewZ(ray, 1.0) >= sceneZ)
             result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
         else if (ray.clippedNear)

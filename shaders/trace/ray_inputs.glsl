@@ -47,4 +47,6 @@ struct March {
     uint outcome;
 };
 
+#include "trace/ray_log.glsl"
+
 #endif

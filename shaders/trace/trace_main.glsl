@@ -9,20 +9,21 @@
 layout(local_size_x = 64) in; // kRaysPerGroup
 
 float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float perceptualRoughness, float VoR) {
-    float weight = fadeRoughness(perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness);
+    float weight = logFade(kLoggedRoughness,
+                           fadeRoughness(perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness));
     if (isOn(kFadeBorderSmooth))
-        weight *= fadeBorderSmooth(hitUV);
+        weight *= logFade(kLoggedBorderSmooth, fadeBorderSmooth(hitUV));
     if (isOn(kFadeBorderLinear))
-        weight *= fadeBorderLinear(hitUV, settings.borderWidth);
+        weight *= logFade(kLoggedBorderLinear, fadeBorderLinear(hitUV, settings.borderWidth));
     if (isOn(kFadeDistance))
-        weight *= fadeDistance(hitDistance, settings.maxDistance);
+        weight *= logFade(kLoggedDistance, fadeDistance(hitDistance, settings.maxDistance));
     if (isOn(kFadeIterations))
-        weight *= fadeIterations(float(end.iterations), float(settings.maxSteps));
+        weight *= logFade(kLoggedIterations, fadeIterations(float(end.iterations), float(settings.maxSteps)));
     if (isOn(kFadeFacingCamera))
-        weight *= fadeFacingCamera(VoR);
+        weight *= logFade(kLoggedFacingCamera, fadeFacingCamera(VoR));
     if (isOn(kFadeBackface)) {
         vec3 hitNormalVS = unpackSurface(texelFetch(surface, ivec2(end.hitPX), 0).xy).normalVS;
-        weight *= fadeBackface(dot(hitNormalVS, -ray.directionVS));
+        weight *= logFade(kLoggedBackface, fadeBackface(dot(hitNormalVS, -ray.directionVS)));
     }
     return weight;
 }
@@ -70,4 +71,5 @@ void main() {
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
     storeTraced(tracePX, answer.rgb, answer.a, record);
+    logRay(ray, end, endPX, record, answer);
 }

@@ -2,6 +2,7 @@
 
 #include "reflect/conventions.hpp"
 #include "shared/outcome.h"
+#include "shared/ray_log.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -149,8 +150,9 @@ void FrameState::prepareBackFaces(gpu::Frame& frame) {
     noBackFaces = !hasBackFaces && !frame.rehearsing();
 }
 
-TraceInputs FrameState::traceInputs() {
-    return {frameConstants, inputs, prepared, rays, pyramid, hasBackFaces, usesHistory ? &history : nullptr, black};
+TraceInputs FrameState::traceInputs(Rays& list) {
+    return {frameConstants, inputs, prepared, list, pyramid, hasBackFaces, usesHistory ? &history : nullptr,
+            black,          nullptr};
 }
 
 void FrameState::classify(gpu::Frame& frame) {
@@ -185,12 +187,12 @@ void FrameState::makePyramid(gpu::Frame& frame) {
 void FrameState::trace(gpu::Frame& frame) {
     const Technique& technique = techniqueFor(desc.settings.screen.march);
     const auto index = static_cast<size_t>(&technique - techniques().data());
-    technique.record(frame, pipelines.trace[index], desc.settings, traceInputs(), traced);
+    technique.record(frame, pipelines.trace[index], desc.settings, traceInputs(rays), traced);
     untraced = false;
 }
 
 void FrameState::denoise(gpu::Frame& frame) {
-    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
+    recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(rays), traced}, denoised);
 }
 
 /// While the screen source is off, its images say that no ray was traced.
@@ -204,17 +206,21 @@ void FrameState::forgetTrace(gpu::Frame& frame) {
 }
 
 void FrameState::combine(gpu::Frame& frame) {
+    combinePass(frame, pipelines.combine).dispatch(desc.width, desc.height);
+}
+
+gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline) {
     const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled};
-    frame.pass(pipelines.combine)
-        .read("frame", frameConstants)
+    gpu::Pass pass = frame.pass(pipeline);
+    pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
         .read("radianceWeight", *denoised.answer)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
-        .push(constants)
-        .dispatch(desc.width, desc.height);
+        .push(constants);
+    return pass;
 }
 
 void FrameState::compose(gpu::Frame& frame) {
@@ -251,14 +257,19 @@ void FrameState::countOutcomes(gpu::Frame& frame) {
     frame.copyBuffer(statistics, statisticsReadback);
 }
 
+/// Makes what the last frame did not need, so that there is something to show.
+void FrameState::bringUpToDate(gpu::Frame& frame) {
+    if (upToDate)
+        return;
+    makeTables(frame);
+    prepare(frame, lastView);
+    forgetTrace(frame);
+    combine(frame);
+    upToDate = !frame.rehearsing();
+}
+
 void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
-    if (!upToDate) {
-        makeTables(frame);
-        prepare(frame, lastView);
-        forgetTrace(frame);
-        combine(frame);
-        upToDate = !frame.rehearsing();
-    }
+    bringUpToDate(frame);
     const shared::ViewConstants constants = {which, traceConstants(desc.settings, hasBackFaces).maxSteps};
     frame.pass(pipelines.view)
         .read("frame", frameConstants)
@@ -272,6 +283,34 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .write("view", viewImage)
         .push(constants)
         .dispatch(desc.width, desc.height);
+}
+
+void FrameState::recordInspection(gpu::Frame& frame, uint32_t x, uint32_t y) {
+    inspect(frame, x, y, techniqueFor(desc.settings.screen.march));
+}
+
+void FrameState::inspect(gpu::Frame& frame, uint32_t x, uint32_t y, const Technique& technique) {
+    bringUpToDate(frame);
+    const shared::InspectConstants constants = {{x, y}};
+    frame.fill(inspector->log, 0);
+    frame.pass(inspector->pixel)
+        .read("frame", frameConstants)
+        .read("viewZ", prepared.viewZ)
+        .read("surface", prepared.surface)
+        .read("material", resolvesMaterial() ? prepared.material : inputs.material, kTexels)
+        .read("rayRecord", traced.rayRecord)
+        .read("reflected", reflected.reflected)
+        .read("composite", ranPasses || frame.rehearsing() ? composite : inputs.litRadiance, kTexels)
+        .write("rays", inspector->rays.list)
+        .write("rayLog", inspector->log)
+        .push(constants)
+        .dispatch(1);
+    const auto index = static_cast<size_t>(&technique - techniques().data());
+    TraceInputs oneRay = traceInputs(inspector->rays);
+    oneRay.log = &inspector->log;
+    technique.record(frame, inspector->trace[index], desc.settings, oneRay, traced);
+    combinePass(frame, inspector->combine).readWrite("rayLog", inspector->log).dispatch(desc.width, desc.height);
+    frame.copyBuffer(inspector->log, inspector->readback);
 }
 
 // ---------------------------------------------------------------- creation
@@ -310,6 +349,10 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_CHECK(state->expectSamples(1));
     GLINT_CHECK(state->createRays());
     GLINT_CHECK(state->setSettings(desc.settings));
+    if (desc.inspection) {
+        GLINT_TRY(inspector, Inspector::create(context));
+        state->inspector = std::make_unique<Inspector>(std::move(inspector));
+    }
     GLINT_TRY(timers, gpu::Timers::create(context));
     state->timers = std::move(timers);
     GLINT_CHECK(state->rehearse());
@@ -486,14 +529,16 @@ Result<void> FrameState::rehearse() {
     prepareBackFaces(frame);
     makePyramid(frame);
     for (size_t i = 0; i < techniques().size(); ++i)
-        techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(), traced);
-    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(), traced}, denoised);
+        techniques()[i].record(frame, pipelines.trace[i], desc.settings, traceInputs(rays), traced);
+    rehearseDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(rays), traced}, denoised);
     combine(frame);
     compose(frame);
     if (desc.statistics)
         countOutcomes(frame);
     if (desc.views)
         recordView(frame, 0);
+    for (size_t i = 0; inspector && i < techniques().size(); ++i)
+        inspect(frame, 0, 0, techniques()[i]);
     return frame.firstError();
 }
 

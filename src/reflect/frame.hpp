@@ -5,6 +5,7 @@
 #include "gpu/pass.hpp"
 #include "gpu/timers.hpp"
 #include "reflect/denoise.hpp"
+#include "reflect/inspector.hpp"
 #include "reflect/stages.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/frame_constants.h"
@@ -59,8 +60,9 @@ struct FrameState {
     gpu::Image blackCube; ///< stands in for an absent environment
     gpu::Buffer statistics;
     gpu::Buffer statisticsReadback;
-    bool tablesMade = false;  ///< dfg and the stand-ins hold their content
-    bool noBackFaces = false; ///< prepared.backViewZ is cleared
+    std::unique_ptr<Inspector> inspector; ///< ReflectionsDesc::inspection
+    bool tablesMade = false;              ///< dfg and the stand-ins hold their content
+    bool noBackFaces = false;             ///< prepared.backViewZ is cleared
     View lastView;
     bool upToDate = false;                 ///< the images belong to lastView; false if its frame had nothing to do
     bool untraced = false;                 ///< `traced` says that no ray was traced
@@ -70,6 +72,7 @@ struct FrameState {
     bool historyGamma = false; ///< and that picture is sRGB-encoded
     bool usesHistory = false;  ///< this frame's hits do
     bool ranPasses = false;    ///< by the last record()
+    bool recorded = false;     ///< a frame with the settings in force
     std::unique_ptr<gpu::Timers> timers;
 
     static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
@@ -85,12 +88,14 @@ struct FrameState {
     void record(gpu::Frame& frame, const View& view);
     /// Prepares first what the last frame did not need.
     void recordView(gpu::Frame& frame, uint32_t view);
+    /// Traces one pixel's ray once more, and writes down what it does. Prepares first, as above.
+    void recordInspection(gpu::Frame& frame, uint32_t x, uint32_t y);
 
 private:
     Result<void> createImages();
     Result<void> createRays();
     Result<void> createPyramid();
-    TraceInputs traceInputs();
+    TraceInputs traceInputs(Rays& list);
     Result<void> rehearse();
     void makeTables(gpu::Frame& frame);
     void turnHistory();
@@ -105,6 +110,9 @@ private:
     void denoise(gpu::Frame& frame);
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);
+    gpu::Pass combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline);
+    void bringUpToDate(gpu::Frame& frame);
+    void inspect(gpu::Frame& frame, uint32_t x, uint32_t y, const Technique& technique);
     void compose(gpu::Frame& frame);
     void countOutcomes(gpu::Frame& frame);
 };

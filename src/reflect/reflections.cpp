@@ -118,6 +118,8 @@ struct Reflections::State {
     EnvironmentMap environment;
     std::vector<std::string> notes;
 
+    void lendInputs();
+    void giveBackInputs(gpu::Frame& recording);
     bool wantsBackFaces() const { return frame->desc.settings.screen.thicknessMode == ThicknessMode::Backface; }
     Result<void> expectBackFaces() {
         const HostImage& image = gbuffer.backDepth;
@@ -125,8 +127,38 @@ struct Reflections::State {
                                          : frame->expectBackFaces(0, 0);
     }
     void note();
-    void giveBack(gpu::Frame& recording);
 };
+
+/// As the host states them; other passes of its own may have read them since.
+void Reflections::State::lendInputs() {
+    frame->inputs = {borrow(gbuffer.depth, "depth"),
+                     borrow(gbuffer.normal, "normal"),
+                     borrow(gbuffer.material, "material"),
+                     borrow(gbuffer.baseColor, "baseColor"),
+                     borrow(gbuffer.litRadiance, "litRadiance"),
+                     borrow(gbuffer.fallbackSpecular, "fallbackSpecular"),
+                     borrow(gbuffer.backDepth, "backDepth"),
+                     borrow(gbuffer.motion, "motion"),
+                     borrow(environment.cube, "environment", environment.mips, 6)};
+}
+
+/// The host finds its images in the layouts in which it gave them.
+void Reflections::State::giveBackInputs(gpu::Frame& recording) {
+    const auto giveBack = [&](gpu::Image& image, const HostImage& original) {
+        if (image)
+            recording.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
+    };
+    reflect::Inputs& inputs = frame->inputs;
+    giveBack(inputs.depth, gbuffer.depth);
+    giveBack(inputs.normal, gbuffer.normal);
+    giveBack(inputs.material, gbuffer.material);
+    giveBack(inputs.baseColor, gbuffer.baseColor);
+    giveBack(inputs.litRadiance, gbuffer.litRadiance);
+    giveBack(inputs.fallbackSpecular, gbuffer.fallbackSpecular);
+    giveBack(inputs.backDepth, gbuffer.backDepth);
+    giveBack(inputs.motion, gbuffer.motion);
+    giveBack(inputs.environment, environment.cube);
+}
 
 /// What settings and inputs together leave undone.
 void Reflections::State::note() {
@@ -140,24 +172,6 @@ void Reflections::State::note() {
     if (wantsBackFaces() && !gbuffer.backDepth)
         notes.emplace_back("no backDepth: screen.thicknessMode backface takes every surface to be as thick as "
                            "screen.thickness says");
-}
-
-/// The host finds its images in the layouts in which it gave them.
-void Reflections::State::giveBack(gpu::Frame& recording) {
-    reflect::Inputs& inputs = frame->inputs;
-    const auto hand = [&](gpu::Image& image, const HostImage& original) {
-        if (image)
-            recording.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
-    };
-    hand(inputs.depth, gbuffer.depth);
-    hand(inputs.normal, gbuffer.normal);
-    hand(inputs.material, gbuffer.material);
-    hand(inputs.baseColor, gbuffer.baseColor);
-    hand(inputs.litRadiance, gbuffer.litRadiance);
-    hand(inputs.fallbackSpecular, gbuffer.fallbackSpecular);
-    hand(inputs.backDepth, gbuffer.backDepth);
-    hand(inputs.motion, gbuffer.motion);
-    hand(inputs.environment, environment.cube);
 }
 
 Reflections::Reflections(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -179,6 +193,7 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
 Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
     GLINT_CHECK(state_->frame->setSettings(settings));
+    state_->frame->recorded = false;
     state_->note();
     return state_->expectBackFaces();
 }
@@ -217,29 +232,20 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
 HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     reflect::FrameState& state = *state_->frame;
     GLINT_ASSERT(state.inputsSet, "call setInputs before record");
-    GBuffer& host = state_->gbuffer;
-    reflect::Inputs& inputs = state.inputs;
-    inputs = {borrow(host.depth, "depth"),
-              borrow(host.normal, "normal"),
-              borrow(host.material, "material"),
-              borrow(host.baseColor, "baseColor"),
-              borrow(host.litRadiance, "litRadiance"),
-              borrow(host.fallbackSpecular, "fallbackSpecular"),
-              borrow(host.backDepth, "backDepth"),
-              borrow(host.motion, "motion"),
-              borrow(state_->environment.cube, "environment", state_->environment.mips, 6)};
+    state_->lendInputs();
     state.lastView = view;
+    state.recorded = true;
     state.ranPasses = state.anySource() || state.desc.settings.debug.outcome;
     state.upToDate = state.ranPasses;
     if (!state.ranPasses) {
         state.historyHeld = false;
-        return host.litRadiance;
+        return state_->gbuffer.litRadiance;
     }
 
     gpu::Frame frame(*state.context, commands, state.timers.get());
     state.record(frame, view);
     frame.hand(state.composite, kHandedOut);
-    state_->giveBack(frame);
+    state_->giveBackInputs(frame);
     return handOut(state.composite);
 }
 
@@ -253,8 +259,35 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
     gpu::Frame frame(*state.context, commands);
     state.recordView(frame, static_cast<uint32_t>(found - reflect::kViewNames.begin()));
     frame.hand(state.viewImage, kHandedOut);
-    state_->giveBack(frame);
+    state_->giveBackInputs(frame);
     return handOut(state.viewImage);
+}
+
+Result<void> Reflections::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y) {
+    reflect::FrameState& state = *state_->frame;
+    if (!state.desc.inspection)
+        return invalidArgument("these reflections were made without inspection: set ReflectionsDesc::inspection");
+    if (!state.recorded)
+        return invalidArgument("nothing was recorded with these settings: record a frame, then inspect it");
+    if (x >= state.desc.width || y >= state.desc.height)
+        return invalidArgument("pixel {},{} lies outside the picture of {}x{}", x, y, state.desc.width,
+                               state.desc.height);
+    state_->lendInputs();
+    if (state.ranPasses) // the host may have drawn over it since
+        state.composite.states()[0] = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, 0, 0,
+                                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+    gpu::Frame frame(*state.context, commands);
+    state.recordInspection(frame, x, y);
+    if (state.ranPasses)
+        frame.hand(state.composite, kHandedOut);
+    state_->giveBackInputs(frame);
+    return {};
+}
+
+RayInspection Reflections::inspection() const {
+    const reflect::FrameState& state = *state_->frame;
+    GLINT_ASSERT(state.desc.inspection, "these reflections were made without inspection");
+    return state.inspector->read(state.desc.settings.screen.enabled);
 }
 
 std::vector<std::string_view> Reflections::viewNames() {

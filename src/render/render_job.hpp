@@ -1,10 +1,13 @@
 // One headless rendering, from words to pictures: the seam between the command line and the frame.
 #pragma once
 
+#include "glint/inspection.hpp"
 #include "render/program_settings.hpp"
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,14 +20,15 @@ struct RenderJob {
     std::string environment; ///< an .hdr or .exr path, "sky" or "none"; empty: what suits the scene
     uint32_t width = 0;      ///< pixels, [1, 16384]; 0 with height 0: the camera's own size, or 1280 x 720
     uint32_t height = 0;
-    double time = 0;                ///< seconds into the scene's animations
-    uint32_t frames = 1;            ///< >= 1; the pictures are those of the last one
-    uint32_t seed = 0;              ///< of the rays' noise: the same seed, the same bits
-    std::vector<std::string> views; ///< names of `viewList` (views.hpp), without repeats
-    bool display = false;           ///< also make RenderedView::rgb8
-    bool statistics = false;        ///< also count outcomes and lookups
-    std::string device;             ///< part of a name, or an index of `glint devices`; empty: the best usable one
-    bool validate = false;          ///< run under the validation layer; any message of it is an error
+    double time = 0;                                ///< seconds into the scene's animations
+    uint32_t frames = 1;                            ///< >= 1; the pictures are those of the last one
+    uint32_t seed = 0;                              ///< of the rays' noise: the same seed, the same bits
+    std::vector<std::string> views;                 ///< names of `viewList` (views.hpp), without repeats
+    bool display = false;                           ///< also make RenderedView::rgb8
+    bool statistics = false;                        ///< also count outcomes and lookups
+    std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray once more, in the last frame
+    std::string device;    ///< part of a name, or an index of `glint devices`; empty: the best usable one
+    bool validate = false; ///< run under the validation layer; any message of it is an error
     ProgramSettings settings;
     std::function<void(uint32_t done, uint32_t frames)> progress; ///< may be empty
 };
@@ -51,7 +55,8 @@ struct RenderResult {
     uint32_t height = 0;
     std::vector<RenderedView> views; ///< in the job's order
     RenderStats stats;
-    std::vector<std::string> notes; ///< what the user should know: a missing capability and its fallback
+    std::optional<RayInspection> inspection; ///< with RenderJob::inspect
+    std::vector<std::string> notes;          ///< what the user should know: a missing capability and its fallback
 };
 
 /// How a job is done. The command line takes it as a value: tests hand in one that needs no GPU.

@@ -151,7 +151,7 @@ struct JobSession::State {
     /// Made anew for other settings: some of them are decided when it is created.
     Result<void> makeReflections() {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
-                                                               job_.statistics, true}));
+                                                               job_.statistics, true, job_.inspect.has_value()}));
         reflections_ = std::make_unique<Reflections>(std::move(reflections));
         return {};
     }
@@ -173,7 +173,7 @@ struct JobSession::State {
     /// The frame of a host: its own opaque picture, the reflections, then what is blended over both.
     Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan) {
         GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
-        Result<void> inputsSet;
+        Result<void> inputsSet, inspected;
         const auto start = std::chrono::steady_clock::now();
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands, timers_.get());
@@ -190,6 +190,8 @@ struct JobSession::State {
             const View view = renderer_->view(parameters_);
             const HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
             composite_ = borrow(lit, "job/composite");
+            if (plan.inspect) // before anything is blended over it
+                inspected = reflections_->recordInspection(commands, (*plan.inspect)[0], (*plan.inspect)[1]);
             if (plan.draw && plan.blend) {
                 renderer_->drawTransparent(frame, composite_);
                 renderer_->drawTransparent(frame, scene_);
@@ -199,6 +201,7 @@ struct JobSession::State {
         FrameTimes times;
         times.wallMs = millisecondsSince(start);
         GLINT_CHECK(inputsSet);
+        GLINT_CHECK(inspected);
         drawn_ = true;
         for (const gpu::PassTime& time : timers_->latest())
             times.hostPasses.emplace_back(time.name, time.milliseconds);
@@ -339,6 +342,10 @@ RenderStats JobSession::stats() {
     return state_->stats();
 }
 
+RayInspection JobSession::inspection() const {
+    return state_->reflections_->inspection();
+}
+
 const std::vector<std::string>& JobSession::notes() const {
     return state_->reflections_->notes();
 }
@@ -353,8 +360,15 @@ View JobSession::view() const {
 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     GLINT_TRY(session, JobSession::create(context, job));
+    const JobInputs& inputs = session.inputs();
+    if (job.inspect && ((*job.inspect)[0] >= inputs.width || (*job.inspect)[1] >= inputs.height))
+        return invalidArgument("pixel {},{} lies outside the picture of {}x{}", (*job.inspect)[0], (*job.inspect)[1],
+                               inputs.width, inputs.height);
     for (uint32_t i = 0; i < job.frames; ++i) {
-        GLINT_CHECK(session.renderFrame(i));
+        FramePlan plan;
+        if (i + 1 == job.frames)
+            plan.inspect = job.inspect;
+        GLINT_CHECK(session.renderFrame(i, plan));
         if (job.progress)
             job.progress(i + 1, job.frames);
     }
@@ -366,6 +380,8 @@ Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
         result.views.push_back(std::move(view));
     }
     result.stats = session.stats();
+    if (job.inspect)
+        result.inspection = session.inspection();
     result.notes = session.notes();
     return result;
 }

@@ -9,8 +9,10 @@
 #include "render/render_job.hpp"
 #include "render/view.hpp"
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace glint::render {
 
@@ -19,6 +21,7 @@ struct FramePlan {
     bool draw = true;    ///< the host's own passes; false: the G-buffer of the frame before serves again
     bool reflect = true; ///< the reflections
     bool blend = true;   ///< what is blended over both pictures, if the frame is drawn
+    std::optional<std::array<uint32_t, 2>> inspect;         ///< this pixel, with RenderJob::inspect; `inspection` tells
     std::function<void(gpu::Frame&, GBuffer&)> afterOpaque; ///< more passes, before the reflections; may be empty
 };
 
@@ -46,6 +49,8 @@ public:
     Result<RenderedView> readView(const std::string& name);
     /// Medians over the frames since the settings or the size changed; counts of the last one.
     RenderStats stats();
+    /// Of the pixel inspected last.
+    RayInspection inspection() const;
     const std::vector<std::string>& notes() const;
     const JobInputs& inputs() const;
     View view() const;

@@ -30,6 +30,10 @@ constexpr std::array kViews = {
     ViewInfo{"hitDistance", ViewKind::Distance, "Z", "metres along the ray to its hit"},
     ViewInfo{"lookups", ViewKind::Count, "Y", "depth reads of the ray"},
     ViewInfo{"rayDirWS", ViewKind::Direction, "XYZ", "world-space direction of the mirror ray"},
+    ViewInfo{"color", ViewKind::Radiance, "RGB", "radiance that the screen source found"},
+    ViewInfo{"hitDepth", ViewKind::Distance, "Z", "metres along the view axis to the surface that the ray hit"},
+    ViewInfo{"hitSuccess", ViewKind::Fraction, "RGB",
+             "light green: hit, light blue: failed, yellow: ran into a side, black: no ray"},
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 

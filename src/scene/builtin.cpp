@@ -27,6 +27,8 @@ const std::array kEntries = {
           builtin::makeMirror},
     Entry{{"spheres", "roughness by metalness, and coloured dielectrics, under the sky", "main", "sky", 1},
           builtin::makeSpheres},
+    Entry{{"thickness", "balls on a polished floor before an upright mirror", "main", "sky", 1},
+          builtin::makeThickness},
 };
 
 } // namespace

@@ -3,6 +3,8 @@
 #include "exact_report.hpp"
 #include "gpu/context.hpp"
 #include "hits_report.hpp"
+#include "inspect_output.hpp"
+#include "inspect_overlay.hpp"
 #include "render/job_inputs.hpp"
 #include "render/run_job.hpp"
 #include "render/view.hpp"
@@ -10,6 +12,7 @@
 #include "support/assets.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -144,6 +147,40 @@ TEST_F(ScenesTest, theSameJobGivesTheSameBits) {
     const render::RenderResult second = run(job);
     EXPECT_EQ(first.views[0].rgba, second.views[0].rgba);
     EXPECT_EQ(first.views[1].rgba, second.views[1].rgba);
+}
+
+TEST_F(ScenesTest, inspectingExplainsARayOfTheHall) {
+    for (const char* march : {"linear", "adaptive", "hiz"}) {
+        render::RenderJob job =
+            makeJob("builtin:hall", 320, 180, {"ray", "composite"}, {fmt::format("screen.march={}", march)});
+        job.inspect = {160, 150};
+        job.frames = 2;
+        const render::RenderResult result = run(job);
+        const auto json = nlohmann::json::parse(cli::inspectionJson(job, result));
+        const size_t i = (size_t{150} * 320 + 160) * 4;
+        EXPECT_EQ(json["march"], march);
+        EXPECT_EQ(json["pixel"], (nlohmann::json{160, 150}));
+        EXPECT_EQ(json["outcome"], "hit") << "the floor mirrors the sign's wall";
+        EXPECT_EQ(result.stats.outcomes[static_cast<size_t>(result.views[0].rgba[i + 2])].first, "hit");
+        EXPECT_EQ(json["ray"]["lookups"], result.views[0].rgba[i + 3]);
+        EXPECT_EQ(json["ray"]["sameAsFrame"], true);
+        EXPECT_GT(json["ray"]["samples"].size(), 3u);
+        EXPECT_NEAR(json["surface"]["normalWS"][1], 1, 0.01);
+        EXPECT_EQ(json["sources"][0]["name"], "screen");
+        EXPECT_EQ(json["composite"][0], result.views[1].rgba[i]);
+        std::vector<uint8_t> picture(size_t{320} * 180 * 3);
+        cli::drawRay(*result.inspection, 320, 180, picture);
+        EXPECT_GT(picture[(size_t{150} * 320 + 160) * 3], 200) << "the start is marked";
+    }
+}
+
+TEST_F(ScenesTest, inspectingOutsideThePictureIsAnError) {
+    render::RenderJob job = makeJob("builtin:mirror", 64, 36, {}, {});
+    job.inspect = {64, 0};
+    const Result<render::RenderResult> result = render::runJob(device(), job);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::InvalidArgument);
+    EXPECT_EQ(result.error().message, "pixel 64,0 lies outside the picture of 64x36");
 }
 
 TEST_F(ScenesTest, extremeSizesWork) {

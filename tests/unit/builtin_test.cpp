@@ -380,6 +380,32 @@ TEST_P(BuiltinMirror, ShowsEachBoxAtThePredictedPixel) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, BuiltinMirror, testing::Values(glm::ivec2(640, 360), glm::ivec2(1279, 717)));
 
+TEST(BuiltinThickness, TheMirrorShowsEachBallBesideAllBalls) {
+    const Scene& scene = cached("thickness");
+    const View view(scene, "main", 640, 360);
+    const auto node = [&](std::string_view name) { return *std::ranges::find(scene.nodes, name, &Node::name); };
+    struct Disc {
+        glm::dvec2 center;
+        double radius;
+    };
+    const auto seen = [&](const glm::dvec3& center, double radius) {
+        const double pixels = view.height / (2 * view.tanHalf);
+        return Disc{view.project(center), pixels * radius / glm::distance(center, view.position())};
+    };
+    const double mirrorZ = static_cast<double>(node("mirror").translation.z);
+    std::vector<Disc> balls, images;
+    for (const char* name : {"red ball", "yellow ball", "blue ball"}) {
+        const glm::dvec3 center(node(name).translation); // it stands on the floor: as high as its radius
+        balls.push_back(seen(center, center.y));
+        images.push_back(seen({center.x, center.y, 2 * mirrorZ - center.z}, center.y));
+    }
+    for (const Disc& image : images) {
+        EXPECT_TRUE(view.contains(image.center - image.radius) && view.contains(image.center + image.radius));
+        for (const Disc& ball : balls)
+            EXPECT_GT(glm::distance(image.center, ball.center), image.radius + ball.radius);
+    }
+}
+
 TEST(BuiltinMirror, BoxesHaveDifferentColours) {
     for (size_t i = 0; i < mirrorBoxes().size(); ++i) {
         for (size_t k = 0; k < i; ++k)

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <optional>
 
 namespace glint::cli {
@@ -60,6 +61,8 @@ protected:
         }
         result.stats = {"device", "driver 1", true, {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
                         3,        12.5,       40,   {{"hit", 2}, {"sky", 0}}};
+        if (job.inspect)
+            result.inspection = inspection_;
         return result;
     }
 
@@ -83,6 +86,7 @@ protected:
     const std::string folder_ = testing::TempDir() + "glint_cli_test/";
     std::optional<render::RenderJob> job_;
     std::optional<Error> failure_;
+    RayInspection inspection_;
 };
 
 TEST_F(CliTest, RenderFillsTheJobFromItsOptions) {
@@ -205,6 +209,71 @@ TEST_F(CliTest, BadArgumentsEndWithTwoAndOneLine) {
     expectError(runRender({"-o", folder_ + "none/a.png"}), kBadInput, "there is no folder");
 }
 
+TEST_F(CliTest, InspectPrintsThePixelsRay) {
+    inspection_.pixel = inspection_.rayPixel = {1, 0};
+    inspection_.traced = inspection_.hit = inspection_.answered = true;
+    inspection_.outcome = "hit";
+    inspection_.hitPixel = {0, 1};
+    inspection_.fades = {{"roughness", 0.1f}};
+    inspection_.samples = {{.positionPX = {1.5f, 0.5f}, .level = 3, .rayDepth = 2, .decision = "front"},
+                           {.slabEndDepth = std::numeric_limits<float>::infinity(), .decision = "hit"}};
+    inspection_.sources = {{"screen", 0.75f, {1, 2, 3}}};
+    const Ended ended = run({"inspect", "builtin:exact", "--pixel", "1,0", "--size", "2x2", "--frames", "3", "--set",
+                             "screen.march=adaptive"});
+    ASSERT_EQ(ended.code, kDone) << ended.error;
+    EXPECT_EQ(ended.error, "");
+    EXPECT_EQ(job_->inspect, (std::array<uint32_t, 2>{1, 0}));
+    EXPECT_EQ(job_->frames, 3u);
+    EXPECT_TRUE(job_->views.empty()) << "no picture was asked for";
+    const auto json = nlohmann::json::parse(ended.out);
+    EXPECT_EQ(json["march"], "adaptive");
+    EXPECT_EQ(json["outcome"], "hit");
+    EXPECT_EQ(json["hitSuccess"], true);
+    EXPECT_EQ(json["ray"]["answer"]["fades"]["roughness"], 0.1) << "a float's own digits";
+    EXPECT_EQ(json["ray"]["answer"]["pixel"], (nlohmann::json{0, 1}));
+    EXPECT_EQ(json["ray"]["samples"][0]["px"], (nlohmann::json{1.5, 0.5}));
+    EXPECT_EQ(json["ray"]["samples"][0]["level"], 3);
+    EXPECT_EQ(json["ray"]["samples"][0]["slabEndDepth"], nullptr);
+    EXPECT_EQ(json["ray"]["samples"][1]["decision"], "hit");
+    EXPECT_EQ(json["sources"][0], (nlohmann::json{{"name", "screen"}, {"weight", 0.75}, {"radiance", {1, 2, 3}}}));
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(CliTest, InspectDrawsOverTheViewThatWasAskedFor) {
+    inspection_.whyNoRay = "the pixel shows no surface";
+    const Ended ended = run({"inspect", "builtin:exact", "--pixel", "0,1", "-o", folder_ + "a.png", "--view", "depth"});
+    ASSERT_EQ(ended.code, kDone) << ended.error;
+    EXPECT_EQ(job_->views, std::vector<std::string>{"depth"});
+    EXPECT_EQ(files(), std::vector<std::string>{"a.png"});
+    const auto json = nlohmann::json::parse(ended.out);
+    EXPECT_EQ(json["whyNoRay"], "the pixel shows no surface");
+    EXPECT_EQ(json["ray"], nullptr);
+}
+
+TEST_F(CliTest, InspectFindsBadArgumentsBeforeAnyWork) {
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{}, "--pixel"},
+        {{"--pixel", "12"}, "--pixel 12: expected X,Y"},
+        {{"--pixel", "1,2,3"}, "--pixel 1,2,3: expected X,Y"},
+        {{"--pixel", "-1,2"}, "--pixel -1,2: expected X,Y"},
+        {{"--pixel", "1.5,2"}, "expected X,Y"},
+        {{"--pixel", "a,b"}, "expected X,Y"},
+        {{"--pixel", "99999999999,2"}, "expected X,Y"},
+        {{"--pixel", "640,2", "--size", "640x360"}, "--pixel 640,2: it lies outside the picture of 640x360"},
+        {{"--pixel", "1,360", "--size", "640x360"}, "outside the picture"},
+        {{"--pixel", "1,1", "--size", "0x0"}, "--size 0x0"},
+        {{"--pixel", "1,1", "--view", "dept"}, "did you mean 'depth'?"},
+        {{"--pixel", "1,1", "-o", folder_ + "a.exr"}, ".png"},
+        {{"--pixel", "1,1", "-o", folder_ + "none/a.png"}, "there is no folder"},
+        {{"--pixel", "1,1", "--set", "screen.step=0"}, "out of range"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), {"inspect", "builtin:exact"});
+        expectError(run(arguments), kBadInput, part);
+        EXPECT_FALSE(job_) << "the renderer ran";
+    }
+}
+
 TEST_F(CliTest, CompareFindsBadArgumentsBeforeAnyWork) {
     const std::pair<std::vector<std::string>, std::string_view> cases[] = {
         {{}, "--config"},
@@ -259,7 +328,7 @@ TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
 TEST_F(CliTest, HelpListsOnlyWhatIsThere) {
     const Ended with = run({"--help"});
     EXPECT_EQ(with.code, kDone);
-    for (const char* command : {"render", "compare", "bench", "settings", "devices"})
+    for (const char* command : {"render", "inspect", "compare", "bench", "settings", "devices"})
         EXPECT_NE(with.out.find(command), with.out.npos) << command;
     const char* argv[] = {"glint", "--help"};
     testing::internal::CaptureStdout();

@@ -21,6 +21,11 @@ const Technique& techniqueFor(March march) {
     return *found;
 }
 
+std::string logShader(const Technique& technique) {
+    std::string shader(technique.shader);
+    return shader.insert(shader.rfind('/'), "/log");
+}
+
 gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs) {
     constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
     return pass.read("litRadiance", inputs.host.litRadiance, kTexels)
@@ -47,6 +52,8 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Sett
         .read("backViewZ", inputs.prepared.backViewZ)
         .read("surface", inputs.prepared.surface);
     readHitColor(pass, inputs);
+    if (inputs.log)
+        pass.readWrite("rayLog", *inputs.log);
     writeTraced(pass, out, true).push(constants);
     return pass;
 }

@@ -6,6 +6,7 @@
 #include "shared/trace_constants.h"
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace glint::reflect {
@@ -17,8 +18,9 @@ struct TraceInputs {
     Rays& rays;
     Pyramid& pyramid; ///< made if Technique::usesPyramid
     bool backFacesKnown = false;
-    History* history;  ///< null: hits take this frame's colour
-    gpu::Image& black; ///< stands in for what is absent
+    History* history;           ///< null: hits take this frame's colour
+    gpu::Image& black;          ///< stands in for what is absent
+    gpu::Buffer* log = nullptr; ///< shared::RayLogHeader and samples, for the pipelines that write them
 };
 
 struct Technique {
@@ -35,6 +37,9 @@ struct Technique {
 std::span<const Technique> techniques();
 
 const Technique& techniqueFor(March march);
+
+/// The same marcher that writes down what it does: shaders/trace/log.
+std::string logShader(const Technique& technique);
 
 /// Settings as the tracing shaders take them.
 shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKnown);

@@ -9,5 +9,6 @@ Scene makeHall();
 Scene makeMirror();
 Scene makeExact();
 Scene makeSpheres();
+Scene makeThickness();
 
 } // namespace glint::scene::builtin

@@ -1,0 +1,159 @@
+#include "reflect/inspector.hpp"
+
+#include "reflect/outcomes.hpp"
+#include "reflect/trace/technique.hpp"
+#include "shared/frame_constants.h"
+#include "shared/ray_log.h"
+
+#include <array>
+#include <cstring>
+#include <limits>
+
+namespace glint::reflect {
+namespace {
+
+static_assert(kMaxRaySamples == shared::kMaxLoggedSamples);
+
+constexpr std::array<std::string_view, shared::kSampleDecisionCount> kDecisionNames = {
+    "front", "behind", "empty", "lookInto", "passes", "hit", "side", "backFace", "grazes", "nearly", "places"};
+constexpr std::array<std::string_view, shared::kLoggedFadeCount> kFadeNames = {
+    "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface"};
+constexpr std::array<std::string_view, shared::kLoggedSourceCount> kSourceNames = {"screen", "sky"};
+
+constexpr size_t kLogSize = sizeof(shared::RayLogHeader) + shared::kMaxLoggedSamples * sizeof(shared::LoggedSample);
+
+Float2 toArray(const glm::vec2& v) {
+    return {v.x, v.y};
+}
+
+Float3 toArray(const glm::vec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+float depthOf(float viewZ) {
+    return viewZ >= shared::kBackgroundZ ? std::numeric_limits<float>::infinity() : viewZ;
+}
+
+std::string_view whyNoRay(uint32_t outcome, bool background, bool screenEnabled) {
+    if (background)
+        return "the pixel shows no surface";
+    switch (outcome) {
+    case shared::kOutcomeBelowThreshold: return "its F0 is not above reflect.threshold";
+    case shared::kOutcomeTooRough: return "it is rougher than reflect.maxRoughness";
+    case shared::kOutcomeFacingCamera: return "fade.facingCamera leaves nothing of it";
+    default: break;
+    }
+    return screenEnabled ? "the traced pixel that covers it shows no surface" : "screen.enabled is off";
+}
+
+RaySample toSample(const shared::LoggedSample& logged) {
+    RaySample sample;
+    sample.positionPX = toArray(logged.px);
+    sample.level = logged.level;
+    sample.rayDepth = logged.rayZ;
+    sample.sceneDepth = depthOf(logged.sceneZ);
+    if (logged.slabZ > 0)
+        sample.slabEndDepth = depthOf(logged.slabZ);
+    sample.distance = logged.distance;
+    sample.decision = kDecisionNames[std::min(logged.decision, shared::kSampleDecisionCount - 1)];
+    return sample;
+}
+
+void readPixel(const shared::LoggedPixel& logged, RayInspection& out) {
+    out.pixel = {logged.px.x, logged.px.y};
+    out.rayPixel = {logged.rayPX.x, logged.rayPX.y};
+    out.background = logged.viewZ >= shared::kBackgroundZ;
+    out.depth = out.background ? 0 : logged.viewZ;
+    out.positionWS = toArray(logged.positionWS);
+    out.normalWS = toArray(logged.normalWS);
+    out.f0 = toArray(logged.f0);
+    out.perceptualRoughness = logged.perceptualRoughness;
+    out.totalWeight = logged.reflected.w;
+    out.reflected = toArray(glm::vec3(logged.reflected));
+    out.composite = {logged.composite.x, logged.composite.y, logged.composite.z, logged.composite.w};
+}
+
+void readRay(const shared::LoggedRay& logged, RayInspection& out) {
+    out.start = {toArray(logged.startPX), toArray(logged.startVS), toArray(logged.startWS), logged.startZ};
+    out.end = {toArray(logged.endPX), toArray(logged.endVS), toArray(logged.endWS), logged.endZ};
+    out.directionVS = toArray(logged.directionVS);
+    out.directionWS = toArray(logged.directionWS);
+    out.maxLength = logged.lengthVS;
+    out.length = logged.endDistance;
+    out.lookups = logged.lookups;
+    out.iterations = logged.iterations;
+    if (!out.answered)
+        return;
+    out.hitPixel = {static_cast<uint32_t>(logged.endPX.x), static_cast<uint32_t>(logged.endPX.y)};
+    out.hitDepth = depthOf(logged.hitZ);
+    out.radiance = toArray(logged.radiance);
+    out.weight = logged.weight;
+    for (uint32_t i = 0; i < shared::kLoggedFadeCount; ++i)
+        if ((logged.fadesUsed >> i & 1) != 0)
+            out.fades.push_back({kFadeNames[i], logged.fades[i]});
+}
+
+} // namespace
+
+Result<Inspector> Inspector::create(gpu::Context& context) {
+    using gpu::Buffer, gpu::Pipeline;
+    Inspector inspector;
+    GLINT_TRY(pixel, Pipeline::compute(context, {"trace/log/pixel", sizeof(shared::InspectConstants), {}}));
+    inspector.pixel = std::move(pixel);
+    for (const Technique& technique : techniques()) {
+        GLINT_TRY(pipeline, Pipeline::compute(context, {logShader(technique), sizeof(shared::TraceConstants), {}}));
+        inspector.trace.push_back(std::move(pipeline));
+    }
+    GLINT_TRY(combine, Pipeline::compute(context, {"hierarchy/log/combine", sizeof(shared::HierarchyConstants), {}}));
+    inspector.combine = std::move(combine);
+    GLINT_TRY(list, Buffer::create(context, {"glint/inspectedRay", sizeof(shared::RayListHeader) + 4,
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                             gpu::BufferHome::Device}));
+    inspector.rays.list = std::move(list);
+    GLINT_TRY(log, Buffer::create(context, {"glint/rayLog", kLogSize,
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                                VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                            gpu::BufferHome::Device}));
+    inspector.log = std::move(log);
+    GLINT_TRY(readback, Buffer::create(context, {"glint/rayLogReadback", kLogSize, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                 gpu::BufferHome::Readback}));
+    inspector.readback = std::move(readback);
+    std::memset(inspector.readback.mapped(), 0, kLogSize); // nothing is inspected yet
+    return inspector;
+}
+
+RayInspection Inspector::read(bool screenEnabled) const {
+    const auto* const bytes = static_cast<const std::byte*>(readback.mapped());
+    shared::RayLogHeader header;
+    std::memcpy(&header, bytes, sizeof(header));
+    RayInspection out;
+    readPixel(header.pixel, out);
+    const uint32_t outcome = std::min(header.pixel.outcome, shared::kOutcomeCount - 1);
+    out.outcome = kOutcomeNames[outcome];
+    out.traced = header.ray.traced != 0;
+    if (out.traced) {
+        const uint32_t ended = header.ray.record.y >> 28; // lib/ray_record.glsl
+        out.outcome = kOutcomeNames[std::min(ended, shared::kOutcomeCount - 1)];
+        out.hit = ended == shared::kOutcomeHit;
+        out.answered = out.hit || ended == shared::kOutcomeSide;
+        out.sameAsFrame = header.ray.record == header.pixel.record;
+        readRay(header.ray, out);
+    } else {
+        out.whyNoRay = whyNoRay(outcome, out.background, screenEnabled);
+    }
+    const uint32_t written = std::min(header.sampleCount, shared::kMaxLoggedSamples);
+    out.truncated = header.sampleCount > written;
+    for (uint32_t i = 0; i < written; ++i) {
+        shared::LoggedSample logged;
+        std::memcpy(&logged, bytes + sizeof(header) + i * sizeof(logged), sizeof(logged));
+        out.samples.push_back(toSample(logged));
+    }
+    for (uint32_t i = 0; i < shared::kLoggedSourceCount; ++i) {
+        const shared::LoggedSource& source = header.sources[i];
+        if (source.answered != 0 && source.weight > 0)
+            out.sources.push_back({kSourceNames[i], source.weight, toArray(source.radiance)});
+    }
+    return out;
+}
+
+} // namespace glint::reflect
