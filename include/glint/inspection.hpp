@@ -67,10 +67,10 @@ struct RayInspection {
     Point end;               ///< of the hit, or where the march ended
     Float3 directionVS = {}; ///< unit
     Float3 directionWS = {};
-    float maxLength = 0;                             ///< metres: screen.maxDistance, or to the near plane
-    float length = 0;                                ///< metres from start to end
-    bool hit = false;                                ///< outcome "hit"
-    bool answered = false;                           ///< the screen source has an answer: a hit or a side
+    float maxLength = 0;   ///< metres: screen.maxDistance, or to the near plane
+    float length = 0;      ///< metres from start to end
+    bool hit = false;      ///< outcome "hit"
+    bool answered = false; ///< the screen source has an answer: a hit, or the side or back of a surface
     std::optional<std::array<uint32_t, 2>> hitPixel; ///< from which the answer's radiance was taken
     float hitDepth = 0;                              ///< of what the picture shows there
     Float3 radiance = {};                            ///< of the answer: linear, not multiplied by the weight

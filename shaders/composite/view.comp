@@ -34,11 +34,11 @@ vec3 sourceColor(vec4 shares) {
     return shares.x >= shares.y ? vec3(0.1, 0.8, 0.2) : vec3(0.25, 0.6, 0.9);
 }
 
-/// Unity HDRP's colours; a side is neither of the two.
+/// Unity HDRP's colours; what answers from a surface's side or back is neither of the two.
 vec3 successColor(uint outcome) {
     if (outcome == kOutcomeNone || outcome >= kOutcomeBelowThreshold)
         return vec3(0.0);
-    if (outcome == kOutcomeSide)
+    if (outcome == kOutcomeSide || outcome == kOutcomeBackFace)
         return vec3(0.95, 0.85, 0.4);
     return outcome == kOutcomeHit ? vec3(0.55, 0.95, 0.55) : vec3(0.6, 0.8, 1.0);
 }

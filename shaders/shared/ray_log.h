@@ -67,7 +67,8 @@ struct LoggedPixel {
 
 // trace/trace_main.glsl
 struct LoggedRay {
-    uint traced; // 1: the fields below are set
+    uint traced;   // 1: the fields below are set
+    uint answered; // 1: so are radiance, weight and fades, and endPX is where they are from
     uint2 record;
     float3 startVS;
     float3 startWS;

@@ -84,9 +84,10 @@ float logFade(uint fade, float factor) {
 }
 
 /// How it all ended, and what that is worth.
-void logRay(Ray ray, March end, vec2 endPX, RayRecord record, vec4 answer) {
+void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec4 answer) {
     LoggedRay logged;
     logged.traced = 1u;
+    logged.answered = answered ? 1u : 0u;
     logged.record = packRayRecord(record);
     vec3 endVS = ray.originVS + ray.directionVS * record.hitDistance;
     mat4 viewToWorld = frame.constants.viewToWorld;
@@ -123,7 +124,7 @@ void logCellDecision(uint decision) {}
 float logFade(uint fade, float factor) {
     return factor;
 }
-void logRay(Ray ray, March end, vec2 endPX, RayRecord record, vec4 answer) {}
+void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec4 answer) {}
 
 #endif
 #endif

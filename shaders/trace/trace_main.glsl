@@ -71,5 +71,5 @@ void main() {
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
     storeTraced(tracePX, answer.rgb, answer.a, record);
-    logRay(ray, end, endPX, record, answer);
+    logRay(ray, end, endPX, record, hit, answer);
 }

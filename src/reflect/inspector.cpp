@@ -135,7 +135,7 @@ RayInspection Inspector::read(bool screenEnabled) const {
         const uint32_t ended = header.ray.record.y >> 28; // lib/ray_record.glsl
         out.outcome = kOutcomeNames[std::min(ended, shared::kOutcomeCount - 1)];
         out.hit = ended == shared::kOutcomeHit;
-        out.answered = out.hit || ended == shared::kOutcomeSide;
+        out.answered = header.ray.answered != 0;
         out.sameAsFrame = header.ray.record == header.pixel.record;
         readRay(header.ray, out);
     } else {

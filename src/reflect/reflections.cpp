@@ -256,6 +256,7 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
     const auto found = std::find(reflect::kViewNames.begin(), reflect::kViewNames.end(), name);
     if (found == reflect::kViewNames.end())
         return invalidArgument("no view '{}'; did you mean '{}'?", name, nearestText(name, reflect::kViewNames));
+    state_->lendInputs();
     gpu::Frame frame(*state.context, commands);
     state.recordView(frame, static_cast<uint32_t>(found - reflect::kViewNames.begin()));
     frame.hand(state.viewImage, kHandedOut);

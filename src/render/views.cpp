@@ -33,7 +33,7 @@ constexpr std::array kViews = {
     ViewInfo{"color", ViewKind::Radiance, "RGB", "radiance that the screen source found"},
     ViewInfo{"hitDepth", ViewKind::Distance, "Z", "metres along the view axis to the surface that the ray hit"},
     ViewInfo{"hitSuccess", ViewKind::Fraction, "RGB",
-             "light green: hit, light blue: failed, yellow: ran into a side, black: no ray"},
+             "light green: hit, light blue: failed, yellow: a side or back, black: no ray"},
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 

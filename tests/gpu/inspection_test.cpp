@@ -122,7 +122,8 @@ protected:
         ASSERT_EQ(found.outcome, reflect::kOutcomeNames[outcome]);
         ASSERT_EQ(found.traced, reflect::isTraced(outcome)) << found.whyNoRay;
         EXPECT_EQ(found.hit, outcome == shared::kOutcomeHit);
-        EXPECT_EQ(found.answered, outcome == shared::kOutcomeHit || outcome == shared::kOutcomeSide);
+        EXPECT_EQ(found.answered, outcome == shared::kOutcomeHit || outcome == shared::kOutcomeSide ||
+                                      outcome == shared::kOutcomeBackFace);
         if (!found.traced) {
             EXPECT_TRUE(found.samples.empty());
             EXPECT_FALSE(found.whyNoRay.empty());
@@ -321,6 +322,23 @@ TEST_F(InspectionTest, MayShareTheFramesCommands) {
     EXPECT_TRUE(found.traced && found.sameAsFrame);
 }
 
+TEST_F(InspectionTest, HostImagesKeepTheirLayouts) {
+    // The validation layer watches.
+    run([&](VkCommandBuffer commands) {
+        gpu::Frame frame(gpu(), commands);
+        for (gpu::Image* image : {&host_.material, &host_.litRadiance})
+            frame.hand(*image,
+                       {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, VK_IMAGE_LAYOUT_GENERAL});
+    });
+    host_.gbuffer.material.layout = host_.gbuffer.litRadiance.layout = VK_IMAGE_LAYOUT_GENERAL;
+    Reflections made = make(plainSettings());
+    for (uint32_t frame = 0; frame < 2; ++frame) {
+        run([&](VkCommandBuffer commands) { made.record(commands, view(frame)); });
+        show(made, "reflectivity");
+        EXPECT_TRUE(inspect(made, kWidth / 2, kHeight - 4).sameAsFrame);
+    }
+}
+
 TEST_F(InspectionTest, SaysWhatIsMissing) {
     const auto message = [&](Reflections& made, uint32_t x, uint32_t y) {
         Result<void> recorded;
@@ -366,7 +384,7 @@ TEST_F(InspectionTest, ViewsTellHitsFromSidesAndMisses) {
         const auto x = static_cast<size_t>(ray[i] * kWidth);
         const auto y = static_cast<size_t>(ray[i + 1] * kHeight);
         EXPECT_EQ(hitDepth[i], hit ? depth[(y * kWidth + x) * 4] : 0);
-        if (outcome != shared::kOutcomeHit && outcome != shared::kOutcomeSide) {
+        if (!hit && outcome != shared::kOutcomeSide && outcome != shared::kOutcomeBackFace) {
             EXPECT_EQ(color[i], 0);
         }
     }
