@@ -15,7 +15,7 @@
 /// every surface lies in [0, depth] and ends behind by `slab`.
 struct Cell {
     float front; // kEmptyCell: nothing is drawn here
-    float depth; // kBroken: some pixel shows no surface
+    float depth; // kBroken: some pixel of the picture shows no surface
     float slab;
     vec2 slope; // a pixel
     vec2 quarters[4]; // the same for (0,0), (1,0), (0,1), (1,1): solid from, to; from > to: nothing
@@ -65,11 +65,17 @@ vec2 unpackQuarter(uint packed, float slab) {
     return vec2(packed & 63u, (packed >> 6) & 63u) * (slab / 63.0);
 }
 
+/// A slope that was stored before, as the very same halves: an eighth of a step more, as drivers may round down, and
+/// may divide by the width a little less than exactly.
+uint packSlope(vec2 slope, float width) {
+    return packHalf2x16(slope * (width * (1.0 + 1.0 / 16384.0)));
+}
+
 uvec4 packCell(Cell cell, float width) {
     float unit = abs(cell.front);
     uint slabShare = packShare(cell.slab, unit);
     float slab = unpackShare(slabShare, unit);
-    return uvec4(floatBitsToUint(cell.front), packHalf2x16(cell.slope * width),
+    return uvec4(floatBitsToUint(cell.front), packSlope(cell.slope, width),
                  packQuarter(cell.quarters[0], slab) | (packQuarter(cell.quarters[1], slab) << 12) |
                      (packShare(cell.depth, unit) << 24),
                  packQuarter(cell.quarters[2], slab) | (packQuarter(cell.quarters[3], slab) << 12) |

@@ -36,9 +36,16 @@ float width;
 
 // ---------------------------------------------------------------- a cell from what it is made of
 
+/// The nearest half, none of the smallest. By its bits: compilers take packing and unpacking again for nothing.
+float asHalf(float value) {
+    const float kSmallest = 1.0 / 16384.0; // below it drivers may round to 0
+    value = clamp(value, -60000.0, 60000.0);
+    return abs(value) < kSmallest ? 0.0 : uintBitsToFloat((floatBitsToUint(value) + 0x1000u) & 0xffffe000u);
+}
+
 /// As it will be read back: bounds are made for that slope.
 vec2 storedSlope(vec2 slope) {
-    return unpackHalf2x16(packHalf2x16(clamp(slope * width, -60000.0, 60000.0))) / width;
+    return vec2(asHalf(slope.x * width), asHalf(slope.y * width)) / width;
 }
 
 float slabNearness(ivec2 px, float z, bool orthographic) {
@@ -53,8 +60,9 @@ float slabNearness(ivec2 px, float z, bool orthographic) {
     return nearnessOf(orthographic, reach + settings.thickness + settings.thicknessRelative * z);
 }
 
-Cell emptyCell() {
-    Cell cell = Cell(kEmptyCell, 0.0, 0.0, vec2(0.0), vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0)));
+/// Of the picture (`broken`), or outside of it.
+Cell emptyCell(bool broken) {
+    Cell cell = Cell(kEmptyCell, broken ? kBroken : 0.0, 0.0, vec2(0.0), vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0)));
     for (int i = 0; i < 4; ++i)
         cell.quarters[i] = vec2(1.0, 0.0);
     return cell;
@@ -63,11 +71,11 @@ Cell emptyCell() {
 /// What a cell above needs to know of this one, exactly.
 uvec4 packBounds(Cell cell) {
     return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.depth), floatBitsToUint(cell.slab),
-                 packHalf2x16(cell.slope * width));
+                 packSlope(cell.slope, width));
 }
 
 Cell unpackBounds(uvec4 packed) {
-    Cell cell = emptyCell();
+    Cell cell = emptyCell(false);
     cell.front = uintBitsToFloat(packed.x);
     cell.depth = uintBitsToFloat(packed.y);
     cell.slab = uintBitsToFloat(packed.z);
@@ -78,7 +86,7 @@ Cell unpackBounds(uvec4 packed) {
 /// Makes the whole from its quarters, which say from where to where they are solid in nearness above the cell's plane
 /// of front 0 (from the nearest down).
 Cell cellOfQuarters(vec2 slope, vec2 solids[4], bool there[4], float lowestFront, bool broken) {
-    Cell cell = emptyCell();
+    Cell cell = emptyCell(false);
     cell.slope = slope;
     float lowest = 1e37;
     for (int i = 0; i < 4; ++i)
@@ -113,7 +121,7 @@ Cell cellOfPixels(ivec2 cell) {
         broken = broken || (inside && !seen[i]);
     }
     if (!any4)
-        return emptyCell();
+        return emptyCell(broken);
     vec2 slope = vec2(0.0);
     if (all4)
         slope = storedSlope(0.5 * vec2(solids[1].x - solids[0].x + solids[3].x - solids[2].x,
@@ -163,13 +171,16 @@ float solidIn(Cell cell) {
 Cell cellOfCells(Cell children[4], float childSize) {
     vec2 mean = vec2(0.0);
     float count = 0.0;
-    for (int i = 0; i < 4; ++i)
+    bool broken = false;
+    for (int i = 0; i < 4; ++i) {
+        broken = broken || children[i].depth >= kBroken;
         if (children[i].front > kEmptyCell) {
             mean += children[i].slope;
             count += 1.0;
         }
+    }
     if (count == 0.0)
-        return emptyCell();
+        return emptyCell(broken);
     Cell best = boundCells(children, childSize, storedSlope(mean / count));
     for (int i = 0; i < 4; ++i)
         if (children[i].front > kEmptyCell) {
@@ -234,7 +245,7 @@ void reduceTiles() {
                 ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
                 children[i] = all(lessThan(child, childSize))
                                   ? unpackBounds(tiles.cells[from + child.y * childSize.x + child.x])
-                                  : emptyCell(); // outside the picture
+                                  : emptyCell(false); // outside the picture
             }
             Cell value = cellOfCells(children, float(1 << (level - 1)));
             store(level, cell, value);

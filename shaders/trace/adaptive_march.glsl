@@ -52,10 +52,10 @@ March march(Ray r) {
             nearlyThickEnough = false;
         } else if (i > settings.selfCollisionSkip) {
             Sample hit = s;
-            uint met = kPasses;
+            uint met = kInFront;
             if (isInFront)
                 met = meetRefined(r, before.share, hit, result.lookups);
-            if (met == kPasses || met == kNearlyMeets) {
+            if (met == kInFront) { // where the search ended; the step goes on
                 hit = s;
                 met = meetSurface(r, before.share, hit, result.lookups);
                 // The plane was met far from the pixel that shows it: not its surface, as far as the picture tells.

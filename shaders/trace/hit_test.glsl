@@ -73,12 +73,13 @@ vec3 normalAt(vec2 px) {
     return unpackSurface(texelFetch(surface, ivec2(px), 0).xy).normalVS;
 }
 
-const uint kPasses = 0u;      // in front of the surface, or far behind it
+const uint kPasses = 0u;      // far behind the surface
 const uint kMeets = 1u;       // its front
 const uint kMeetsSide = 2u;   // its slab, from beside
 const uint kMeetsBehind = 3u; // its slab, from behind
 const uint kGrazes = 4u;      // its slab, but it is the surface that the ray starts from
 const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
+const uint kInFront = 6u;     // not behind the surface's plane, though behind the depth of the pixel's centre
 
 /// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if it
 /// shows the same surface, by depth and normal, so that positions are exact, else `px`, so that no other surface lends
@@ -117,7 +118,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     float heightFrom = dot(normalVS, fromVS - surfaceVS);
     float heightHere = dot(normalVS, hereVS - surfaceVS);
     if (heightHere > 0.0 && heightFrom > 0.0)
-        return kPasses; // perhaps behind the pixel's centre, but not behind its plane
+        return kInFront;
     bool own = isOwnSurface(surfaceVS, normalVS, r);
     bool faces = facesRay(normalVS, own, r);
     if (faces && heightFrom >= -planeSlack(normalVS, s.sceneZ)) {
@@ -142,13 +143,17 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
 uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     vec2 px = s.px;
     uint met = testSurface(r, fromShare, s, lookups);
-    logDecision(px, kSamplePasses + met); // in the same order
+    logDecision(px, met == kInFront ? kSampleFront : kSamplePasses + met); // in the same order
     return met;
+}
+
+bool isEnd(uint met) {
+    return met == kMeets || met == kMeetsSide || met == kMeetsBehind;
 }
 
 /// Ends the march if `met` ends it.
 bool endsMarch(uint met, Sample s, inout March march) {
-    if (met != kMeets && met != kMeetsSide && met != kMeetsBehind)
+    if (!isEnd(met))
         return false;
     march.share = s.share;
     march.hitPX = s.px;

@@ -154,13 +154,14 @@ March march(Ray r) {
                     float fall = -climb * pixelShare; // a pixel
                     bool flatCell = aboveFirst >= -rounding && aboveLast < -bounds.depth &&
                                     bounds.depth <= kFlatEnough * fall;
+                    float crosses = clamp((-0.5 * bounds.depth - above) / climb, share, last);
+                    flatCell = flatCell && onScreen(ray.startPX + ray.deltaPX * crosses); // cells reach over its end
                     if (flatCell && result.iterations > settings.selfCollisionSkip) {
                         // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
-                        float meets = clamp((-0.5 * bounds.depth - above) / climb, share, last);
-                        Sample s = takeSample(ray, meets, result.lookups);
-                        s.share = meets + 0.5 * pixelShare;
+                        Sample s = takeSample(ray, crosses, result.lookups);
+                        s.share = crosses + 0.5 * pixelShare;
                         s.rayZ = rayViewZ(ray, s.share);
-                        uint met = meetSurface(r, max(meets - 0.5 * pixelShare, 0.0), s, result.lookups);
+                        uint met = meetSurface(r, max(crosses - 0.5 * pixelShare, 0.0), s, result.lookups);
                         if (met == kMeets && endsMarch(met, s, result))
                             return result;
                     }

@@ -12,7 +12,7 @@ uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, in
     for (float share = beforeShare + pixelShare; share < s.share; share += pixelShare) {
         Sample fine = takeSample(r.screen, share, lookups);
         uint met = fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
-        if (met == kMeets || met == kMeetsSide || met == kMeetsBehind) {
+        if (isEnd(met)) {
             s = fine;
             return met;
         }
@@ -50,7 +50,7 @@ March march(Ray r) {
         } else if (i > settings.selfCollisionSkip) {
             Sample hit = s;
             uint met = meetSurface(r, before.share, hit, result.lookups);
-            if (met != kPasses && met != kNearlyMeets && settings.step > 1u && isOn(kTraceSmooth)) {
+            if (settings.step > 1u && isOn(kTraceSmooth) && (isEnd(met) || met == kGrazes)) {
                 hit = s;
                 met = refineBySinglePixels(r, before, hit, pixels, result.lookups);
             }

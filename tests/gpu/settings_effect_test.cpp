@@ -148,8 +148,8 @@ TEST_F(SettingsEffectTest, smoothFindsWhatCoarseStepsPass) {
         uint64_t right = 0;
         uint64_t all = 0;
         for (uint32_t i = 0; i < picture.pixels(); ++i) {
-            if (!picture.answered(i))
-                continue;
+            if (!picture.answered(i) || picture.hitDistance[i * 4] < 1e-3f)
+                continue; // the floor's last row may start on the wall itself
             const glm::dvec3 start = startOf(i, camera);
             glm::dvec3 d = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
             d.y = -d.y;
@@ -163,9 +163,10 @@ TEST_F(SettingsEffectTest, smoothFindsWhatCoarseStepsPass) {
     EXPECT_GT(smooth.statistics.lookupsMean, rough.statistics.lookupsMean);
     settings.screen.step = 1;
     const Picture one = show(stage, settings);
-    EXPECT_GT(rightOnes(one), 0.95);
-    EXPECT_GT(rightOnes(smooth), rightOnes(one) - 0.01);
-    EXPECT_LT(rightOnes(rough), rightOnes(one) - 0.05);
+    // What lies between two samples that are both in front of the picture is missed either way.
+    EXPECT_GT(rightOnes(one), 0.99);
+    EXPECT_GT(rightOnes(smooth), 0.9);
+    EXPECT_LT(1 - rightOnes(smooth), (1 - rightOnes(rough)) / 2);
     settings.screen.smooth = false;
     EXPECT_EQ(one.hitUV, show(stage, settings).hitUV) << "acts only with step > 1";
 }
@@ -311,7 +312,7 @@ TEST_F(SettingsEffectTest, clipToFrustumSavesNoHitAndChangesNone) {
             if (clipped.hit(i) && whole.hit(i)) {
                 ++both;
                 ASSERT_LT(glm::length(clipped.hitPX(i) - whole.hitPX(i)), 1) << i;
-            } else if (clipped.answered(i) != whole.answered(i) &&
+            } else if (clipped.hitDistance[i * 4] + whole.hitDistance[i * 4] > 1e-3f &&
                        (whole.hit(i) || technique.march != March::Adaptive)) {
                 ASSERT_LT(inside(clipped.hit(i) ? clipped : whole, i), 1) << i << ": only before the border";
             }
