@@ -143,7 +143,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
 uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     vec2 px = s.px;
     uint met = testSurface(r, fromShare, s, lookups);
-    logDecision(px, met == kInFront ? kSampleFront : kSamplePasses + met); // in the same order
+    logDecision(px, kSamplePasses + (met == kInFront ? kPasses : met)); // in the same order
     return met;
 }
 
