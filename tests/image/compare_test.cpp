@@ -2,6 +2,7 @@
 #include "comparison_output.hpp"
 #include "config_option.hpp"
 #include "gpu/context.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -80,7 +81,8 @@ TEST(Compare, TimesAreThoseOfTheEffectAlone) {
 }
 
 TEST(Compare, TheReportHasEveryPictureItShows) {
-    const std::string folder = testing::TempDir() + "glint_compare_test/report";
+    const TempFolder temp;
+    const std::string folder = temp + "report";
     ASSERT_TRUE(cli::writeReport(folder, comparison()));
     size_t pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -88,7 +90,6 @@ TEST(Compare, TheReportHasEveryPictureItShows) {
     EXPECT_EQ(pictures, 9u);
     EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
     EXPECT_TRUE(std::filesystem::exists(folder + "/1-screen.march-linear-fade.border-none.hits.png"));
-    std::filesystem::remove_all(testing::TempDir() + "glint_compare_test");
 
     const auto json = nlohmann::json::parse(cli::comparisonJson(comparison()));
     ASSERT_EQ(json["configs"].size(), 3u);

@@ -1,6 +1,7 @@
 // The image tests' own parts, without a device: reading cases, judging pictures.
 #include "base/file.hpp"
 #include "image/golden.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +12,6 @@ namespace {
 
 class GoldenTest : public testing::Test {
 protected:
-    void SetUp() override { std::filesystem::create_directories(folder_); }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     Result<ImageCase> readCase(std::string_view json) const {
         EXPECT_TRUE(writeFile(folder_ + "a_case.json", json).ok());
         return readImageCase(folder_ + "a_case.json", "/some/assets");
@@ -38,9 +36,8 @@ protected:
         return std::filesystem::exists(places_.failures + "/a_case." + kind + ".png");
     }
 
-    /// Of this test alone: CTest runs several at once.
-    const std::string folder_ =
-        testing::TempDir() + "glint_golden_test_" + testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
+    const TempFolder temp_;
+    const std::string& folder_ = temp_.path();
     const GoldenPlaces places_ = {folder_ + "goldens", folder_ + "failures"};
     ImageCase case_ = {.name = "a_case", .options = {}, .tolerance = {0.02, 0.01, 0.05}};
 };

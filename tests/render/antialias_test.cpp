@@ -4,8 +4,7 @@
 #include "render/run_job.hpp"
 
 #include "base/file.hpp"
-
-#include <filesystem>
+#include "support/temp_folder.hpp"
 
 namespace glint::test {
 namespace {
@@ -154,24 +153,31 @@ TEST_F(AntialiasTest, TransparentEdgesAreSmoothToo) {
 }
 
 TEST_F(AntialiasTest, EveryKindIsNearerToManyPixels) {
-    const std::vector<std::string> linear = {"display.tonemap=none"};
-    const std::string path = testing::TempDir() + "glint_antialias_camera.json";
+    const TempFolder temp;
+    const std::string path = temp + "camera.json";
     must(writeFile(path, R"({"position": [1, 2.2, 5], "target": [0, 0.3, -1], "orthoHeight": 4})"));
-    for (const std::string& camera : {std::string(), path}) {
-        const Picture truth = shrunk(render("builtin:mirror", linear, 480, 272, camera));
-        const auto errorOf = [&](const std::string& antialias, const std::string& mode) {
-            return error(render("builtin:mirror",
-                                {"display.tonemap=none", "display.antialias=" + antialias, "gbuffer.mode=" + mode}, 120,
-                                68, camera),
-                         truth);
-        };
-        const double none = errorOf("none", "prepass");
-        EXPECT_GT(none, 0.02);
-        EXPECT_LT(errorOf("fxaa", "prepass"), none * 0.95);
-        EXPECT_LT(errorOf("msaa4", "prepass"), none * 0.85);
-        EXPECT_LT(errorOf("msaa4", "geometry"), none * 0.9);
-    }
-    std::filesystem::remove(path);
+    for (const std::string& camera : {std::string(), path})
+        for (const bool reflections : {false, true}) {
+            SCOPED_TRACE((camera.empty() ? "perspective" : "orthographic") +
+                         std::string(reflections ? ", with reflections" : ", the host alone"));
+            std::vector<std::string> sets = {"display.tonemap=none"};
+            if (!reflections)
+                sets.emplace_back("screen.enabled=false");
+            const Picture truth = shrunk(render("builtin:mirror", sets, 480, 272, camera));
+            const auto errorOf = [&](const std::string& antialias, const std::string& mode) {
+                std::vector<std::string> all = sets;
+                all.insert(all.end(), {"display.antialias=" + antialias, "gbuffer.mode=" + mode});
+                return error(render("builtin:mirror", all, 120, 68, camera), truth);
+            };
+            const double none = errorOf("none", "prepass");
+            EXPECT_GT(none, 0.02);
+            // One ray a pixel at this size and at four times this size do not hit the same: the host's own edges tell
+            // how smooth the samples are, the reflections that nothing is undone by them.
+            const double most = reflections ? 0.95 : 0.8;
+            EXPECT_LT(errorOf("fxaa", "prepass"), none * (reflections ? 0.95 : 0.99));
+            EXPECT_LT(errorOf("msaa4", "prepass"), none * most);
+            EXPECT_LT(errorOf("msaa4", "geometry"), none * most);
+        }
 }
 
 TEST_F(AntialiasTest, FxaaSmoothsSlantsAndLeavesTheRest) {
@@ -226,8 +232,9 @@ TEST_F(AntialiasTest, ProbesRunFromTheBottomUp) {
     for (const char* texel : {"\x80\x00\x00\x81", "\x00\x00\x80\x81"})
         for (int x = 0; x < 4; ++x)
             file += std::string(texel, 4);
-    const std::string environment = testing::TempDir() + "glint_probe.hdr";
-    const std::string camera = testing::TempDir() + "glint_probe_camera.json";
+    const TempFolder temp;
+    const std::string environment = temp + "probe.hdr";
+    const std::string camera = temp + "camera.json";
     must(writeFile(environment, file));
     must(writeFile(camera, R"({"position": [0, 60, 0], "target": [0.1, 90, 0], "fovY": 40})"));
     for (const bool probe : {false, true}) {
@@ -238,8 +245,6 @@ TEST_F(AntialiasTest, ProbesRunFromTheBottomUp) {
         EXPECT_EQ(up.center().x > 0.5f, !probe);
         EXPECT_EQ(up.center().z > 0.5f, probe);
     }
-    std::filesystem::remove(environment);
-    std::filesystem::remove(camera);
 }
 
 } // namespace

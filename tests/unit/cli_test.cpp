@@ -6,6 +6,7 @@
 #include "render/views.hpp"
 #include "scene/builtin.hpp"
 #include "scene/image_file.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -25,9 +26,6 @@ struct Ended {
 
 class CliTest : public testing::Test {
 protected:
-    void SetUp() override { std::filesystem::create_directory(folder_); }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
-
     Ended run(std::vector<std::string> arguments) {
         std::vector<const char*> argv = {"glint"};
         for (const std::string& argument : arguments)
@@ -83,7 +81,8 @@ protected:
         EXPECT_TRUE(files().empty());
     }
 
-    const std::string folder_ = testing::TempDir() + "glint_cli_test/";
+    const test::TempFolder temp_;
+    const std::string& folder_ = temp_.path();
     std::optional<render::RenderJob> job_;
     std::optional<Error> failure_;
     RayInspection inspection_;

@@ -1,5 +1,6 @@
 // Files appear whole under their name, or not at all.
 #include "base/file.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +11,11 @@ namespace {
 
 class FileTest : public testing::Test {
 protected:
-    void SetUp() override { std::filesystem::create_directory(folder_); }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
     size_t filesInFolder() const {
         return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
     }
-    const std::string folder_ = testing::TempDir() + "glint_file_test/";
+    const test::TempFolder temp_;
+    const std::string& folder_ = temp_.path();
 };
 
 TEST_F(FileTest, ReadsBackWhatItWrote) {

@@ -2,6 +2,7 @@
 #include "scene/image_file.hpp"
 
 #include "base/file.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +32,12 @@ void expectError(const Result<T>& result, std::string_view name, std::string_vie
 
 class ImageFileTest : public testing::Test {
 protected:
-    void SetUp() override { std::filesystem::create_directory(folder_); }
-    void TearDown() override { std::filesystem::remove_all(folder_); }
     std::string write(const std::string& name, std::string_view bytes) const {
         EXPECT_TRUE(writeFile(folder_ + name, bytes).ok());
         return folder_ + name;
     }
-    const std::string folder_ = testing::TempDir() + "glint_image_file_test/";
+    const test::TempFolder temp_;
+    const std::string& folder_ = temp_.path();
 };
 
 // ---------------------------------------------------------------- Radiance

@@ -2,10 +2,9 @@
 #include "render/job_inputs.hpp"
 
 #include "base/file.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
 
 namespace glint::render {
 namespace {
@@ -25,7 +24,8 @@ TEST(JobInputs, CamerasAreFoundByNameIndexOrFile) {
     EXPECT_EQ(loadJobInputs({.scene = "builtin:mirror", .camera = name})->camera.name, name);
     EXPECT_EQ(loadJobInputs({.scene = "builtin:mirror", .camera = "0"})->camera.name, name);
 
-    const std::string file = testing::TempDir() + "glint_job_inputs_camera.json";
+    const test::TempFolder temp;
+    const std::string file = temp + "camera.json";
     ASSERT_TRUE(writeFile(file, R"({"position":[0,1,3],"target":[0,0,0],"fovY":50,"width":320,"height":200})").ok());
     const auto fromFile = loadJobInputs({.scene = "builtin:mirror", .camera = file});
     ASSERT_TRUE(fromFile.ok()) << fromFile.error().message;
@@ -33,7 +33,6 @@ TEST(JobInputs, CamerasAreFoundByNameIndexOrFile) {
     EXPECT_EQ(fromFile->height, 200u);
     const auto sized = loadJobInputs({.scene = "builtin:mirror", .camera = file, .width = 64, .height = 32});
     EXPECT_EQ(sized->width, 64u); // --size is stronger than the camera's own size
-    std::filesystem::remove(file);
 }
 
 TEST(JobInputs, AnUnknownCameraListsThoseOfTheScene) {
@@ -47,13 +46,13 @@ TEST(JobInputs, AnUnknownCameraListsThoseOfTheScene) {
 
 TEST(JobInputs, EnvironmentsAreSkyNoneOrAFile) {
     EXPECT_EQ(loadJobInputs({.scene = "builtin:exact", .environment = "sky"})->environment, EnvironmentKind::Sky);
-    const std::string file = testing::TempDir() + "glint_job_inputs_environment.hdr";
+    const test::TempFolder temp;
+    const std::string file = temp + "environment.hdr";
     ASSERT_TRUE(writeFile(file, "#?RADIANCE\n\n-Y 1 +X 1\n\x80\x80\x80\x81").ok());
     const auto inputs = loadJobInputs({.scene = "builtin:exact", .environment = file});
     ASSERT_TRUE(inputs.ok()) << inputs.error().message;
     EXPECT_EQ(inputs->environment, EnvironmentKind::Image);
     EXPECT_EQ(inputs->environmentImage.rgb.at(0), glm::vec3(1));
-    std::filesystem::remove(file);
     EXPECT_EQ(loadJobInputs({.scene = "builtin:exact", .environment = file}).error().code, ErrorCode::NotFound);
 }
 

@@ -3,11 +3,11 @@
 
 #include "base/file.hpp"
 #include "base/settings/settings_docs.hpp"
+#include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
 #include <set>
 
 namespace glint::render {
@@ -16,14 +16,14 @@ namespace {
 class ProgramSettingsTest : public testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(writeFile(file_, R"({"screen.step": 4, "display": {"exposure": 1}})").ok()); }
-    void TearDown() override { std::filesystem::remove(file_); }
 
     static std::string errorOf(const SettingsRequest& request) {
         auto loaded = loadSettings(request);
         return loaded.ok() ? "" : loaded.error().message;
     }
 
-    const std::string file_ = testing::TempDir() + "glint_program_settings_test.json";
+    const test::TempFolder temp_;
+    const std::string file_ = temp_ + "settings.json";
 };
 
 TEST_F(ProgramSettingsTest, SceneThenPresetThenFileThenSet) {
