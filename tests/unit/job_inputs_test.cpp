@@ -53,6 +53,7 @@ TEST(JobInputs, EnvironmentsAreSkyNoneOrAFile) {
     ASSERT_TRUE(inputs.ok()) << inputs.error().message;
     EXPECT_EQ(inputs->environment, EnvironmentKind::Image);
     EXPECT_EQ(inputs->environmentImage.rgb.at(0), glm::vec3(1));
+    std::filesystem::remove(file);
     EXPECT_EQ(loadJobInputs({.scene = "builtin:exact", .environment = file}).error().code, ErrorCode::NotFound);
 }
 
