@@ -13,6 +13,7 @@ void Api::loadDevice(VkDevice device) {
 #define GLINT_VK_LOAD(name) name = reinterpret_cast<PFN_vk##name>(GetDeviceProcAddr(device, "vk" #name));
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_LOAD)
     GLINT_VK_DEBUG_FUNCTIONS(GLINT_VK_LOAD)
+    GLINT_VK_RAY_FUNCTIONS(GLINT_VK_LOAD)
 #undef GLINT_VK_LOAD
 }
 

@@ -137,12 +137,45 @@ VkBufferImageCopy copyRegion(const Image& image, uint32_t mip, uint32_t layer, s
 
 } // namespace
 
-void Frame::update(Buffer& buffer, const void* data, size_t size) {
+void Frame::update(Buffer& buffer, const void* data, size_t size, size_t offset) {
     use(buffer, kTransferWriteBuffer);
     if (rehearsing())
         return;
     flushBarriers();
-    context_.api().CmdUpdateBuffer(commands_, buffer.handle(), 0, size, data);
+    constexpr size_t kMost = 65536; // Vulkan's own bound for one command
+    for (size_t done = 0; done < size; done += kMost)
+        context_.api().CmdUpdateBuffer(commands_, buffer.handle(), offset + done, std::min(size - done, kMost),
+                                       static_cast<const std::byte*>(data) + done);
+}
+
+void Frame::upload(Buffer& staging, Buffer& target) {
+    use(target, kTransferWriteBuffer);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    const VkBufferCopy region = {0, 0, staging.size()};
+    context_.api().CmdCopyBuffer(commands_, staging.handle(), target.handle(), 1, &region);
+}
+
+void Frame::build(AccelerationStructure& structure, Buffer& scratch) {
+    buildFrom(structure, scratch, false);
+}
+
+void Frame::refit(AccelerationStructure& structure, Buffer& scratch) {
+    buildFrom(structure, scratch, true);
+}
+
+void Frame::buildFrom(AccelerationStructure& structure, Buffer& scratch, bool refit) {
+    for (Buffer* input : structure.inputs())
+        use(*input, kBuildInput);
+    for (AccelerationStructure* bottom : structure.references())
+        use(bottom->storage(), kBuildReference);
+    use(structure.storage(), kBuildTarget);
+    use(scratch, kBuildTarget);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    structure.recordBuild(commands_, scratch, refit);
 }
 
 void Frame::fill(Buffer& buffer, uint32_t value) {
