@@ -79,7 +79,7 @@ void quantize(shared::BvhNode& node, const SlotBounds& slots, const Bounds& whol
         node.words[0].w |= grid.biasedExponent() << (8 * axis);
         for (uint32_t slot = 0; slot < kSlots; ++slot) {
             const bool used = metaOf(node, slot) != 0 && !slots[slot].empty();
-            // An unused slot has a box turned inside out.
+            // An unused slot is turned inside out: its box is hardly ever met, and holds nothing if it is.
             const uint32_t first = used ? grid.floorCell(static_cast<double>(slots[slot].low[axis])) : 255;
             const uint32_t last = used ? grid.ceilCell(static_cast<double>(slots[slot].high[axis])) : 0;
             constexpr std::array<std::array<uint32_t, 2>, 3> kLow = {{{2, 0}, {2, 2}, {3, 0}}};

@@ -1,5 +1,6 @@
 // RayScene: both back ends find what an oracle finds that tries every triangle in double precision.
 #include "gpu/support/ray_test.hpp"
+#include "gpu/support/test_shaders.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -132,12 +133,13 @@ Disagreement disagreement(const TestScene& scene, const std::vector<TestRay>& ra
             continue;
         ++result.judged;
         const TestHit& hit = hits[i];
+        const double rounding = 1e-6 * static_cast<double>(glm::length(rays[i].originWS));
         bool right = hit.met() == !all.empty() && (hit.occluded != 0) == !all.empty();
         if (right && hit.met()) {
             ++result.met;
             const ExactHit& exact = all[0];
             right = hit.instance == exact.instance && hit.primitive == exact.primitive &&
-                    std::abs(static_cast<double>(hit.distance) - exact.distance) <= 1e-4 * exact.distance &&
+                    std::abs(static_cast<double>(hit.distance) - exact.distance) <= 1e-4 * exact.distance + rounding &&
                     glm::distance(glm::dvec2(hit.barycentrics), exact.barycentrics) < 1e-2 &&
                     (hit.frontFace != 0) == exact.frontFace;
         }
@@ -161,6 +163,318 @@ TEST_P(RaySceneTest, randomScenesAreAnsweredAsByTheOracle) {
         EXPECT_GT(result.met, rays.size() / 10) << "scale " << scale;
         EXPECT_EQ(result.wrong, 0u) << "scale " << scale << ", of " << result.judged << ": " << result.first;
     }
+}
+
+/// A bumpy, finely divided sheet over [0, 1]^2 at about z = 0, all vertices shared.
+TestMesh sheet(uint32_t cells, float bump) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    TestMesh mesh;
+    for (uint32_t y = 0; y <= cells; ++y)
+        for (uint32_t x = 0; x <= cells; ++x)
+            mesh.positions.emplace_back(float(x) / float(cells), float(y) / float(cells), bump * unit(random));
+    for (uint32_t y = 0; y < cells; ++y)
+        for (uint32_t x = 0; x < cells; ++x) {
+            const uint32_t a = y * (cells + 1) + x;
+            const uint32_t b = a + cells + 1;
+            for (const uint32_t index : {a, a + 1, b, a + 1, b + 1, b})
+                mesh.indices.push_back(index);
+        }
+    return mesh;
+}
+
+TEST_P(RaySceneTest, noRaySlipsThroughSharedEdgesAndVertices) {
+    TestScene scene;
+    scene.meshes.push_back(sheet(32, 0.02f));
+    RayInstance instance; // turned, so that nothing is along an axis
+    const glm::mat4 turned = {{0.36f, 0.48f, -0.8f, 0}, {-0.8f, 0.6f, 0, 0}, {0.48f, 0.64f, 0.6f, 0}, {3, -2, 1, 1}};
+    std::copy_n(glm::value_ptr(turned), 16, instance.localToWorld.begin());
+    for (const bool moved : {false, true}) {
+        scene.instances = {moved ? instance : RayInstance{}};
+        const glm::mat4 matrix = moved ? turned : glm::mat4(1);
+        const TestMesh& mesh = scene.meshes[0];
+        std::vector<TestRay> rays;
+        const auto aimAt = [&](const glm::vec3& target) {
+            const glm::vec3 from = glm::vec3(matrix * glm::vec4(0.3f, 0.6f, 2, 1));
+            rays.push_back({.originWS = from, .directionWS = glm::vec3(matrix * glm::vec4(target, 1)) - from});
+        };
+        for (uint32_t y = 1; y < 32; ++y)
+            for (uint32_t x = 1; x < 32; ++x) {
+                const glm::vec3& a = mesh.positions[y * 33 + x];
+                aimAt(a);
+                for (const uint32_t other : {y * 33 + x + 1, (y + 1) * 33 + x, (y + 1) * 33 + x - 1})
+                    for (const float share : {0.125f, 0.3f, 0.5f, 0.77f})
+                        aimAt(glm::mix(a, mesh.positions[other], share));
+            }
+        const std::vector<TestHit> hits = trace(scene, rays);
+        size_t slipped = 0;
+        for (const TestHit& hit : hits)
+            slipped += hit.met() && hit.occluded ? 0 : 1;
+        // A driver's own test may not be watertight: Mesa's lavapipe lets about 2 in 1000 of such rays through.
+        const size_t allowed = GetParam() == RayBackend::Query ? rays.size() / 100 : 0;
+        EXPECT_LE(slipped, allowed) << "of " << rays.size() << (moved ? ", turned" : "");
+    }
+}
+
+TEST_P(RaySceneTest, emptyScenesMeetNothing) {
+    const std::vector<TestRay> rays(100);
+    const auto expectNothing = [&](const TestScene& scene, const char* what) {
+        for (const TestHit& hit : trace(scene, rays)) {
+            ASSERT_FALSE(hit.met()) << what;
+            ASSERT_EQ(hit.occluded, 0u) << what;
+            ASSERT_EQ(hit.distance, rays[0].tMax) << what;
+        }
+    };
+    expectNothing({}, "no meshes");
+    TestScene noInstances = oneTriangle();
+    noInstances.instances.clear();
+    expectNothing(noInstances, "no instances");
+    TestScene noTriangles;
+    noTriangles.meshes.emplace_back();
+    noTriangles.meshes.emplace_back().positions.emplace_back(0);
+    noTriangles.instances = {{.mesh = 0}, {.mesh = 1}, {.mesh = 0}};
+    expectNothing(noTriangles, "no triangles");
+}
+
+TEST_P(RaySceneTest, whatIsNotANumberIsNotThere) {
+    constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    TestScene scene = oneTriangle();
+    TestMesh& mesh = scene.meshes[0];
+    for (const float wrong : {kNan, kInfinity, -kInfinity, 1e30f})
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 corner(0, 0, -1);
+            corner[axis] = wrong;
+            mesh.addTriangle({-1, -1, -1}, corner, {1, -1, -1});
+        }
+    mesh.addTriangle({0, 0, -1}, {0, 0, -1}, {0, 0, -1});    // a point
+    mesh.addTriangle({-1, 0, -1}, {1, 0, -1}, {0, 0, -1});   // a line
+    mesh.addTriangle({-1, -1, -5}, {1, -1, -5}, {0, 1, -5}); // and one more that is there
+    for (const float wrong : {kNan, kInfinity, 0.0f})
+        for (const int element : {0, 5, 12}) {
+            RayInstance instance;
+            instance.localToWorld[element] = wrong;
+            if (wrong != 0 || element < 12)
+                scene.instances.push_back(instance);
+        }
+    std::vector<TestRay> rays = {{}, {.originWS = {0, 0, -3}}};
+    const size_t good = rays.size();
+    for (const float wrong : {kNan, kInfinity, 1e30f}) {
+        rays.push_back({.originWS = {wrong, 0, 0}});
+        rays.push_back({.directionWS = {0, wrong, -1}});
+        rays.push_back({.tMin = wrong});
+    }
+    rays.push_back({.tMax = kNan});
+    rays.push_back({.directionWS = {0, 0, 0}});
+    rays.push_back({.tMin = -1});
+    rays.push_back({.tMin = 3, .tMax = 2});
+    rays.push_back({.tMax = kInfinity}); // this one is a ray
+    const std::vector<TestHit> hits = trace(scene, rays);
+    for (size_t i = 0; i < hits.size(); ++i) {
+        const bool meets = i < good || i + 1 == hits.size();
+        ASSERT_EQ(hits[i].met(), meets) << i;
+        ASSERT_EQ(hits[i].occluded != 0, meets) << i;
+    }
+    EXPECT_EQ(hits[0].primitive, 0u);
+    EXPECT_NEAR(hits[0].distance, 2, 1e-6);
+    EXPECT_EQ(hits[1].primitive, mesh.indices.size() / 3 - 1) << "what is left out keeps its number";
+}
+
+TEST_P(RaySceneTest, wrongListsAreRefusedWithTheirPlace) {
+    const auto refusal = [&](const TestScene& scene) {
+        std::vector<RayMesh> views;
+        for (const TestMesh& mesh : scene.meshes)
+            views.push_back(mesh.view());
+        const auto made = rays::Scene::create(gpu(), {views, scene.instances, 0, GetParam()});
+        return made ? std::string() : made.error().message;
+    };
+    TestScene scene = oneTriangle();
+    scene.meshes[0].indices[2] = 3;
+    EXPECT_EQ(refusal(scene), "ray mesh 0: triangle 0 refers to vertex 3 of 3");
+    scene.meshes[0].indices = {0, 1};
+    EXPECT_EQ(refusal(scene), "ray mesh 0: 2 indices are no whole triangles");
+    scene = oneTriangle();
+    scene.instances[0].mesh = 1;
+    EXPECT_EQ(refusal(scene), "ray instance 0 is of mesh 1, the scene has 1");
+
+    const std::unique_ptr<rays::Scene> good = build(oneTriangle(), 2);
+    EXPECT_TRUE(good->setInstances(std::vector<RayInstance>(2)));
+    EXPECT_FALSE(good->setInstances(std::vector<RayInstance>(3)));
+    const float positions[9] = {};
+    EXPECT_FALSE(good->deform(0, positions, 3, 12)) << "it was not made to deform";
+}
+
+TEST_P(RaySceneTest, instancesMoveComeAndGo) {
+    TestScene scene = randomScene(17, 1);
+    const size_t count = scene.instances.size();
+    const std::unique_ptr<rays::Scene> built = build(scene, static_cast<uint32_t>(count) + 5);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (int step = 0; step < 6; ++step) {
+        SCOPED_TRACE(step);
+        for (RayInstance& instance : scene.instances)
+            for (int axis = 0; axis < 3; ++axis)
+                instance.localToWorld[12 + axis] += (step == 3 ? 20.0f : 0.5f) * unit(random);
+        if (step == 2)
+            scene.instances.resize(count - 7);
+        if (step == 4)
+            scene.instances.resize(count + 5, scene.instances.front());
+        if (step == 5)
+            scene.instances.clear();
+        must(built->setInstances(scene.instances));
+        const std::vector<TestRay> rays = randomRays(100 + static_cast<uint32_t>(step), 1000, 1);
+        const Disagreement result = disagreement(scene, rays, traceRays(gpu(), *built, rays));
+        EXPECT_GT(result.judged, rays.size() / 2);
+        EXPECT_EQ(result.wrong, 0u) << result.first;
+    }
+}
+
+TEST_P(RaySceneTest, aMeshDeforms) {
+    TestScene scene = randomScene(19, 1);
+    for (TestMesh& mesh : scene.meshes)
+        mesh.deforms = true;
+    scene.meshes[1].deforms = false;
+    const std::unique_ptr<rays::Scene> built = build(scene);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (int step = 0; step < 3; ++step) {
+        SCOPED_TRACE(step);
+        for (const uint32_t m : {0u, 2u, 3u}) {
+            std::vector<glm::vec3>& positions = scene.meshes[m].positions;
+            for (glm::vec3& position : positions)
+                position += glm::vec3(unit(random), unit(random), unit(random)) * 0.2f;
+            std::vector<glm::vec3> given = positions;
+            if (step == 1) { // not a place: the vertex stays where it was
+                positions[1] -= glm::vec3(0.5f);
+                must(built->deform(m, &positions[0].x, static_cast<uint32_t>(positions.size()), sizeof(glm::vec3)));
+                given = positions;
+                given[1].y = std::numeric_limits<float>::quiet_NaN();
+            }
+            must(built->deform(m, &given[0].x, static_cast<uint32_t>(given.size()), sizeof(glm::vec3)));
+        }
+        const std::vector<TestRay> rays = randomRays(200 + static_cast<uint32_t>(step), 1000, 1);
+        const Disagreement result = disagreement(scene, rays, traceRays(gpu(), *built, rays));
+        EXPECT_GT(result.judged, rays.size() / 2);
+        EXPECT_EQ(result.wrong, 0u) << result.first;
+    }
+    EXPECT_FALSE(built->deform(1, &scene.meshes[1].positions[0].x, 3, 12));
+    EXPECT_FALSE(built->deform(0, &scene.meshes[0].positions[0].x, 2, 12)) << "another number of vertices";
+}
+
+TEST_P(RaySceneTest, verticesMayBeFarApartInMemory) {
+    struct Vertex {
+        glm::vec3 position;
+        float other[5];
+    };
+    const Vertex vertices[3] = {{{-1, -1, -2}, {}}, {{3, -1, -2}, {}}, {{-1, 3, -2}, {}}};
+    const std::vector<uint32_t> indices = {0, 1, 2};
+    const RayMesh mesh = {&vertices[0].position.x, 3, sizeof(Vertex), indices};
+    const RayInstance instance;
+    const auto scene = must(rays::Scene::create(gpu(), {{&mesh, 1}, {&instance, 1}, 0, GetParam()}));
+    EXPECT_NEAR(traceRays(gpu(), *scene, {TestRay{}})[0].distance, 2, 1e-6);
+}
+
+TEST_P(RaySceneTest, nothingIsRecordedWhenNothingChanged) {
+    const std::unique_ptr<rays::Scene> scene = build(oneTriangle());
+    traceRays(gpu(), *scene, {TestRay{}});
+    const RaySceneTimes first = scene->times();
+    EXPECT_GT(first.cpuBuildMs, 0);
+    if (GetParam() == RayBackend::Query && gpu().timestampPeriodNs() > 0) {
+        EXPECT_GT(first.gpuBuildMs, 0);
+    }
+    EXPECT_TRUE(traceRays(gpu(), *scene, {TestRay{}})[0].met());
+    EXPECT_EQ(scene->times().gpuUpdateMs, first.gpuUpdateMs);
+}
+
+// ---------------------------------------------------------------- devices without ray queries
+
+class WithoutRayQuery : public testing::Test {
+protected:
+    void SetUp() override {
+        context_ = must(gpu::Context::create({.device = {}, .validation = true, .rayQuery = false}));
+        context_->addShaders(gpu::shaders::test());
+    }
+    void TearDown() override {
+        for (const std::string& message : context_->validationMessages())
+            ADD_FAILURE() << "validation: " << message;
+    }
+    std::unique_ptr<gpu::Context> context_;
+};
+
+TEST_F(WithoutRayQuery, autoTakesTheHierarchyAndItWorks) {
+    const std::unique_ptr<rays::Scene> scene = oneTriangle().build(*context_, RayBackend::Auto);
+    EXPECT_EQ(scene->backend(), RayBackend::Bvh);
+    EXPECT_TRUE(traceRays(*context_, *scene, {TestRay{}})[0].met());
+}
+
+TEST_F(WithoutRayQuery, queriesAreRefused) {
+    const auto scene = rays::Scene::create(*context_, {.backend = RayBackend::Query});
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().code, ErrorCode::Unsupported);
+    const auto pipeline = gpu::Pipeline::compute(*context_, {"ray_query", 0, {}});
+    ASSERT_FALSE(pipeline);
+    EXPECT_EQ(pipeline.error().code, ErrorCode::Unsupported);
+    EXPECT_NE(pipeline.error().message.find("ray_query traces by ray queries"), std::string::npos)
+        << pipeline.error().message;
+}
+
+// ---------------------------------------------------------------- barriers
+
+class AccelerationStructureTest : public GpuTest {};
+
+/// The packaged validation layer does not see these hazards: what the tracker was told is looked at here.
+TEST_F(AccelerationStructureTest, aPassReadsTheTopLevelAndEveryBottomLevelBelowIt) {
+    if (!gpu().rayQuery())
+        GTEST_SKIP() << "no ray queries on " << gpu().info().name;
+    const std::vector<glm::vec3> vertices = {{-1, -1, -2}, {3, -1, -2}, {-1, 3, -2}};
+    const std::vector<uint32_t> triangle = {0, 1, 2};
+    gpu::Buffer positions = must(gpu::uploadBuffer(gpu(), "test/positions", vertices, gpu::kBuildInputUsage));
+    gpu::Buffer indices = must(gpu::uploadBuffer(gpu(), "test/indices", triangle, gpu::kBuildInputUsage));
+    const gpu::TriangleRange range = {&positions, 0, 3, &indices, 0, 1};
+    gpu::AccelerationStructure bottom = must(gpu::AccelerationStructure::bottom(gpu(), "test/bottom", range, true));
+    VkAccelerationStructureInstanceKHR record = {};
+    for (int i = 0; i < 3; ++i)
+        record.transform.matrix[i][i] = 1;
+    record.mask = 0xff;
+    record.accelerationStructureReference = bottom.address();
+    gpu::Buffer instances =
+        must(gpu::uploadBuffer(gpu(), "test/instances", std::vector{record}, gpu::kBuildInputUsage));
+    gpu::AccelerationStructure top = must(gpu::AccelerationStructure::top(gpu(), "test/top", instances, 1, {&bottom}));
+    gpu::Buffer scratch =
+        must(gpu::Buffer::create(gpu(), {"test/scratch", std::max(bottom.scratchSize(), top.scratchSize()),
+                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                                         gpu::BufferHome::Device}));
+    gpu::Buffer rays =
+        must(gpu::uploadBuffer(gpu(), "test/rays", std::vector<TestRay>(1), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    gpu::Buffer hits = must(gpu::Buffer::create(
+        gpu(), {"test/hits", sizeof(TestHit), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Device}));
+    const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"ray_query", 0, {}}));
+
+    constexpr VkPipelineStageFlags2 kBuild = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
+    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    run([&](VkCommandBuffer commands) {
+        gpu::Frame frame(gpu(), commands);
+        frame.build(bottom, scratch);
+        EXPECT_EQ(positions.state().readStages, kBuild);
+        EXPECT_EQ(indices.state().readStages, kBuild);
+        EXPECT_EQ(bottom.storage().state().writeStages, kBuild);
+        EXPECT_EQ(scratch.state().writeStages, kBuild);
+        frame.build(top, scratch);
+        EXPECT_EQ(bottom.storage().state().readStages, kBuild);
+        EXPECT_EQ(instances.state().readStages, kBuild);
+        frame.pass(pipeline).read("scene", top).read("rays", rays).write("hits", hits).dispatch(1);
+        for (gpu::AccelerationStructure* structure : {&top, &bottom}) {
+            EXPECT_TRUE(structure->storage().state().readStages & kCompute);
+            EXPECT_TRUE(structure->storage().state().readAccess & VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR);
+        }
+        frame.refit(bottom, scratch);
+        EXPECT_EQ(bottom.storage().state().readStages, 0u) << "a write again, behind the shader's reads";
+    });
+    gpu::Frame rehearsal = gpu::Frame::rehearsal(gpu());
+    rehearsal.pass(pipeline).read("scene", rays).read("rays", rays).write("hits", hits).dispatch(1);
+    ASSERT_FALSE(rehearsal.firstError());
+    EXPECT_EQ(rehearsal.firstError().error().message,
+              "ray_query: 'scene' is declared for read as an acceleration structure, but bound for read as a buffer");
 }
 
 } // namespace
