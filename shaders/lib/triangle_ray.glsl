@@ -32,10 +32,14 @@ ShearedRay shearRay(vec3 origin, vec3 direction) {
     return ray;
 }
 
+/// `normal`: any length, as exact as can be had. The paper's distance, a mean of the vertices' by their weights, loses
+/// digits on long thin triangles; the plane through the most important vertex keeps them, and makes the distance on
+/// axis-aligned planes exact. Where the ray runs along the plane the vertices' own range bounds the distance.
+///
 /// `precise`: an edge that two triangles share must give exactly opposite signs in both, so no fused multiply-adds.
 /// An edge value of 0 counts as inside for both; the paper computes such again in double precision, to tell which of the
 /// two was met, which here does not matter. Degenerate triangles and NaN are not met.
-TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
+TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2, vec3 normal) {
     precise vec3 a = longestLast(v0 - ray.origin, ray.longest);
     precise vec3 b = longestLast(v1 - ray.origin, ray.longest);
     precise vec3 c = longestLast(v2 - ray.origin, ray.longest);
@@ -50,9 +54,15 @@ TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2) {
     TriangleHit hit;
     hit.met = ((u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0)) && determinant != 0.0;
     float inverse = 1.0 / determinant;
-    hit.distance = (u * a.z + v * b.z + w * c.z) * ray.shear.z * inverse;
     hit.barycentrics = vec2(v, w) * inverse;
     hit.frontFace = (determinant > 0.0) == (ray.shear.z > 0.0);
+
+    vec3 n = longestLast(normal, ray.longest);
+    vec3 nearby = abs(u) > max(abs(v), abs(w)) ? a : abs(v) > abs(w) ? b : c;
+    float z = dot(n, nearby) / dot(n, vec3(ray.shear.xy, 1.0));
+    z = z < min(min(a.z, b.z), c.z) ? min(min(a.z, b.z), c.z) : z;
+    z = z > max(max(a.z, b.z), c.z) ? max(max(a.z, b.z), c.z) : z;
+    hit.distance = z * ray.shear.z;
     return hit;
 }
 

@@ -37,6 +37,12 @@ uvec2 groupOfRoot(uint root) {
     return uvec2(root, 0x80000000u);
 }
 
+/// Its longest component is 1.
+vec3 normalOf(BvhTriangle triangle, uint axis) {
+    vec2 others = vec2(triangle.vertices[1].w, triangle.vertices[2].w);
+    return axis == 0u ? vec3(1.0, others) : axis == 1u ? vec3(others.x, 1.0, others.y) : vec3(others, 1.0);
+}
+
 /// Nearest hit, or, with `any`, the first that is found.
 Hit traverseBvh(Ray ray, bool any) {
     Hit hit = missOf(ray);
@@ -78,22 +84,27 @@ Hit traverseBvh(Ray ray, bool any) {
                     stack[height++] = primitives;
                 inInstance = true;
                 instanceHeight = height;
+                // The translation first: near the instance little is lost by rounding, wherever in the world it is.
                 // The direction keeps its length in the world, so distances are the world's.
-                mat3x4 rows = mat3x4(instance.worldToLocal[0], instance.worldToLocal[1], instance.worldToLocal[2]);
-                current = makeBvhRay(vec4(ray.originWS, 1.0) * rows, vec4(ray.directionWS, 0.0) * rows);
+                vec4 rows[3] = instance.worldToLocal;
+                mat3 transposed = mat3(rows[0].xyz, rows[1].xyz, rows[2].xyz);
+                current = makeBvhRay((ray.originWS - vec3(rows[0].w, rows[1].w, rows[2].w)) * transposed,
+                                     ray.directionWS * transposed);
                 nodes = groupOfRoot(instance.rootNode);
                 primitives.y = 0u;
                 continue;
             }
             BvhTriangle triangle = bvhTriangles.item[index];
-            TriangleHit met = intersectTriangle(current.triangles, triangle.vertices[0].xyz, triangle.vertices[1].xyz,
-                                                triangle.vertices[2].xyz);
+            uint numberAndAxis = floatBitsToUint(triangle.vertices[0].w);
+            TriangleHit met =
+                intersectTriangle(current.triangles, triangle.vertices[0].xyz, triangle.vertices[1].xyz,
+                                  triangle.vertices[2].xyz, normalOf(triangle, numberAndAxis >> kBvhNormalAxisShift));
             if (!met.met || !(met.distance > ray.tMin) || !(met.distance < hit.distance))
                 continue;
             if ((ray.flags & kRayCullBackFaces) != 0u && !met.frontFace &&
                 (instance.maskAndFlags & kBvhInstanceDoubleSided) == 0u)
                 continue;
-            uint primitive = floatBitsToUint(triangle.vertices[0].w);
+            uint primitive = numberAndAxis & ((1u << kBvhNormalAxisShift) - 1u);
             bool ask = (ray.flags & kRayAllOpaque) == 0u && (instance.maskAndFlags & kBvhInstanceOpaque) == 0u;
             if (ask && !rayMeetsSurface(instance.number, primitive, met.barycentrics))
                 continue;

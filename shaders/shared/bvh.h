@@ -20,17 +20,20 @@ struct BvhNode {
     uint4 words[5];
 };
 
-/// A triangle in the order of the leaves; w of the first: its number in the mesh, as float bits.
+/// A triangle in the order of the leaves. w of the first vertex, as float bits: its number in the mesh and, in the top
+/// two bits, the normal's longest axis; w of the others: the normal's other two components over the longest one. The
+/// normal comes from double precision, for that of a thin triangle would not survive single; NaN if it has none.
 struct BvhTriangle {
     float4 vertices[3];
 };
+GLINT_CONSTANT(uint, kBvhNormalAxisShift, 30u);
 
 GLINT_CONSTANT(uint, kBvhInstanceOpaque, 0x100u); ///< beside the mask
 GLINT_CONSTANT(uint, kBvhInstanceDoubleSided, 0x200u);
 
 /// An instance in the order of the top level's leaves.
 struct BvhInstance {
-    float4 worldToLocal[3]; ///< rows
+    float4 worldToLocal[3]; ///< rows of the linear part; w: where in the world the local origin is
     uint rootNode;
     uint number;       ///< in the host's list
     uint maskAndFlags; ///< low byte: the mask; kBvhInstance...

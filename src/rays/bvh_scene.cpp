@@ -16,6 +16,15 @@ size_t bytesFor(size_t count) {
     return std::max<size_t>(count, 1) * sizeof(T);
 }
 
+shared::BvhTriangle packTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, uint32_t number) {
+    const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+    const glm::dvec3 size = glm::abs(normal);
+    const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const glm::vec3 scaled(normal / normal[axis]); // 0 / 0 where the triangle has no area
+    return {{glm::vec4(a, std::bit_cast<float>(number | static_cast<uint32_t>(axis) << shared::kBvhNormalAxisShift)),
+             glm::vec4(b, scaled[axis == 0 ? 1 : 0]), glm::vec4(c, scaled[axis == 2 ? 1 : 2])}};
+}
+
 } // namespace
 
 std::vector<Bounds> BvhScene::boxesOf(const Part& part) {
@@ -38,10 +47,8 @@ void BvhScene::writeTriangles(const Part& part, shared::BvhTriangle* out) const 
     for (const uint32_t primitive : part.tree.order) {
         const uint32_t number = part.kept[primitive];
         const glm::uvec3& triangle = part.mesh.triangles[number];
-        for (int corner = 0; corner < 3; ++corner)
-            out->vertices[corner] = glm::vec4(part.mesh.positions[triangle[corner]], 0);
-        out->vertices[0].w = std::bit_cast<float>(number);
-        ++out;
+        *out++ = packTriangle(part.mesh.positions[triangle.x], part.mesh.positions[triangle.y],
+                              part.mesh.positions[triangle.z], number);
     }
 }
 
@@ -131,9 +138,10 @@ void BvhScene::fitTop() {
         boxes.push_back(boundsWS(*placement, part.bounds));
         shared::BvhInstance record = {};
         const glm::mat4x3 worldToLocal(placement->worldToLocal);
+        const glm::vec3 originWS(placement->localToWorld[3]);
         for (int row = 0; row < 3; ++row)
             record.worldToLocal[row] =
-                glm::vec4(worldToLocal[0][row], worldToLocal[1][row], worldToLocal[2][row], worldToLocal[3][row]);
+                glm::vec4(worldToLocal[0][row], worldToLocal[1][row], worldToLocal[2][row], originWS[row]);
         record.rootNode = part.firstNode;
         record.number = i;
         record.maskAndFlags = instance.mask | (instance.opaque ? shared::kBvhInstanceOpaque : 0) |

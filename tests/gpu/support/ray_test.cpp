@@ -23,7 +23,9 @@ std::unique_ptr<rays::Scene> TestScene::build(gpu::Context& context, RayBackend 
     return must(rays::Scene::create(context, {views, instances, maxInstances, backend}));
 }
 
-std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays) {
+std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays,
+                               double* milliseconds) {
+    const std::unique_ptr<gpu::Timers> timers = must(gpu::Timers::create(context));
     constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     gpu::Buffer in = must(gpu::uploadBuffer(context, "test/rays", rays, kUsage));
     gpu::Buffer out = must(
@@ -32,13 +34,15 @@ std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const 
     const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(context, {query ? "ray_query" : "ray_bvh", 0, {}}));
     must(context.submitAndWait([&](VkCommandBuffer commands) {
         scene.record(commands);
-        gpu::Frame frame(context, commands);
+        gpu::Frame frame(context, commands, timers.get());
         scene.bind(frame.pass(pipeline))
             .read("rays", in)
             .write("hits", out)
             .dispatch(static_cast<uint32_t>(rays.size()));
     }));
     scene.releaseStaging();
+    if (milliseconds)
+        *milliseconds = timers->latest().empty() ? 0 : timers->latest().front().milliseconds;
     const std::vector<std::byte> bytes = must(gpu::downloadBuffer(context, out));
     std::vector<TestHit> hits(rays.size());
     std::memcpy(hits.data(), bytes.data(), bytes.size());

@@ -50,8 +50,10 @@ struct TestScene {
     std::unique_ptr<rays::Scene> build(gpu::Context& context, RayBackend backend, uint32_t maxInstances = 0) const;
 };
 
-/// Records what is pending and traces; frees the staging memory on the way.
-std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays);
+/// Records what is pending and traces; frees the staging memory on the way. `milliseconds`: of the GPU, for both the
+/// nearest hits and the occlusions; 0 without timestamps.
+std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays,
+                               double* milliseconds = nullptr);
 
 /// Every hit of a ray on the scene, in double precision: nearest first. Alpha holes as in
 /// tests/gpu/shaders/ray_alpha.glsl.
