@@ -87,18 +87,18 @@ const uint kGrazes = 4u;      // its slab, but it is the surface that the ray st
 const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
 const uint kInFront = 6u;     // not behind the surface's plane, though behind the depth of the pixel's centre
 
-/// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if
-/// it shows the same surface, by depth and normal, so that positions are exact, else `px`, so that no other surface
-/// lends its colour.
-vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
+/// The ray meets at `share` the plane of the surface that pixel `px` shows, in that pixel or just beside it: the pixel
+/// there is taken if it shows the same surface, by plane and normal, so that positions are exact, else `px`, so that no
+/// other surface lends its colour.
+vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 normalVS, inout uint lookups) {
     vec2 at = ray.startPX + ray.deltaPX * share;
     ivec2 there = ivec2(floor(at));
     if (there != px && onScreen(at)) {
-        float rayZ = rayViewZ(ray, share);
         float sceneZ = texelFetch(viewZ, there, 0).r;
         ++lookups;
-        logPlace(ray, share, at, rayZ, sceneZ);
-        if (abs(sceneZ - rayZ) <= kAtSurface * rayZ && dot(normalAt(at), normalAt(vec2(px))) > kOwnNormal)
+        logPlace(ray, share, at, rayViewZ(ray, share), sceneZ);
+        vec3 thereVS = viewPosition(frame.constants, (vec2(there) + 0.5) * frame.constants.invSize, sceneZ);
+        if (abs(dot(normalVS, thereVS - surfaceVS)) <= kAtSurface * sceneZ && dot(normalAt(at), normalVS) > kOwnNormal)
             return at;
     }
     return clamp(at, vec2(px), vec2(px) + 0.999);
@@ -145,7 +145,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
                 return kPasses;
         }
         s.share = share;
-        s.px = placeOfHit(r.screen, s.share, px, lookups);
+        s.px = placeOfHit(r.screen, s.share, px, surfaceVS, normalVS, lookups);
         return kMeets;
     }
     float nearest = min(s.rayZ, fromZ);
