@@ -10,11 +10,12 @@ import json
 import sys
 from pathlib import Path
 
-# The palette of the outcome view, by name in any case, with spaces, dashes or capitals in between.
+# The outcome view's colours (shaders/lib/outcome_color.glsl), by name in any case, with spaces, dashes or capitals in
+# between; a hit is shown at half of its range.
 COLOURS = {
-    "hit": "#3fb950", "sky": "#58a6ff", "offscreen": "#d29922", "behindcamera": "#a371f7", "maxdistance": "#6e7681",
-    "outofsteps": "#f85149", "hidden": "#db61a2", "toothick": "#f0883e", "backface": "#bc8cff",
-    "belowthreshold": "#30363d", "toorough": "#484f58",
+    "hit": "#008000", "sky": "#4099e6", "offscreen": "#ffff00", "behindcamera": "#ff8000", "maxdistance": "#0000ff",
+    "outofsteps": "#ff0000", "hidden": "#800080", "toothick": "#e64de6", "backface": "#734d26", "side": "#73bf1a",
+    "belowthreshold": "#262626", "toorough": "#4d4d4d", "facingcamera": "#008080",
 }
 
 

@@ -18,7 +18,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
-} frame;
+}
+frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 4) uniform sampler2D traced; // radiance, not multiplied by weight
@@ -105,10 +106,10 @@ vec4 mostSimilar(Place here, ivec2 px) {
 
 /// Follows `directionVS` for about `distance` metres to what the picture shows there. False: it shows nothing at just
 /// that place, or a side that the ray would not meet.
-bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
-    const float kMeetsFront = 0.02;  // cosine
-    const float kSameHit = 1.5;      // the surface found may be farther by half; toward a contact rays become short
-    const float kSameDepth = 0.002;  // of viewZ, besides half a pixel
+bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
+    const float kMeetsFront = 0.02; // cosine
+    const float kSameHit = 1.5;     // the surface found may be farther by half; toward a contact rays become short
+    const float kSameDepth = 0.002; // of viewZ, besides half a pixel
     float along = distance;
     for (int step = 0; step < 2; ++step) {
         vec3 atVS = here.positionVS + directionVS * along;
@@ -118,8 +119,8 @@ bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
         vec2 at = pixelH.xy / pixelH.w;
         if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, frame.constants.size)))
             return false;
-        hitPX = ivec2(at);
-        Place there = placeOf(hitPX);
+        hitPX = at;
+        Place there = placeOf(ivec2(at));
         float approach = -dot(there.normalVS, directionVS);
         if (there.background || approach < kMeetsFront)
             return false;
@@ -133,8 +134,10 @@ bool aim(Place here, vec3 directionVS, float distance, out ivec2 hitPX) {
     return false;
 }
 
-vec4 answerAt(ivec2 hitPX, float weight) {
-    vec3 radiance = hitRadiance(hitPX);
+vec4 answerAt(Place here, vec2 hitPX, float weight) {
+    uint lookups = 0u; // counted for rays alone
+    vec3 hitVS = placeOf(ivec2(hitPX)).positionVS;
+    vec3 radiance = hitRadiance(hitPX, here.positionVS, hitVS, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
         radiance = min(radiance, 1.0);
     return vec4(radiance, 1.0) * weight;
@@ -162,10 +165,10 @@ bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, out vec4
     // A gather begins at the bottom left and goes round.
     vec4 shares = vec4((1.0 - share.x) * share.y, share.x * share.y, share.x * (1.0 - share.y),
                        (1.0 - share.x) * (1.0 - share.y));
-    ivec2 hitPX;
+    vec2 hitPX;
     if (!aim(here, directionVS, dot(distances, shares), hitPX))
         return false;
-    answer = answerAt(hitPX, dot(weights, shares));
+    answer = answerAt(here, hitPX, dot(weights, shares));
     return true;
 }
 
@@ -204,13 +207,13 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
     }
     if (hits <= 0.0)
         return false;
-    ivec2 hitPX;
+    vec2 hitPX;
     bool found = aim(here, directionVS, meanDistance / hits, hitPX);
     for (int i = 0; i < 4 && !found; ++i) // across an edge of what they hit, one of them alone may be right
         found = distances[i] > 0.0 && aim(here, directionVS, distances[i], hitPX);
     if (!found)
         return misses > 0.0; // beside a miss and not to be found: a miss itself
-    answer = answerAt(hitPX, alpha / hits);
+    answer = answerAt(here, hitPX, alpha / hits);
     return true;
 }
 

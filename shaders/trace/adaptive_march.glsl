@@ -41,7 +41,8 @@ March march(Ray r) {
     for (uint i = 1u; i <= steps; ++i) {
         result.iterations = i;
         // The last one lands on the end itself, which rounding could put off screen.
-        result.share = i < steps ? shareAtDistance(ray, usable * float(i) / float(steps)) : (clip ? ray.screenEnd : 1.0);
+        result.share =
+            i < steps ? shareAtDistance(ray, usable * float(i) / float(steps)) : (clip ? ray.screenEnd : 1.0);
         if (!onScreen(ray.startPX + ray.deltaPX * result.share)) {
             result.outcome = kOutcomeOffScreen;
             return result;

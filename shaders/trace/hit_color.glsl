@@ -94,12 +94,64 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     return total > 0.0;
 }
 
-/// Linear radiance, finite, of the surface that pixel `px` shows.
-vec3 hitRadiance(ivec2 px) {
+/// Do pixels of the hit's surface look larger from where the ray starts than from the eye? Then single texels would be
+/// seen as stairs. A pixel of the mirror spans, on the ray, what a pixel spans at the whole way's distance; one at the
+/// hit is as wide as its own distance makes it, drawn out by its lean to the eye and foreshortened by that to the ray.
+/// For a flat mirror: a hollow one may magnify more.
+bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
+    vec3 directionVS = normalize(hitVS - originVS);
+    if (isOrthographic(frame.constants))
+        return abs(dot(normalVS, directionVS)) > abs(normalVS.z);
+    float wayOfMirror = length(originVS) + distance(originVS, hitVS);
+    return abs(dot(normalVS, directionVS)) * length(hitVS) > wayOfMirror * abs(dot(normalVS, normalize(hitVS)));
+}
+
+/// Of this frame, at `px`: the texel there, or where texels look large, bilinear over those of the four that show the
+/// same surface, by depth and normal.
+vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
+    bool encoded = (frame.constants.flags & kInputGamma) != 0u;
+    ivec2 at = ivec2(px);
+    vec3 nearest = linearColor(texelFetch(litRadiance, at, 0).rgb, encoded);
+    vec3 normalVS = unpackSurface(texelFetch(surface, at, 0).xy).normalVS;
+    if (!isMagnified(hitVS, normalVS, originVS))
+        return nearest;
+    float z = texelFetch(viewZ, at, 0).r;
+    ++lookups;
+    vec3 texelVS = viewPosition(frame.constants, (vec2(at) + 0.5) * frame.constants.invSize, z);
+    const float kLike = 0.9; // 25 degrees
+    float spread = isOrthographic(frame.constants) ? 1.0 : z;
+    float offPlane = kSamePlace * z + 0.25 * abs(frame.constants.uvToView.y) * frame.constants.invSize.y * spread;
+    vec2 corner = floor(px - 0.5);
+    vec2 share = px - 0.5 - corner;
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        ivec2 texel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(frame.constants.size) - 1);
+        vec2 shares = mix(1.0 - share, share, vec2(offset));
+        float weight = shares.x * shares.y;
+        if (texel == at) {
+            sum += weight * vec4(nearest, 1.0);
+            continue;
+        }
+        float texelZ = texelFetch(viewZ, texel, 0).r;
+        ++lookups;
+        vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
+        bool same = texelZ < kBackgroundZ &&
+                    abs(dot(normalVS, viewPosition(frame.constants, uv, texelZ) - texelVS)) <= offPlane &&
+                    dot(normalVS, unpackSurface(texelFetch(surface, texel, 0).xy).normalVS) > kLike;
+        if (same)
+            sum += weight * vec4(linearColor(texelFetch(litRadiance, texel, 0).rgb, encoded), 1.0);
+    }
+    return sum.rgb / sum.a; // the texel at `px` has a share of a quarter at least
+}
+
+/// Linear radiance, finite, of the surface that the picture shows at `px`, for a ray from `originVS` to `hitVS`.
+/// `lookups` grows by the depths of this frame that were read.
+vec3 hitRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 radiance;
-    if ((frame.constants.flags & kInputHistory) != 0u && previousRadiance(px, radiance))
+    if ((frame.constants.flags & kInputHistory) != 0u && previousRadiance(ivec2(px), radiance))
         return radiance;
-    return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
+    return currentRadiance(px, originVS, hitVS, lookups);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // When a ray meets what the picture shows. A pixel knows its surface's depth and normal, so it is held for a small flat
 // piece: the ray meets its front if it goes from before the piece's plane to behind it, whatever the piece's thickness.
-// A ray that comes upon it from elsewhere, behind its plane already, runs into its side if it is no deeper than the slab:
-// the thing is solid there, but the picture does not show where the ray meets it.
+// A ray that comes upon it from elsewhere, behind its plane already, runs into its side if it is no deeper than the
+// slab: the thing is solid there, but the picture does not show where the ray meets it.
 #ifndef GLINT_TRACE_HIT_TEST_GLSL
 #define GLINT_TRACE_HIT_TEST_GLSL
 
@@ -11,7 +11,8 @@
 /// `fade.backface` fades what lies between.
 const float kBackFaceLimit = -0.17;
 /// Both points may lie on one surface, which its own ray never meets from the front, if their normals differ by no more
-/// than 25 degrees (cosine) and the start lies no farther off the other point's plane than this share of their distance.
+/// than 25 degrees (cosine) and the start lies no farther off the other point's plane than this share of their
+/// distance.
 const float kOwnNormal = 0.9;
 const float kOwnPlane = 0.15;
 
@@ -19,7 +20,10 @@ const float kOwnPlane = 0.15;
 const float kDepthRounding = 1e-5;
 
 /// So close behind the front, in parts of its distance, a ray from beside meets what the picture shows.
-const float kAtSurface = 0.005;
+const float kAtSurface = 0.004;
+
+/// Cosine to the eye's ray below which a pixel's plane says little about where its surface is.
+const float kEdgeOn = 0.35;
 
 /// One depth sample of the ray.
 struct Sample {
@@ -40,19 +44,21 @@ Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
     return s;
 }
 
+/// viewZ of the back of what the picture shows at `px`; `sceneZ` if it has none.
+float backOf(vec2 px, float sceneZ, inout uint lookups) {
+    if (!isOn(kTraceBackDepth))
+        return sceneZ;
+    ivec2 size = textureSize(backViewZ, 0);
+    ivec2 backPX = min(ivec2(px * frame.constants.invSize * vec2(size)), size - 1);
+    float backZ = texelFetch(backViewZ, backPX, 0).r;
+    ++lookups;
+    // A back face in front of the front: something open, of which nothing is known behind.
+    return backZ < kBackgroundZ && backZ >= sceneZ * 0.999 ? max(backZ, sceneZ) : sceneZ;
+}
+
 /// viewZ to which the surface that the picture shows at `px` reaches back.
 float slabEnd(vec2 px, float sceneZ, inout uint lookups) {
-    float reach = sceneZ;
-    if (isOn(kTraceBackDepth)) {
-        ivec2 size = textureSize(backViewZ, 0);
-        ivec2 backPX = min(ivec2(px * frame.constants.invSize * vec2(size)), size - 1);
-        float backZ = texelFetch(backViewZ, backPX, 0).r;
-        ++lookups;
-        // A back face in front of the front: something open, of which nothing is known behind.
-        if (backZ < kBackgroundZ && backZ >= sceneZ * 0.999)
-            reach = max(backZ, sceneZ);
-    }
-    reach += settings.thickness + settings.thicknessRelative * sceneZ;
+    float reach = backOf(px, sceneZ, lookups) + settings.thickness + settings.thicknessRelative * sceneZ;
     logSlab(px, reach);
     return reach;
 }
@@ -81,29 +87,35 @@ const uint kGrazes = 4u;      // its slab, but it is the surface that the ray st
 const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
 const uint kInFront = 6u;     // not behind the surface's plane, though behind the depth of the pixel's centre
 
-/// The ray meets a surface's plane at `share`, in or just beside pixel `px` that shows it: the pixel there is taken if it
-/// shows the same surface, by depth and normal, so that positions are exact, else `px`, so that no other surface lends
-/// its colour.
-vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, inout uint lookups) {
+/// The ray meets at `share` the plane of the surface that pixel `px` shows, in that pixel or just beside it: the pixel
+/// there is taken if it shows the same surface, by plane and normal, so that positions are exact, else `px`, so that no
+/// other surface lends its colour.
+vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 normalVS, inout uint lookups) {
     vec2 at = ray.startPX + ray.deltaPX * share;
     ivec2 there = ivec2(floor(at));
     if (there != px && onScreen(at)) {
-        float rayZ = rayViewZ(ray, share);
         float sceneZ = texelFetch(viewZ, there, 0).r;
         ++lookups;
-        logPlace(ray, share, at, rayZ, sceneZ);
-        if (abs(sceneZ - rayZ) <= kAtSurface * rayZ && dot(normalAt(at), normalAt(vec2(px))) > kOwnNormal)
+        logPlace(ray, share, at, rayViewZ(ray, share), sceneZ);
+        vec3 thereVS = viewPosition(frame.constants, (vec2(there) + 0.5) * frame.constants.invSize, sceneZ);
+        if (abs(dot(normalVS, thereVS - surfaceVS)) <= kAtSurface * sceneZ && dot(normalAt(at), normalVS) > kOwnNormal)
             return at;
     }
     return clamp(at, vec2(px), vec2(px) + 0.999);
 }
 
-/// So far behind a pixel's plane, in metres, a point may be that lay in front of the depth of a pixel's centre: as far as
-/// the plane rises over half a pixel.
+/// So far behind a pixel's plane, in metres, a point may be that lay in front of the depth of a pixel's centre: as far
+/// as the plane rises over half a pixel.
 float planeSlack(vec3 normalVS, float sceneZ) {
     float spread = isOrthographic(frame.constants) ? 1.0 : sceneZ;
     vec2 pixel = abs(frame.constants.uvToView.xy) * frame.constants.invSize * spread;
     return 0.5 * dot(abs(normalVS.xy), pixel) + kDepthRounding * sceneZ;
+}
+
+/// A surface that the eye sees so nearly along its plane that the plane leaves the thing's depth within one pixel.
+bool isEdgeOn(vec3 normalVS, vec3 surfaceVS) {
+    float toEye = isOrthographic(frame.constants) ? normalVS.z : dot(normalVS, normalize(surfaceVS));
+    return abs(toEye) < kEdgeOn;
 }
 
 uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
@@ -125,16 +137,24 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
         // Heights are linear along the ray in 3D; over w, on screen.
         float from = heightFrom * mix(r.screen.startInvW, r.screen.endInvW, fromShare);
         float here = heightHere * mix(r.screen.startInvW, r.screen.endInvW, s.share);
-        s.share = mix(fromShare, s.share, clamp(from / max(from - here, 1e-30), 0.0, 1.0));
-        s.px = placeOfHit(r.screen, s.share, px, lookups);
+        float share = mix(fromShare, s.share, clamp(from / max(from - here, 1e-30), 0.0, 1.0));
+        if (isEdgeOn(normalVS, surfaceVS)) {
+            // The rim of something closed: its plane goes on behind it, the thing does not.
+            float backZ = backOf(s.px, s.sceneZ, lookups);
+            if (backZ > s.sceneZ && rayViewZ(r.screen, share) > backZ + settings.thickness)
+                return kPasses;
+        }
+        s.share = share;
+        s.px = placeOfHit(r.screen, s.share, px, surfaceVS, normalVS, lookups);
         return kMeets;
     }
     float nearest = min(s.rayZ, fromZ);
-    if (faces && 0.5 * (s.rayZ + fromZ) <= s.sceneZ * (1.0 + kAtSurface))
-        return kMeets;
     float slabZ = slabEnd(s.px, s.sceneZ, lookups);
-    if (nearest <= slabZ)
-        return faces ? kMeetsSide : own ? kGrazes : kMeetsBehind;
+    if (nearest <= slabZ) {
+        if (!faces)
+            return own ? kGrazes : kMeetsBehind;
+        return 0.5 * (s.rayZ + fromZ) <= s.sceneZ * (1.0 + kAtSurface) ? kMeets : kMeetsSide;
+    }
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
 }
 

@@ -22,8 +22,8 @@ Cell lookUp(ivec2 cell, int level) {
 struct Line {
     vec2 startPX;
     vec2 deltaPX;
-    vec2 invDelta; // of a direction in which it does not move: large
-    vec2 forward;  // 1 where it moves toward larger coordinates, else 0
+    vec2 invDelta;    // of a direction in which it does not move: large
+    vec2 forward;     // 1 where it moves toward larger coordinates, else 0
     float pixelShare; // a pixel along its longer axis, as a share of it
 };
 
@@ -149,11 +149,13 @@ March march(Ray r) {
                 // From a pixel before, as single pixels are tested.
                 bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
                 logCell(ray, share, cell, level, start + slope * share - aboveFirst, bounds.slab,
-                        inFront ? kSampleFront : behind ? kSampleBehind : kSampleLookInto);
+                        inFront  ? kSampleFront
+                        : behind ? kSampleBehind
+                                 : kSampleLookInto);
                 if (!inFront && !behind) {
                     float fall = -climb * pixelShare; // a pixel
-                    bool flatCell = aboveFirst >= -rounding && aboveLast < -bounds.depth &&
-                                    bounds.depth <= kFlatEnough * fall;
+                    bool flatCell =
+                        aboveFirst >= -rounding && aboveLast < -bounds.depth && bounds.depth <= kFlatEnough * fall;
                     float crosses = clamp((-0.5 * bounds.depth - above) / climb, share, last);
                     flatCell = flatCell && onScreen(ray.startPX + ray.deltaPX * crosses); // cells reach over its end
                     if (flatCell && result.iterations > settings.selfCollisionSkip) {
@@ -174,20 +176,19 @@ March march(Ray r) {
                             continue;
                         }
                         logCellDecision(kSamplePasses);
-                    }
-                    else {
-                    // The finest level that may be looked at: the cell is taken for what its bounds say.
-                    float meets = aboveFirst > 0.0 ? clamp(-above / climb, share, last) : share;
-                    vec2 meetsPX = clamp(ray.startPX + ray.deltaPX * meets, vec2(cell << level),
-                                         vec2(min((cell + 1) << level, screenSize)) - 0.01);
-                    if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), false, r)) {
-                        result.share = meets;
-                        result.hitPX = meetsPX;
-                        result.outcome = kOutcomeHit;
-                        logCellDecision(kSampleHit);
-                        return result;
-                    }
-                    logCellDecision(kSamplePasses);
+                    } else {
+                        // The finest level that may be looked at: the cell is taken for what its bounds say.
+                        float meets = aboveFirst > 0.0 ? clamp(-above / climb, share, last) : share;
+                        vec2 meetsPX = clamp(ray.startPX + ray.deltaPX * meets, vec2(cell << level),
+                                             vec2(min((cell + 1) << level, screenSize)) - 0.01);
+                        if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), false, r)) {
+                            result.share = meets;
+                            result.hitPX = meetsPX;
+                            result.outcome = kOutcomeHit;
+                            logCellDecision(kSampleHit);
+                            return result;
+                        }
+                        logCellDecision(kSamplePasses);
                     }
                 }
             } else {

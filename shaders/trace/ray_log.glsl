@@ -14,14 +14,15 @@
 layout(scalar, set = 0, binding = 13) buffer LogBlock {
     RayLogHeader header;
     LoggedSample samples[]; // kMaxLoggedSamples
-} rayLog;
+}
+rayLog;
 
 /// One depth read of a pixel.
 void logSample(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
     uint i = rayLog.header.sampleCount++;
     if (i < kMaxLoggedSamples)
         rayLog.samples[i] = LoggedSample(px, 0u, rayZ, sceneZ, 0.0, rayDistance(ray, share),
-                                      rayZ < sceneZ ? kSampleFront : kSampleBehind);
+                                         rayZ < sceneZ ? kSampleFront : kSampleBehind);
 }
 
 /// The newest sample of this very place; kMaxLoggedSamples if it was not written.

@@ -35,8 +35,8 @@ vec3 jitter(vec3 directionVS, ivec2 px, Surface origin) {
 }
 
 void main() {
-    uint index = gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup +
-                 gl_LocalInvocationIndex;
+    uint index =
+        gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup + gl_LocalInvocationIndex;
     if (index >= rays.header.rayCount)
         return;
     ivec2 tracePX = ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16);
@@ -61,15 +61,15 @@ void main() {
     RayRecord record;
     record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
     record.hitDistance = rayDistance(ray.screen, end.share);
-    record.lookups = end.lookups;
     record.outcome = end.outcome;
 
     vec4 answer = vec4(0.0);
     if (hit) {
         float VoR = dot(-toSurfaceVS, ray.directionVS);
-        answer.rgb = hitRadiance(ivec2(end.hitPX));
+        answer.rgb = hitRadiance(end.hitPX, originVS, originVS + ray.directionVS * record.hitDistance, end.lookups);
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
+    record.lookups = end.lookups;
     storeTraced(tracePX, answer.rgb, answer.a, record);
     logRay(ray, end, endPX, record, hit, answer);
 }

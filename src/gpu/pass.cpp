@@ -97,7 +97,6 @@ void Pass::bindImage(const ShaderBinding& binding, VkImageView view, VkImageLayo
     write.descriptorCount = 1;
     write.descriptorType = binding.kind == BindingKind::SampledImage ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
                                                                      : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    write.pImageInfo = &imageInfos_[bound_];
     ++bound_;
 }
 
@@ -113,7 +112,6 @@ void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes)
     write.dstBinding = binding.binding;
     write.descriptorCount = 1;
     write.descriptorType = uniform ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    write.pBufferInfo = &bufferInfos_[bound_];
     ++bound_;
 }
 
@@ -280,6 +278,10 @@ bool Pass::begin() {
     const Api& api = frame_.context_.api();
     const VkCommandBuffer commands = frame_.commands_;
     api.CmdBindPipeline(commands, pipeline_.bindPoint(), pipeline_.handle());
+    for (uint32_t i = 0; i < bound_; ++i) { // only now: a pass may be copied while it is put together
+        writes_[i].pImageInfo = &imageInfos_[i];
+        writes_[i].pBufferInfo = &bufferInfos_[i];
+    }
     if (bound_ > 0)
         api.CmdPushDescriptorSetKHR(commands, pipeline_.bindPoint(), pipeline_.layout(), 0, bound_, writes_.data());
     if (table_)

@@ -5,8 +5,10 @@
 #include <glm/glm.hpp>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <chrono>
 #include <cstring>
+#include <new>
 
 namespace glint::test {
 namespace {
@@ -213,6 +215,23 @@ TEST_F(PassTest, pingPongBetweenTwoBuffersIsOrdered) {
     for (uint32_t& value : first)
         value += 20;
     EXPECT_EQ(values(a), first);
+}
+
+TEST_F(PassTest, aCopyNeedsNothingOfWhatItWasCopiedFrom) {
+    const gpu::Pipeline gather = compute("gather", sizeof(uint32_t));
+    gpu::Buffer source = storage({1, 2, 3, 4});
+    gpu::Buffer target = storage({0, 0, 0, 0});
+    run([&](VkCommandBuffer commands) {
+        gpu::Frame frame(gpu(), commands);
+        alignas(gpu::Pass) std::array<std::byte, sizeof(gpu::Pass)> memory;
+        auto* original = new (memory.data()) gpu::Pass(frame.pass(gather));
+        original->read("source", source).write("target", target).push(4u);
+        gpu::Pass copy = *original;
+        original->~Pass();
+        memory.fill(std::byte{0xab});
+        copy.dispatch(4);
+    });
+    EXPECT_EQ(values(target), (std::vector<uint32_t>{5, 4, 3, 2}));
 }
 
 TEST_F(PassTest, readersSideBySideNeedNoBarrierBetweenThem) {
