@@ -8,4 +8,5 @@
 #include "glint/ray_scene.hpp"
 #include "glint/reflections.hpp"
 #include "glint/settings.hpp"
+#include "glint/surface_table.hpp"
 #include "glint/view.hpp"

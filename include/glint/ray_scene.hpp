@@ -3,6 +3,7 @@
 
 #include "glint/api.hpp"
 #include "glint/context.hpp"
+#include "glint/ray_backend.hpp"
 #include "glint/view.hpp"
 
 #include <cstdint>
@@ -14,12 +15,6 @@ namespace glint {
 namespace rays {
 class Scene;
 }
-
-enum class RayBackend {
-    Auto,  ///< Query where the device has it enabled, else Bvh
-    Query, ///< VK_KHR_ray_query: the driver's acceleration structures
-    Bvh,   ///< Glint's own hierarchy, built on the CPU and traversed in compute: any device
-};
 
 /// Triangles in their own space. Read during RayScene::create alone.
 struct RayMesh {

@@ -5,7 +5,9 @@
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/ray_scene.hpp"
 #include "glint/settings.hpp"
+#include "glint/surface_table.hpp"
 #include "glint/view.hpp"
 
 #include <memory>
@@ -24,6 +26,8 @@ struct EnvironmentMap {
     float strength = 1; ///< factor on its radiance
     float rotation = 0; ///< radians about world +Y, counter-clockwise seen from above
     bool flipY = false; ///< the cube is upside down, as probes that Babylon.js renders are
+    /// Optional: a cube of irradiance / pi, for what rays hit. Absent: the cube's last mip stands in.
+    HostImage diffuse;
 };
 
 struct ReflectionsDesc {
@@ -70,6 +74,13 @@ public:
     /// When backDepth's size changes, the GPU must have finished the frames recorded with the old one.
     /// Errors: InvalidArgument says which image is missing or of another size; OutOfMemory.
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment = {});
+
+    /// States what the source `rays` goes through and what it looks like there; both must outlive the frames that use
+    /// them. Makes that source's pipelines. Whoever moves things records both (RayScene::record, SurfaceTable::record)
+    /// before the frame that should see it.
+    /// Errors: InvalidArgument if the scene's back end is not the one that rays.backend asks for; OutOfMemory;
+    /// Unsupported.
+    Result<void> setRays(RayScene& scene, SurfaceTable& surfaces);
 
     /// Records the frame's passes. Never submits or waits, and makes no Vulkan object and no device memory. Call
     /// outside a render pass, after setInputs.

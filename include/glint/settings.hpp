@@ -4,6 +4,7 @@
 
 #include "glint/api.hpp"
 #include "glint/error.hpp"
+#include "glint/ray_backend.hpp"
 #include "glint/setting_info.hpp"
 #include "glint/settings_list.hpp"
 
@@ -23,6 +24,7 @@ GLINT_SETTING_ENUM(ColorSource, Current, Previous)
 GLINT_SETTING_ENUM(ThresholdOn, F0, F0TimesStrength)
 GLINT_SETTING_ENUM(FadeBorder, None, Smooth, Linear)
 GLINT_SETTING_ENUM(CompositeModel, Physical, Lerp)
+GLINT_SETTING_ENUM(RayLobe, Ggx, Mirror, MirrorIfOne)
 
 struct ScreenSettings {
     GLINT_SCREEN_SETTINGS(GLINT_SETTING_MEMBER)
@@ -44,6 +46,9 @@ struct BlurSettings {
 };
 struct FadeSettings {
     GLINT_FADE_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct RaysSettings {
+    GLINT_RAYS_SETTINGS(GLINT_SETTING_MEMBER)
 };
 struct SkySettings {
     GLINT_SKY_SETTINGS(GLINT_SETTING_MEMBER)
@@ -73,6 +78,7 @@ struct Settings {
     RoughSettings rough;
     BlurSettings blur;
     FadeSettings fade;
+    RaysSettings rays;
     SkySettings sky;
     CompositeSettings composite;
     GBufferSettings gbuffer;

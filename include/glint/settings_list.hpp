@@ -141,6 +141,38 @@
         "Fade hits on surfaces that face away from the ray's origin",                                                  \
         "babylon:attenuateBackfaceReflection")
 
+#define GLINT_RAYS_SETTINGS(SETTING)                                                                                   \
+    SETTING(bool, enabled, false, "", "",                                                                              \
+        "Trace rays through the host's triangles for what the sources before leave; needs a RayScene",                 \
+        "")                                                                                                            \
+    SETTING(RayBackend, backend, RayBackend::Auto, "", "",                                                             \
+        "What traces them: query (the device's ray queries), bvh (any device), or auto, which is query where it can",  \
+        "")                                                                                                            \
+    SETTING(int, samples, 1, "[1, 4096]", "",                                                                          \
+        "Rays a pixel; what they find is averaged",                                                                    \
+        "")                                                                                                            \
+    SETTING(int, bounces, 1, "[1, 8]", "",                                                                             \
+        "Surfaces that a ray follows; the last one reflects the environment",                                          \
+        "")                                                                                                            \
+    SETTING(RayLobe, lobe, RayLobe::Ggx, "", "",                                                                       \
+        "Directions of rays: ggx, spread as roughness says; mirror; mirrorIfOne, which is mirror with one sample",     \
+        "")                                                                                                            \
+    SETTING(float, tMin, 0, "[0, 1e3]", "m",                                                                           \
+        "Where a ray begins to look; 0: as near as the numbers allow, which scales with the scene",                    \
+        "")                                                                                                            \
+    SETTING(float, tMax, 1e24f, "(0, 1e30]", "m",                                                                      \
+        "Where a ray ends",                                                                                            \
+        "")                                                                                                            \
+    SETTING(float, maxRoughness, 1, "[0, 1]", "perceptual roughness",                                                  \
+        "Rougher surfaces are left to the sources behind, and end a ray's bounces",                                    \
+        "")                                                                                                            \
+    SETTING(bool, alphaTest, true, "", "",                                                                             \
+        "Rays pass through the holes of alpha-tested surfaces; off: such surfaces are solid",                          \
+        "")                                                                                                            \
+    SETTING(int, cullMask, 255, "[0, 255]", "",                                                                        \
+        "Instances are met whose own mask shares a bit with this",                                                     \
+        "")
+
 #define GLINT_SKY_SETTINGS(SETTING)                                                                                    \
     SETTING(bool, enabled, true, "", "",                                                                               \
         "The environment answers for what the sources before it left; without one it adds nothing",                    \

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "lib/camera.glsl"
+#include "lib/math.glsl"
 #include "lib/outcome_color.glsl"
 #include "lib/resolved_material.glsl"
 #include "lib/surface.glsl"
@@ -29,8 +30,10 @@ layout(push_constant, scalar) uniform PushBlock {
 
 /// A colour a source; black where none answered.
 vec3 sourceColor(vec4 shares) {
-    if (max(shares.x, shares.y) <= 0.0)
+    if (maxComponent(shares.xyz) <= 0.0)
         return vec3(0.0);
+    if (shares.z > max(shares.x, shares.y))
+        return vec3(0.9, 0.5, 0.15);
     return shares.x >= shares.y ? vec3(0.1, 0.8, 0.2) : vec3(0.25, 0.6, 0.9);
 }
 

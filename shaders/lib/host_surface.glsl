@@ -50,7 +50,7 @@ vec3 hostNormalVS(FrameConstants frame, vec3 stored) {
 /// `stored`: a texel of the material image; `baseColor`: of the base colour's, where the kind of material has one.
 vec3 hostF0(FrameConstants frame, vec4 stored, vec3 baseColor) {
     vec3 f0 = stored.rgb;
-    if (frame.materialKind == kMaterialMetallicRoughness) // glTF 2.0, B.2: dielectrics reflect 4 %
+    if (frame.materialKind == kHostMaterialMetallicRoughness) // glTF 2.0, B.2: dielectrics reflect 4 %
         f0 = mix(vec3(0.04), sanitize(baseColor), clamp(sanitize(stored[frame.metallicChannel]), 0.0, 1.0));
     else if ((frame.flags & kInputMaterial) == 0u)
         f0 = vec3(1.0);
@@ -58,7 +58,7 @@ vec3 hostF0(FrameConstants frame, vec4 stored, vec3 baseColor) {
 }
 
 float hostRoughness(FrameConstants frame, vec4 stored) {
-    if (frame.materialKind == kMaterialStandard)
+    if (frame.materialKind == kHostMaterialStandard)
         return 0.0;
     float roughness = stored[frame.roughnessChannel];
     if ((frame.flags & kInputSmoothness) != 0u)

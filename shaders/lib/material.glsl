@@ -6,8 +6,8 @@
 #include "lib/brdf.glsl"
 #include "shared/material.h"
 
-/// Defined by the entry point: the texture table's entry `index` at `uv`, filtered.
-vec4 sampleTexture(uint index, vec2 uv);
+/// Defined by the entry point: the texture table's entry `ref.index` at `uv`, which is transformed already, filtered.
+vec4 sampleTexture(TextureRef ref, vec2 uv);
 
 /// A point of a surface as its geometry tells it, interpolated.
 struct SurfacePoint {
@@ -48,7 +48,7 @@ vec2 transformUV(TextureRef ref, SurfacePoint point) {
 
 /// White where the material has no texture there.
 vec4 sampleSlot(TextureRef ref, SurfacePoint point) {
-    return ref.index == kNoTexture ? vec4(1.0) : sampleTexture(ref.index, transformUV(ref, point));
+    return ref.index == kNoTexture ? vec4(1.0) : sampleTexture(ref, transformUV(ref, point));
 }
 
 /// The base colour alone: enough for alpha tests.
@@ -60,7 +60,7 @@ vec4 sampleBaseColor(Material material, SurfacePoint point) {
 vec3 sampleNormal(TextureRef ref, float scale, SurfacePoint point, vec3 normalWS) {
     if (ref.index == kNoTexture || point.tangentWS.w == 0.0)
         return normalWS;
-    vec3 normalTS = sampleTexture(ref.index, transformUV(ref, point)).xyz * 2.0 - 1.0;
+    vec3 normalTS = sampleTexture(ref, transformUV(ref, point)).xyz * 2.0 - 1.0;
     normalTS.xy *= scale;
     // Interpolation bends the frame: straighten the tangent, then the bitangent follows as the exporter made it.
     vec3 tangentWS = normalizeOr(point.tangentWS.xyz - normalWS * dot(normalWS, point.tangentWS.xyz), vec3(0.0));

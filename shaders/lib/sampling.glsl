@@ -35,4 +35,24 @@ vec3 sampleGGXVisible(vec3 wo, vec2 u, float alpha) {
     return normalize(vec3(alpha * hemisphere.xy, max(hemisphere.z, 1e-6)));
 }
 
+/// The same distribution by a spherical cap: simpler, and the same density for any `u`. Dupuy and Benyoub 2023,
+/// "Sampling Visible GGX Normals with Spherical Caps", HPG, listing 3.
+vec3 sampleGGXVisibleCap(vec3 wo, vec2 u, float alpha) {
+    const vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
+    const float phi = 2.0 * kPi * u.x;
+    const float z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
+    const float sinTheta = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
+    const vec3 halfway = vec3(sinTheta * cos(phi), sinTheta * sin(phi), z) + stretched;
+    return normalize(vec3(alpha * halfway.xy, max(halfway.z, 1e-6)));
+}
+
+/// Share of the light on a GGX microfacet that `wo` sees and that leaves towards `wi` unhindered: G2 / G1(wo), what a
+/// sample of sampleGGXVisible weighs without Fresnel. Heitz 2014, eqs. 43 and 99.
+float visibleGGXWeight(float NoV, float NoL, float alpha) {
+    const float a2 = alpha * alpha;
+    const float lambdaV = sqrt(a2 + (1.0 - a2) * NoV * NoV) / NoV; // 1 + 2 Lambda
+    const float lambdaL = sqrt(a2 + (1.0 - a2) * NoL * NoL) / NoL;
+    return (1.0 + lambdaV) / (lambdaV + lambdaL);
+}
+
 #endif

@@ -14,8 +14,8 @@ layout(set = 1, binding = 0) uniform sampler2D textures[];
 layout(location = 0) in vec4 uv01;
 layout(location = 1) in float alpha;
 
-vec4 sampleTexture(uint index, vec2 uv) {
-    return texture(textures[index], uv);
+vec4 sampleTexture(TextureRef ref, vec2 uv) {
+    return texture(textures[ref.index], uv);
 }
 
 float alphaCutoff(Material material) {

@@ -17,8 +17,8 @@ layout(push_constant, scalar) uniform DrawBlock {
 layout(location = 0) in vec4 uv01;
 layout(location = 1) in float alpha;
 
-vec4 sampleTexture(uint index, vec2 uv) {
-    return texture(textures[index], uv);
+vec4 sampleTexture(TextureRef ref, vec2 uv) {
+    return texture(textures[ref.index], uv);
 }
 
 void main() {

@@ -16,8 +16,8 @@ layout(set = 1, binding = 0) uniform sampler2D textures[];
 #define VARYING in
 #include "render/surface_varyings.glsl"
 
-vec4 sampleTexture(uint index, vec2 uv) {
-    return texture(textures[index], uv); // one draw has one material, so the index is uniform
+vec4 sampleTexture(TextureRef ref, vec2 uv) {
+    return texture(textures[ref.index], uv); // one draw has one material, so the index is uniform
 }
 
 /// Unit, towards the eye.

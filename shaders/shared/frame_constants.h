@@ -33,7 +33,7 @@ struct FrameConstants {
     float2 traceScale;    // size / traceSize: full-resolution pixels a traced pixel, >= 1
     float2 motionScale;   // stored motion times this = previous UV - current UV
     uint metallicChannel; // of the material image
-    uint materialKind;    // kMaterial*, MaterialKind of glint/gbuffer.hpp
+    uint materialKind;    // kHostMaterial*, MaterialKind of glint/gbuffer.hpp
 };
 
 GLINT_CONSTANT(uint, kInputOrthographic, 1);
@@ -57,10 +57,10 @@ GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
 
 GLINT_CONSTANT(uint, kInputResolved, 262144); // material is to be read as prepare resolved it: F0 and coverage
 
-GLINT_CONSTANT(uint, kMaterialF0Roughness, 0);
-GLINT_CONSTANT(uint, kMaterialMetallicRoughness, 1);
-GLINT_CONSTANT(uint, kMaterialSpecularGlossiness, 2);
-GLINT_CONSTANT(uint, kMaterialStandard, 3);
+GLINT_CONSTANT(uint, kHostMaterialF0Roughness, 0);
+GLINT_CONSTANT(uint, kHostMaterialMetallicRoughness, 1);
+GLINT_CONSTANT(uint, kHostMaterialSpecularGlossiness, 2);
+GLINT_CONSTANT(uint, kHostMaterialStandard, 3);
 
 GLINT_CONSTANT(float, kBackgroundZ, 1.0e30f); // viewZ of pixels that show no surface
 

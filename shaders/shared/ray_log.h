@@ -40,8 +40,9 @@ GLINT_CONSTANT(uint, kLoggedBackface, 6);
 GLINT_CONSTANT(uint, kLoggedFadeCount, 7);
 
 GLINT_CONSTANT(uint, kLoggedScreen, 0); // a source
-GLINT_CONSTANT(uint, kLoggedSky, 1);
-GLINT_CONSTANT(uint, kLoggedSourceCount, 2);
+GLINT_CONSTANT(uint, kLoggedRays, 1);
+GLINT_CONSTANT(uint, kLoggedSky, 2);
+GLINT_CONSTANT(uint, kLoggedSourceCount, 3);
 
 struct LoggedSource {
     uint answered; // 1: the fields below are set

@@ -65,6 +65,7 @@ GLINT_CONSTANT(uint, kMaxPyramidLevels, 15);
 struct HierarchyConstants {
     uint screen; // 1: the screen source takes part
     uint sky;    // 1: so does the environment
+    uint rays;   // 1: so do rays through the host's triangles
 };
 
 struct CompositeConstants {

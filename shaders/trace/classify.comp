@@ -1,10 +1,8 @@
 // Finds the pixels that need a ray and lists them, neighbours by neighbours, so that tracing runs over full groups and
 // costs nothing where there is nothing to reflect. The other pixels get their answer here.
-// Which place in the list a ray gets may change from run to run; nothing depends on it, nor on a subgroup's size.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
 
 #include "lib/camera.glsl"
 #include "lib/fades.glsl"
@@ -13,21 +11,17 @@
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 0) const bool kSubgroups = true; // off: an atomic a ray, for the same rays
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
 } frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(scalar, set = 0, binding = 10) buffer RaysBlock { // its header zeroed but for the group counts that stay 1
-    RayListHeader header;
-    uint pixels[];
-} rays;
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
 };
 
+#include "trace/ray_list.glsl"
 #include "trace/traced.glsl"
 
 /// kOutcomeNone where a ray is needed.
@@ -44,32 +38,12 @@ uint whyNoRay(float z, Surface here, vec2 uv) {
     return kOutcomeNone;
 }
 
-/// Room for `count` rays in the list: the first one's place. Whoever fills a row of groups first has it dispatched.
-uint takePlaces(uint count) {
-    const uint kRowRays = kRaysPerGroup * kRayGroupsX;
-    uint first = atomicAdd(rays.header.rayCount, count);
-    if (first % kRowRays == 0u || first / kRowRays != (first + count - 1u) / kRowRays)
-        atomicMax(rays.header.rayGroups[1], (first + count - 1u) / kRowRays + 1u);
-    if (first == 0u) { // somebody needs what rays look at
-        ivec2 tiles = (ivec2(frame.constants.size) + int(kPyramidTile) - 1) / int(kPyramidTile);
-        rays.header.pyramidGroups[0] = uint(tiles.x);
-        rays.header.pyramidGroups[1] = uint(tiles.y);
-        rays.header.backFaceGroups[0] = settings.backFaceGroups.x;
-        rays.header.backFaceGroups[1] = settings.backFaceGroups.y;
-    }
-    return first;
-}
-
-/// The place of this invocation's ray; call from every invocation.
-uint takePlace(bool needsRay) {
-    if (!kSubgroups)
-        return needsRay ? takePlaces(1u) : 0u;
-    uvec4 wanting = subgroupBallot(needsRay);
-    uint count = subgroupBallotBitCount(wanting);
-    uint first = 0u;
-    if (count > 0u && subgroupElect())
-        first = takePlaces(count);
-    return subgroupBroadcastFirst(first) + subgroupBallotExclusiveBitCount(wanting);
+void listBegins() { // somebody needs what rays look at
+    ivec2 tiles = (ivec2(frame.constants.size) + int(kPyramidTile) - 1) / int(kPyramidTile);
+    rays.header.pyramidGroups[0] = uint(tiles.x);
+    rays.header.pyramidGroups[1] = uint(tiles.y);
+    rays.header.backFaceGroups[0] = settings.backFaceGroups.x;
+    rays.header.backFaceGroups[1] = settings.backFaceGroups.y;
 }
 
 void main() {
@@ -87,8 +61,5 @@ void main() {
         if (!needsRay)
             storeTraced(tracePX, vec3(0.0), 0.0, record);
     }
-
-    uint place = takePlace(needsRay);
-    if (needsRay)
-        rays.pixels[place] = uint(tracePX.x) | (uint(tracePX.y) << 16);
+    listRay(needsRay, tracePX);
 }

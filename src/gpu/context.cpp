@@ -288,7 +288,7 @@ Result<void> Context::finish() {
         scratchAlignment_ = std::max(structures.minAccelerationStructureScratchOffsetAlignment, 1u);
     }
 
-    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, rayQuery_, allocator_);
+    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, allocator_);
         result != VK_SUCCESS)
         return vulkanError("creating the memory allocator", result);
 

@@ -7,9 +7,9 @@
 
 namespace glint::gpu {
 
-/// `addresses`: memory may be reached by device address, as acceleration structures are.
+/// Memory may be reached by device address, as acceleration structures and the vertices of ray hits are.
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         bool addresses, vma::VmaAllocator_T*& allocator);
+                         vma::VmaAllocator_T*& allocator);
 void destroyAllocator(vma::VmaAllocator_T* allocator);
 
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,

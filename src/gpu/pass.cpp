@@ -142,10 +142,8 @@ Pass& Pass::read(std::string_view name, AccelerationStructure& top) {
     for (AccelerationStructure* bottom : top.references())
         frame_.use(bottom->storage(), use);
     scene_ = top.handle();
-    sceneWrite_.accelerationStructureCount = 1;
-    sceneWrite_.pAccelerationStructures = &scene_;
     VkWriteDescriptorSet& write = writes_[bound_++];
-    write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET, &sceneWrite_};
+    write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstBinding = binding->binding;
     write.descriptorCount = 1;
     write.descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
@@ -281,6 +279,11 @@ bool Pass::begin() {
     for (uint32_t i = 0; i < bound_; ++i) { // only now: a pass may be copied while it is put together
         writes_[i].pImageInfo = &imageInfos_[i];
         writes_[i].pBufferInfo = &bufferInfos_[i];
+        if (writes_[i].descriptorType == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR) {
+            sceneWrite_.accelerationStructureCount = 1;
+            sceneWrite_.pAccelerationStructures = &scene_;
+            writes_[i].pNext = &sceneWrite_;
+        }
     }
     if (bound_ > 0)
         api.CmdPushDescriptorSetKHR(commands, pipeline_.bindPoint(), pipeline_.layout(), 0, bound_, writes_.data());

@@ -121,7 +121,7 @@ Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
     pipeline.bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
     pipeline.stages_ = VK_SHADER_STAGE_COMPUTE_BIT;
     std::copy(std::begin(shader->localSize), std::end(shader->localSize), pipeline.localSize_);
-    GLINT_CHECK(pipeline.makeLayout(std::array{shader}, desc.pushSize, VK_NULL_HANDLE));
+    GLINT_CHECK(pipeline.makeLayout(std::array{shader}, desc.pushSize, desc.tableLayout));
 
     const Module module(context, *shader);
     const Specialization specialization(desc.constants);

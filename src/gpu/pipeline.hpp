@@ -20,6 +20,7 @@ struct ComputeDesc {
     std::string_view shader; ///< its path under shaders/: "trace/linear"
     size_t pushSize = 0;     ///< sizeof the struct that will be pushed; checked against the shader's block
     std::vector<SpecConstant> constants;
+    VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shader uses a TextureTable
 };
 
 enum class Blend : uint8_t { None, Premultiplied };

@@ -31,8 +31,28 @@ Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
 } // namespace
 
 Result<TextureTable> TextureTable::create(Context& context, std::span<const Entry> entries) {
+    TextureTable owner; // of the samplers, until the table is there
+    owner.context_ = &context;
+    std::vector<std::pair<SamplerDesc, VkSampler>>& samplers = owner.samplers_;
+    std::vector<VkDescriptorImageInfo> infos;
+    for (const Entry& entry : entries) {
+        auto known =
+            std::find_if(samplers.begin(), samplers.end(), [&](const auto& pair) { return pair.first == entry.sampler; });
+        if (known == samplers.end()) {
+            GLINT_TRY(sampler, makeSampler(context, entry.sampler));
+            known = samplers.insert(samplers.end(), {entry.sampler, sampler});
+        }
+        infos.push_back({known->second, entry.image->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }
+    GLINT_TRY(table, create(context, infos));
+    table.samplers_.swap(samplers);
+    return table;
+}
+
+Result<TextureTable> TextureTable::create(Context& context, std::span<const VkDescriptorImageInfo> entries) {
     TextureTable table;
     table.context_ = &context;
+    table.entries_.assign(entries.begin(), entries.end());
     const Api& api = context.api();
     const auto count = static_cast<uint32_t>(std::max<size_t>(entries.size(), 1));
 
@@ -62,23 +82,12 @@ Result<TextureTable> TextureTable::create(Context& context, std::span<const Entr
         return makeError(ErrorCode::OutOfMemory, "a table of {} textures cannot be created (VkResult {})", count,
                          static_cast<int>(result));
     context.nameObject(VK_OBJECT_TYPE_DESCRIPTOR_SET, reinterpret_cast<uint64_t>(table.set_), "textures");
-
-    std::vector<VkDescriptorImageInfo> infos;
-    for (const Entry& entry : entries) {
-        auto known = std::find_if(table.samplers_.begin(), table.samplers_.end(),
-                                  [&](const auto& pair) { return pair.first == entry.sampler; });
-        if (known == table.samplers_.end()) {
-            GLINT_TRY(sampler, makeSampler(context, entry.sampler));
-            known = table.samplers_.insert(table.samplers_.end(), {entry.sampler, sampler});
-        }
-        infos.push_back({known->second, entry.image->view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-    }
-    if (!infos.empty()) {
+    if (!entries.empty()) {
         VkWriteDescriptorSet write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
         write.dstSet = table.set_;
-        write.descriptorCount = static_cast<uint32_t>(infos.size());
+        write.descriptorCount = static_cast<uint32_t>(entries.size());
         write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-        write.pImageInfo = infos.data();
+        write.pImageInfo = entries.data();
         api.UpdateDescriptorSets(context.device(), 1, &write, 0, nullptr);
     }
     return table;
@@ -100,6 +109,7 @@ void TextureTable::swap(TextureTable& other) {
     std::swap(pool_, other.pool_);
     std::swap(set_, other.set_);
     std::swap(samplers_, other.samplers_);
+    std::swap(entries_, other.entries_);
 }
 
 } // namespace glint::gpu

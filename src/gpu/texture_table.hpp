@@ -25,12 +25,15 @@ public:
         SamplerDesc sampler;
     };
     static Result<TextureTable> create(Context& context, std::span<const Entry> entries);
+    /// The same of a host's views and samplers, which must outlive the table.
+    static Result<TextureTable> create(Context& context, std::span<const VkDescriptorImageInfo> entries);
     ~TextureTable() { destroy(); }
     TextureTable(TextureTable&& other) noexcept { swap(other); }
     TextureTable& operator=(TextureTable&& other) noexcept { return swap(other), *this; }
 
     VkDescriptorSetLayout layout() const { return layout_; }
     VkDescriptorSet set() const { return set_; }
+    std::span<const VkDescriptorImageInfo> entries() const { return entries_; }
 
 private:
     void destroy();
@@ -40,7 +43,8 @@ private:
     VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
-    std::vector<std::pair<SamplerDesc, VkSampler>> samplers_;
+    std::vector<std::pair<SamplerDesc, VkSampler>> samplers_; ///< made here
+    std::vector<VkDescriptorImageInfo> entries_;
 };
 
 } // namespace glint::gpu

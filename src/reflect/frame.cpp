@@ -40,15 +40,21 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     } else {
         forgetTrace(frame);
     }
+    if (usesRays())
+        traceScene(frame);
     combine(frame);
     compose(frame);
-    if (desc.statistics && desc.settings.screen.enabled)
+    if (desc.statistics && tracesRays())
         countOutcomes(frame);
 }
 
 bool FrameState::anySource() const {
     const bool sky = desc.settings.sky.enabled && inputs.environment;
-    return desc.settings.reflect.strength > 0 && (desc.settings.screen.enabled || sky);
+    return desc.settings.reflect.strength > 0 && (desc.settings.screen.enabled || sky || usesRays());
+}
+
+bool FrameState::usesRays() const {
+    return desc.settings.rays.enabled && raysSource && raysSource->hasScene();
 }
 
 void FrameState::makeTables(gpu::Frame& frame) {
@@ -94,8 +100,9 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     flag(settings.output.colorIsGamma, shared::kOutputGamma);
     traced.eightBits = settings.screen.targetFormat == TargetFormat::Rgba8;
     flag(traced.eightBits, shared::kTraceTarget8);
-    traced.width = tracedPixels(settings, desc.width);
-    traced.height = tracedPixels(settings, desc.height);
+    const bool raysAlone = usesRays() && !settings.screen.enabled; // their record is as large as the picture
+    traced.width = raysAlone ? desc.width : tracedPixels(settings, desc.width);
+    traced.height = raysAlone ? desc.height : tracedPixels(settings, desc.height);
     constants.traceSize = {traced.width, traced.height};
     constants.traceScale = constants.size / constants.traceSize;
     constants.motionScale = {conventions.motionScale[0], conventions.motionScale[1]};
@@ -195,6 +202,21 @@ void FrameState::denoise(gpu::Frame& frame) {
     recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(rays), traced}, denoised);
 }
 
+/// The source `rays`, for what the screen left.
+void FrameState::traceScene(gpu::Frame& frame) {
+    gpu::Image& environment = inputs.environment ? inputs.environment : blackCube;
+    gpu::Image& diffuse = inputs.environmentDiffuse ? inputs.environmentDiffuse : blackCube;
+    raysSource->record(frame, desc.settings,
+                       {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
+                        static_cast<bool>(inputs.environment), environment,
+                        static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black});
+}
+
+/// How the pixels' rays ended: the screen's, or those through the scene where there are no others.
+gpu::Image& FrameState::rayRecord() {
+    return usesRays() && !desc.settings.screen.enabled ? raysSource->rayRecord() : traced.rayRecord;
+}
+
 /// While the screen source is off, its images say that no ray was traced.
 void FrameState::forgetTrace(gpu::Frame& frame) {
     if (untraced && denoised.answer == &traced.target())
@@ -210,12 +232,13 @@ void FrameState::combine(gpu::Frame& frame) {
 }
 
 gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline) {
-    const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled};
+    const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled, usesRays()};
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
         .read("radianceWeight", *denoised.answer)
+        .read("raysAnswer", usesRays() ? raysSource->answer() : black)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
@@ -240,7 +263,7 @@ void FrameState::compose(gpu::Frame& frame) {
         .read("litRadiance", inputs.litRadiance, kTexels)
         .read("fallbackSpecular", inputs.fallbackSpecular ? inputs.fallbackSpecular : black, kTexels)
         .read("reflected", reflected.reflected)
-        .read("rayRecord", traced.rayRecord)
+        .read("rayRecord", rayRecord())
         .read("dfg", dfg)
         .write("composite", composite)
         .push(constants)
@@ -251,7 +274,7 @@ void FrameState::countOutcomes(gpu::Frame& frame) {
     frame.fill(statistics, 0);
     frame.pass(pipelines.statistics)
         .read("frame", frameConstants)
-        .read("rayRecord", traced.rayRecord)
+        .read("rayRecord", rayRecord())
         .readWrite("statistics", statistics)
         .dispatch(traced.width, traced.height);
     frame.copyBuffer(statistics, statisticsReadback);
@@ -264,6 +287,8 @@ void FrameState::bringUpToDate(gpu::Frame& frame) {
     makeTables(frame);
     prepare(frame, lastView);
     forgetTrace(frame);
+    if (usesRays())
+        traceScene(frame);
     combine(frame);
     upToDate = !frame.rehearsing();
 }
@@ -277,7 +302,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("surface", prepared.surface)
         .read("material", resolvesMaterial() ? prepared.material : inputs.material, kTexels)
         .read("radianceWeight", *denoised.answer)
-        .read("rayRecord", traced.rayRecord)
+        .read("rayRecord", rayRecord())
         .read("reflected", reflected.reflected)
         .read("weights", reflected.weights)
         .write("view", viewImage)
@@ -298,7 +323,7 @@ void FrameState::inspect(gpu::Frame& frame, uint32_t x, uint32_t y, const Techni
         .read("viewZ", prepared.viewZ)
         .read("surface", prepared.surface)
         .read("material", resolvesMaterial() ? prepared.material : inputs.material, kTexels)
-        .read("rayRecord", traced.rayRecord)
+        .read("rayRecord", rayRecord())
         .read("reflected", reflected.reflected)
         .read("composite", ranPasses || frame.rehearsing() ? composite : inputs.litRadiance, kTexels)
         .write("rays", inspector->rays.list)
@@ -404,7 +429,29 @@ Result<void> FrameState::makeImagesFor(const Settings& settings) {
             *context, {&history.color, "glint/previousComposite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite}));
         GLINT_CHECK(makeImage(*context, {&history.viewZ, "glint/previousViewZ", VK_FORMAT_R32_SFLOAT, w, h, 0}));
     }
+    if (settings.rays.enabled && !raysSource) {
+        GLINT_TRY(source, RaysSource::create(*context, w, h));
+        raysSource = std::move(source);
+        GLINT_CHECK(giveScene());
+    }
     return makeDenoiseImages(*context, settings, w, h, denoised);
+}
+
+Result<void> FrameState::setRays(rays::Scene& scene, SurfaceTableState& surfaces) {
+    rayScene = &scene;
+    raySurfaces = &surfaces;
+    return giveScene();
+}
+
+/// Makes the pipeline of the host's scene as soon as both are there, and rehearses it.
+Result<void> FrameState::giveScene() {
+    if (!raysSource || !rayScene)
+        return {};
+    GLINT_CHECK(raysSource->setScene(*rayScene, *raySurfaces));
+    gpu::Frame frame = gpu::Frame::rehearsal(*context);
+    raysSource->record(frame, desc.settings,
+                       {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black});
+    return frame.firstError();
 }
 
 Result<void> FrameState::createImages() {

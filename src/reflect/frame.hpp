@@ -6,6 +6,7 @@
 #include "gpu/timers.hpp"
 #include "reflect/denoise.hpp"
 #include "reflect/inspector.hpp"
+#include "reflect/rays/rays.hpp"
 #include "reflect/stages.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/frame_constants.h"
@@ -49,6 +50,9 @@ struct FrameState {
     Pyramid pyramid;
     Traced traced;
     Denoised denoised;
+    std::unique_ptr<RaysSource> raysSource; ///< absent until settings ask for it
+    rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
+    SurfaceTableState* raySurfaces = nullptr;
     History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
@@ -80,6 +84,12 @@ struct FrameState {
     /// Makes what `settings` ask for and the state does not have yet.
     Result<void> setSettings(const Settings& settings);
     bool anySource() const;
+    /// The source `rays` takes part.
+    bool usesRays() const;
+    /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
+    bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
+    /// Errors: Unsupported, OutOfMemory.
+    Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);
     /// Makes room for what hosts with several samples a pixel need. Errors: OutOfMemory.
@@ -108,6 +118,9 @@ private:
     void makePyramid(gpu::Frame& frame);
     void trace(gpu::Frame& frame);
     void denoise(gpu::Frame& frame);
+    void traceScene(gpu::Frame& frame);
+    Result<void> giveScene();
+    gpu::Image& rayRecord();
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);
     gpu::Pass combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline);

@@ -107,7 +107,22 @@ Result<void> checkEnvironment(const EnvironmentMap& environment) {
         return invalidArgument(
             "the environment needs a cube view, at least one mip, a strength that is not negative and "
             "a finite rotation");
+    if (environment.diffuse) {
+        if (!environment.diffuse.view)
+            return invalidArgument("the environment's diffuse cube needs a view");
+        GLINT_CHECK(checkLayout(environment.diffuse, "environment.diffuse"));
+    }
     return checkLayout(environment.cube, "environment");
+}
+
+/// The scene is made before it is handed over, so the setting can only ask.
+Result<void> checkBackend(const Settings& settings, RayBackend backend) {
+    const RayBackend wanted = settings.rays.backend;
+    if (settings.rays.enabled && wanted != RayBackend::Auto && wanted != backend)
+        return invalidArgument("rays.backend is {}, but the RayScene was made for {}",
+                               wanted == RayBackend::Query ? "query" : "bvh",
+                               backend == RayBackend::Query ? "query" : "bvh");
+    return {};
 }
 
 } // namespace
@@ -139,7 +154,8 @@ void Reflections::State::lendInputs() {
                      borrow(gbuffer.fallbackSpecular, "fallbackSpecular"),
                      borrow(gbuffer.backDepth, "backDepth"),
                      borrow(gbuffer.motion, "motion"),
-                     borrow(environment.cube, "environment", environment.mips, 6)};
+                     borrow(environment.cube, "environment", environment.mips, 6),
+                     borrow(environment.diffuse, "environmentDiffuse", 1, 6)};
 }
 
 /// The host finds its images in the layouts in which it gave them.
@@ -158,11 +174,14 @@ void Reflections::State::giveBackInputs(gpu::Frame& recording) {
     giveBack(inputs.backDepth, gbuffer.backDepth);
     giveBack(inputs.motion, gbuffer.motion);
     giveBack(inputs.environment, environment.cube);
+    giveBack(inputs.environmentDiffuse, environment.diffuse);
 }
 
 /// What settings and inputs together leave undone.
 void Reflections::State::note() {
     notes.clear();
+    if (frame->desc.settings.rays.enabled && !frame->rayScene)
+        notes.emplace_back("rays.enabled without a scene: the host has not called Reflections::setRays");
     if (!frame->inputsSet)
         return;
     if (!gbuffer.fallbackSpecular)
@@ -192,6 +211,8 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
 
 Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
+    if (state_->frame->rayScene)
+        GLINT_CHECK(checkBackend(settings, state_->frame->rayScene->backend()));
     GLINT_CHECK(state_->frame->setSettings(settings));
     state_->frame->recorded = false;
     state_->note();
@@ -227,6 +248,13 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     state_->note();
     GLINT_CHECK(frame.expectSamples(gbuffer.depth.samples));
     return state_->expectBackFaces();
+}
+
+Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
+    GLINT_CHECK(checkBackend(state_->frame->desc.settings, scene.backend()));
+    GLINT_CHECK(state_->frame->setRays(scene.scene(), surfaces.state()));
+    state_->note();
+    return {};
 }
 
 HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
@@ -307,7 +335,7 @@ std::vector<PassTime> Reflections::passTimes() {
 Statistics Reflections::statistics() {
     const reflect::FrameState& state = *state_->frame;
     Statistics result;
-    if (!state.desc.statistics || !state.desc.settings.screen.enabled)
+    if (!state.desc.statistics || !state.tracesRays())
         return result;
     shared::RayStatistics counts;
     std::memcpy(&counts, state.statisticsReadback.mapped(), sizeof(counts));

@@ -17,6 +17,7 @@ struct Inputs {
     gpu::Image backDepth;        ///< may be absent; own size
     gpu::Image motion;           ///< may be absent
     gpu::Image environment;      ///< cube; may be absent
+    gpu::Image environmentDiffuse; ///< cube; may be absent
 };
 
 /// `prepare`: the G-buffer in Glint's own conventions.

@@ -96,7 +96,9 @@ Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& 
         arrays.positions.insert(arrays.positions.end(), lastDeformed_[i].begin(), lastDeformed_[i].end());
     }
     GLINT_CHECK(checkBufferSize(context, "vertices", arrays.attributes.size() * sizeof(shared::VertexAttributes)));
-    constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    // What rays hit is read by address (glint/surface_table.hpp).
+    constexpr VkBufferUsageFlags kStorage =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     GLINT_TRY(positions, gpu::uploadBuffer(context, "scene/positions", arrays.positions, kStorage));
     GLINT_TRY(attributes, gpu::uploadBuffer(context, "scene/attributes", arrays.attributes, kStorage));
     GLINT_TRY(indices,

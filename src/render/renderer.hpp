@@ -59,6 +59,8 @@ public:
     Environment& environment() { return environment_; }
     const scene::Bounds& boundsWS() const { return scene_.boundsWS(); }
     GBuffer& gbuffer() { return gbuffer_; }
+    GpuScene& scene() { return scene_; }
+    const std::vector<shared::Light>& lights() const { return lights_; } ///< the scene's, then the sun's
 
 private:
     explicit Renderer(gpu::Context& context) : context_(&context) {}

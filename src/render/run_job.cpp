@@ -4,6 +4,7 @@
 #include "glint/glint.hpp"
 #include "gpu/transfer.hpp"
 #include "render/job_inputs.hpp"
+#include "render/ray_world.hpp"
 #include "render/renderer.hpp"
 #include "render/views.hpp"
 
@@ -153,7 +154,24 @@ struct JobSession::State {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true, job_.inspect.has_value()}));
         reflections_ = std::make_unique<Reflections>(std::move(reflections));
-        return {};
+        return makeRayWorld();
+    }
+
+    /// As soon as the settings ask for rays, and anew for another back end.
+    Result<void> makeRayWorld() {
+        const RaysSettings& settings = job_.settings.reflections.rays;
+        if (!settings.enabled)
+            return {};
+        if (!rayWorld_ || settings.backend != rayBackend_) {
+            GLINT_TRY(world, RayWorld::create(*library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
+                                              renderer_->lights(), settings.backend));
+            rayWorld_ = std::make_unique<RayWorld>(std::move(world));
+            rayBackend_ = settings.backend;
+            GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
+            rayWorld_->releaseStaging();
+        }
+        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
+        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
     }
 
     Result<void> makeTargets() {
@@ -187,6 +205,8 @@ struct JobSession::State {
             inputsSet = reflections_->setInputs(lendInputs(frame, g), lendEnvironment(frame));
             if (!inputsSet)
                 return;
+            if (rayWorld_)
+                rayWorld_->record(commands);
             const View view = renderer_->view(parameters_);
             const HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
             composite_ = borrow(lit, "job/composite");
@@ -232,7 +252,9 @@ struct JobSession::State {
             return {};
         gpu::Image& cube = renderer_->environment().radiance();
         const EnvironmentSettings& settings = job_.settings.render.environment;
-        return {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
+        EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
+        map.diffuse = lend(frame, renderer_->environment().diffuse());
+        return map;
     }
 
     Result<RenderedView> readView(const std::string& name) {
@@ -302,6 +324,8 @@ struct JobSession::State {
     ViewParameters parameters_;
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<Context> library_;
+    std::unique_ptr<RayWorld> rayWorld_; ///< absent until settings ask for rays
+    RayBackend rayBackend_ = RayBackend::Auto;
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;
     gpu::Image composite_; ///< the library's, or our litRadiance when nothing reflects

@@ -1,0 +1,55 @@
+// Finds the pixels that the source `rays` has to answer for, and lists them. The others get their answer here: none.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "lib/ray_record.glsl"
+#include "lib/surface.glsl"
+#include "shared/frame_constants.h"
+#include "shared/rays_constants.h"
+#include "trace/ray_list.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(set = 0, binding = 3) uniform sampler2D screenAnswer;
+layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D raysRadianceWeight;
+layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D raysRecord;
+layout(push_constant, scalar) uniform PushBlock {
+    RaysConstants settings;
+};
+
+void listBegins() {}
+
+/// kOutcomeNone where a ray is needed.
+uint whyNoRay(Surface here) {
+    if (here.reflectivity <= settings.threshold)
+        return kOutcomeBelowThreshold;
+    return here.perceptualRoughness > settings.maxRoughness ? kOutcomeTooRough : kOutcomeNone;
+}
+
+/// Less than a ray could add.
+bool isAnsweredOnScreen(ivec2 px) {
+    return (settings.flags & kRaysAfterScreen) != 0u && texelFetch(screenAnswer, px, 0).a >= 1.0 - 1.0 / 512.0;
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    bool needsRay = false;
+    if (all(lessThan(px, ivec2(frame.constants.size)))) {
+        RayRecord record = RayRecord((vec2(px) + 0.5) * frame.constants.invSize, 0.0, 0u, kOutcomeNone);
+        if (texelFetch(viewZ, px, 0).r < kBackgroundZ) {
+            record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
+            needsRay = record.outcome == kOutcomeNone && !isAnsweredOnScreen(px);
+        }
+        if (!needsRay) {
+            imageStore(raysRadianceWeight, px, vec4(0.0));
+            imageStore(raysRecord, px, uvec4(packRayRecord(record), 0u, 0u));
+        }
+    }
+    listRay(needsRay, px);
+}

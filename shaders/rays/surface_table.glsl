@@ -1,0 +1,181 @@
+// What a triangle looks like: the host's instances, meshes, materials and textures (glint/surface_table.hpp), and the
+// texel test of the ray seam. Include before rays/query.glsl or rays/bvh.glsl.
+#ifndef GLINT_RAYS_SURFACE_TABLE_GLSL
+#define GLINT_RAYS_SURFACE_TABLE_GLSL
+
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+#extension GL_EXT_nonuniform_qualifier : require
+
+#include "lib/material.glsl"
+#include "shared/surface_table.h"
+
+#define GLINT_RAY_ALPHA_TEST
+
+layout(scalar, set = 0, binding = 19) readonly buffer SurfaceInstancesBlock {
+    SurfaceInstanceRecord item[];
+} surfaceInstances;
+layout(scalar, set = 0, binding = 20) readonly buffer SurfaceMeshesBlock {
+    SurfaceMeshRecord item[];
+} surfaceMeshes;
+layout(scalar, set = 0, binding = 21) readonly buffer SurfaceMaterialsBlock {
+    Material item[];
+} surfaceMaterials;
+layout(set = 1, binding = 0) uniform sampler2D textures[];
+
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FloatStream {
+    float item[];
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer UintStream {
+    uint item[];
+};
+
+// ---------------------------------------------------------------- textures
+
+/// Of the texel rows and columns that the ray's cone covers, as the square root of the ratio of areas: footprint on the
+/// surface to surface, surface to UV; by texCoord. 0: as sharp as it gets.
+vec2 uvFootprint = vec2(0.0);
+
+/// The mip in which the footprint is a texel. Akenine-Moller et al. 2021, "Improved Shader and Texture Level of Detail
+/// Using Ray Cones", JCGT 10(1), eq. 3, with the texture's size and transform taken in here.
+vec4 sampleTexture(TextureRef ref, vec2 uv) {
+    vec2 size = vec2(textureSize(textures[nonuniformEXT(ref.index)], 0));
+    float turned = abs(ref.uvRow0.x * ref.uvRow1.y - ref.uvRow0.y * ref.uvRow1.x);
+    float texels = uvFootprint[min(ref.texCoord, 1u)] * sqrt(size.x * size.y * turned);
+    return textureLod(textures[nonuniformEXT(ref.index)], uv, max(log2(max(texels, 1e-6)), 0.0));
+}
+
+// ---------------------------------------------------------------- vertices
+
+bool isPresent(StreamRecord stream) {
+    return (stream.address.x | stream.address.y) != 0u;
+}
+
+vec2 load2(StreamRecord stream, uint vertex) {
+    FloatStream data = FloatStream(stream.address);
+    uint at = vertex * stream.stride;
+    return vec2(data.item[at], data.item[at + 1u]);
+}
+
+vec3 load3(StreamRecord stream, uint vertex) {
+    FloatStream data = FloatStream(stream.address);
+    uint at = vertex * stream.stride;
+    return vec3(data.item[at], data.item[at + 1u], data.item[at + 2u]);
+}
+
+vec4 load4(StreamRecord stream, uint vertex) {
+    FloatStream data = FloatStream(stream.address);
+    uint at = vertex * stream.stride;
+    return vec4(data.item[at], data.item[at + 1u], data.item[at + 2u], data.item[at + 3u]);
+}
+
+uvec3 loadTriangle(SurfaceMeshRecord mesh, uint primitive) {
+    UintStream data = UintStream(mesh.indices);
+    return uvec3(data.item[3u * primitive], data.item[3u * primitive + 1u], data.item[3u * primitive + 2u]);
+}
+
+/// A vertex attribute at a point of a triangle; the absent one is `absent` everywhere.
+vec2 interpolate2(StreamRecord stream, uvec3 triangle, vec3 weights, vec2 absent) {
+    if (!isPresent(stream))
+        return absent;
+    return load2(stream, triangle.x) * weights.x + load2(stream, triangle.y) * weights.y +
+           load2(stream, triangle.z) * weights.z;
+}
+
+vec3 interpolate3(StreamRecord stream, uvec3 triangle, vec3 weights, vec3 absent) {
+    if (!isPresent(stream))
+        return absent;
+    return load3(stream, triangle.x) * weights.x + load3(stream, triangle.y) * weights.y +
+           load3(stream, triangle.z) * weights.z;
+}
+
+vec4 interpolate4(StreamRecord stream, uvec3 triangle, vec3 weights, vec4 absent) {
+    if (!isPresent(stream))
+        return absent;
+    return load4(stream, triangle.x) * weights.x + load4(stream, triangle.y) * weights.y +
+           load4(stream, triangle.z) * weights.z;
+}
+
+vec3 weightsOf(vec2 barycentrics) {
+    return vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
+}
+
+/// Area of a triangle of UVs, twice.
+float uvArea2(StreamRecord stream, uvec3 triangle) {
+    if (!isPresent(stream))
+        return 0.0;
+    vec2 a = load2(stream, triangle.x);
+    vec2 u = load2(stream, triangle.y) - a;
+    vec2 v = load2(stream, triangle.z) - a;
+    return abs(u.x * v.y - u.y * v.x);
+}
+
+// ---------------------------------------------------------------- hits
+
+/// No where the material has a hole: the seam's question (lib/ray.glsl).
+bool rayMeetsSurface(uint instance, uint primitive, vec2 barycentrics) {
+    SurfaceInstanceRecord placed = surfaceInstances.item[instance];
+    Material material = surfaceMaterials.item[placed.material];
+    if ((material.flags & kMaterialAlphaMask) == 0u)
+        return true;
+    SurfaceMeshRecord mesh = surfaceMeshes.item[placed.mesh];
+    uvec3 triangle = loadTriangle(mesh, primitive);
+    vec3 weights = weightsOf(barycentrics);
+    uvFootprint = vec2(0.0);
+    SurfacePoint point = SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec4(1.0), true);
+    point.uv0 = interpolate2(mesh.uv0, triangle, weights, vec2(0.0));
+    point.uv1 = interpolate2(mesh.uv1, triangle, weights, vec2(0.0));
+    point.color = interpolate4(mesh.colors, triangle, weights, vec4(1.0));
+    return sampleBaseColor(material, point).a >= material.alphaCutoff;
+}
+
+/// What a ray has met: the point as rasterization would interpolate it, and the triangle itself.
+struct HitSurface {
+    SurfacePoint point;
+    vec3 faceNormalWS; // unit, of the triangle, towards the side from which the ray came
+    Material material;
+};
+
+/// `coneWidthWS`: of the ray where it meets, metres. Sets what sampleTexture filters over.
+HitSurface hitSurface(uint instance, uint primitive, vec2 barycentrics, bool frontFace, vec3 directionWS,
+                      float coneWidthWS) {
+    SurfaceInstanceRecord placed = surfaceInstances.item[instance];
+    SurfaceMeshRecord mesh = surfaceMeshes.item[placed.mesh];
+    uvec3 triangle = loadTriangle(mesh, primitive);
+    vec3 weights = weightsOf(barycentrics);
+    mat3 linear = transpose(mat3(placed.localToWorld[0].xyz, placed.localToWorld[1].xyz, placed.localToWorld[2].xyz));
+    vec3 translation = vec3(placed.localToWorld[0].w, placed.localToWorld[1].w, placed.localToWorld[2].w);
+    // As in render/surface.vert: the cofactor matrix, and the sign of the determinant.
+    mat3 cofactor = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
+    float side = dot(linear[0], cofactor[0]) < 0.0 ? -1.0 : 1.0;
+
+    vec3 a = load3(mesh.positions, triangle.x);
+    vec3 u = load3(mesh.positions, triangle.y) - a;
+    vec3 v = load3(mesh.positions, triangle.z) - a;
+    vec3 areaNormalWS = cofactor * cross(u, v) * side; // its length is twice the triangle's area in the world
+    float area2 = length(areaNormalWS);
+    vec3 frontNormalWS = normalizeOr(areaNormalWS, -directionWS);
+
+    HitSurface result;
+    result.material = surfaceMaterials.item[placed.material];
+    result.faceNormalWS = frontFace ? frontNormalWS : -frontNormalWS;
+    result.point.positionWS = linear * (a + (u * weights.y + v * weights.z)) + translation;
+    result.point.normalWS = frontNormalWS;
+    if (isPresent(mesh.normals))
+        result.point.normalWS =
+            normalizeOr(cofactor * interpolate3(mesh.normals, triangle, weights, vec3(0.0)) * side, frontNormalWS);
+    vec4 tangent = interpolate4(mesh.tangents, triangle, weights, vec4(0.0));
+    result.point.tangentWS = vec4(linear * tangent.xyz, tangent.w * side);
+    result.point.uv0 = interpolate2(mesh.uv0, triangle, weights, vec2(0.0));
+    result.point.uv1 = interpolate2(mesh.uv1, triangle, weights, vec2(0.0));
+    result.point.color = interpolate4(mesh.colors, triangle, weights, vec4(1.0));
+    result.point.frontFacing = frontFace;
+
+    // The cone's cross-section as it lies on the surface: stretched one way, so the mean of both ways.
+    float slant = max(abs(dot(frontNormalWS, directionWS)), 1e-2);
+    vec2 uvPerMetre = sqrt(vec2(uvArea2(mesh.uv0, triangle), uvArea2(mesh.uv1, triangle)) / max(area2, 1e-30));
+    uvFootprint = uvPerMetre * coneWidthWS * inversesqrt(slant);
+    return result;
+}
+
+#endif

@@ -1,0 +1,31 @@
+// Settings of the source `rays` as its shaders take them.
+#ifndef GLINT_SHARED_RAYS_CONSTANTS_H
+#define GLINT_SHARED_RAYS_CONSTANTS_H
+
+#include "shared/types.h"
+
+GLINT_SHARED_BEGIN
+
+struct RaysConstants {
+    uint samples;
+    uint bounces;
+    float tMin; ///< metres; 0: the start is moved off its surface instead
+    float tMax;
+    float maxRoughness;
+    float threshold; ///< as TraceConstants::threshold
+    uint flags;      ///< kRays...
+    uint cullMask;
+    uint lightCount;
+};
+
+GLINT_CONSTANT(uint, kRaysAlphaTest, 1);          // texels may let a ray through
+GLINT_CONSTANT(uint, kRaysMirror, 2);             // mirror directions only, whatever the roughness
+GLINT_CONSTANT(uint, kRaysEnvironment, 4);        // the environment answers where a ray meets nothing
+GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8); // the host's own diffuse light is there
+GLINT_CONSTANT(uint, kRaysAfterScreen, 16);       // only for what the screen source left
+
+GLINT_CONSTANT(uint, kBlueNoiseSize, 64); // texels a side of the mask
+
+GLINT_SHARED_END
+
+#endif

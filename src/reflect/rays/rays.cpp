@@ -1,0 +1,103 @@
+#include "reflect/rays/rays.hpp"
+
+#include "base/assert.hpp"
+#include "reflect/rays/blue_noise.hpp"
+#include "reflect/trace/technique.hpp"
+
+namespace glint::reflect {
+
+Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, uint32_t width, uint32_t height) {
+    std::unique_ptr<RaysSource> source(new RaysSource(context));
+    GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", sizeof(shared::RaysConstants), {}}));
+    source->list_ = std::move(list);
+    const auto makeImage = [&](const char* name, VkFormat format) {
+        return gpu::Image::create(context, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
+                                            VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
+    };
+    GLINT_TRY(radianceWeight, makeImage("glint/raysRadianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT));
+    GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32_UINT));
+    GLINT_TRY(rays, gpu::Buffer::create(
+                        context, {"glint/raysList", sizeof(shared::RayListHeader) + size_t{4} * width * height,
+                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                      VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                  gpu::BufferHome::Device}));
+    GLINT_TRY(noise, gpu::Buffer::create(context, {"glint/blueNoise", blueNoiseMask().size() * sizeof(uint32_t),
+                                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                   gpu::BufferHome::Device}));
+    source->radianceWeight_ = std::move(radianceWeight);
+    source->record_ = std::move(record);
+    source->rays_.list = std::move(rays);
+    source->blueNoise_ = std::move(noise);
+    return source;
+}
+
+Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
+    const std::string_view shader =
+        scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
+    GLINT_TRY(reflect, gpu::Pipeline::compute(
+                           context_, {shader, sizeof(shared::RaysConstants), {}, surfaces.textureLayout()}));
+    reflect_ = std::move(reflect);
+    scene_ = &scene;
+    surfaces_ = &surfaces;
+    return {};
+}
+
+shared::RaysConstants RaysSource::constants(const Settings& settings, const RaysInputs& inputs) const {
+    const RaysSettings& rays = settings.rays;
+    shared::RaysConstants constants = {};
+    constants.samples = static_cast<uint32_t>(rays.samples);
+    constants.bounces = static_cast<uint32_t>(rays.bounces);
+    constants.tMin = rays.tMin;
+    constants.tMax = rays.tMax;
+    constants.maxRoughness = rays.maxRoughness;
+    constants.threshold = traceConstants(settings, false).threshold;
+    constants.cullMask = static_cast<uint32_t>(rays.cullMask);
+    constants.lightCount = surfaces_->lightCount();
+    const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
+    flag(rays.alphaTest, shared::kRaysAlphaTest);
+    flag(rays.lobe == RayLobe::Mirror || (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1), shared::kRaysMirror);
+    flag(inputs.hasEnvironment && settings.sky.enabled, shared::kRaysEnvironment);
+    flag(inputs.hasEnvironmentDiffuse, shared::kRaysEnvironmentDiffuse);
+    flag(inputs.screenAnswer != nullptr, shared::kRaysAfterScreen);
+    return constants;
+}
+
+void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs) {
+    GLINT_ASSERT(frame.rehearsing() || scene_->instanceCount() == surfaces_->instanceCount(),
+                 "the RayScene has {} instances, its surface table {}", scene_->instanceCount(),
+                 surfaces_->instanceCount());
+    if (!noiseHeld_ && !frame.rehearsing()) {
+        frame.update(blueNoise_, blueNoiseMask().data(), blueNoise_.size());
+        noiseHeld_ = true;
+    }
+    const shared::RaysConstants constants = this->constants(settings, inputs);
+    constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, {0, 0, 1}, {}};
+    frame.update(rays_.list, &kNoRays, sizeof(kNoRays));
+    frame.pass(list_)
+        .read("frame", inputs.frameConstants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : inputs.black)
+        .readWrite("rays", rays_.list)
+        .write("raysRadianceWeight", radianceWeight_)
+        .write("raysRecord", record_)
+        .push(constants)
+        .dispatch(radianceWeight_.width(), radianceWeight_.height());
+
+    gpu::Pass pass = frame.pass(reflect_);
+    pass.read("frame", inputs.frameConstants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("rays", rays_.list)
+        .read("environment", inputs.environment)
+        .read("environmentDiffuse", inputs.environmentDiffuse)
+        .read("dfg", inputs.dfg)
+        .read("blueNoise", blueNoise_)
+        .write("raysRadianceWeight", radianceWeight_, 0, true)
+        .write("raysRecord", record_, 0, true);
+    scene_->bind(pass);
+    surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list,
+                                                           offsetof(shared::RayListHeader, rayGroups));
+}
+
+} // namespace glint::reflect

@@ -1,0 +1,58 @@
+// The source `rays`: the pixels that need it, listed, and what rays through the host's triangles find for them.
+#pragma once
+
+#include "glint/settings.hpp"
+#include "rays/scene.hpp"
+#include "reflect/rays/surface_table.hpp"
+#include "reflect/stages.hpp"
+#include "shared/rays_constants.h"
+
+namespace glint::reflect {
+
+/// What the source reads of the frame.
+struct RaysInputs {
+    gpu::Buffer& frameConstants;
+    Prepared& prepared;
+    gpu::Image* screenAnswer; ///< null: no source stands before
+    bool hasEnvironment;
+    gpu::Image& environment; ///< or a black cube
+    bool hasEnvironmentDiffuse;
+    gpu::Image& environmentDiffuse; ///< or a black cube
+    gpu::Image& dfg;
+    gpu::Image& black; ///< stands in for what is absent
+};
+
+/// Made when the settings first ask for it.
+class RaysSource {
+public:
+    /// Errors: OutOfMemory.
+    static Result<std::unique_ptr<RaysSource>> create(gpu::Context& context, uint32_t width, uint32_t height);
+
+    /// Makes the pipeline for this scene and table, which are kept. Errors: Unsupported, OutOfMemory.
+    Result<void> setScene(rays::Scene& scene, SurfaceTableState& surfaces);
+    bool hasScene() const { return scene_ != nullptr; }
+    RayBackend backend() const { return scene_->backend(); }
+
+
+    void record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs);
+
+    gpu::Image& answer() { return radianceWeight_; }
+    gpu::Image& rayRecord() { return record_; }
+
+private:
+    explicit RaysSource(gpu::Context& context) : context_(context) {}
+    shared::RaysConstants constants(const Settings& settings, const RaysInputs& inputs) const;
+
+    gpu::Context& context_;
+    gpu::Pipeline list_;
+    gpu::Pipeline reflect_;
+    rays::Scene* scene_ = nullptr;
+    SurfaceTableState* surfaces_ = nullptr;
+    Rays rays_;
+    gpu::Image radianceWeight_; ///< RGBA16F: radiance, weight [0, 1]
+    gpu::Image record_;         ///< RG32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays
+    gpu::Buffer blueNoise_;
+    bool noiseHeld_ = false;
+};
+
+} // namespace glint::reflect
