@@ -10,7 +10,8 @@
 
 layout(scalar, set = 0, binding = 22) readonly buffer SurfaceLightsBlock {
     Light item[];
-} surfaceLights;
+}
+surfaceLights;
 layout(set = 0, binding = 3) uniform samplerCube environment; // prefiltered: glint::EnvironmentMap
 layout(set = 0, binding = 4) uniform samplerCube environmentDiffuse;
 layout(set = 0, binding = 5) uniform sampler2D dfg;
@@ -47,8 +48,7 @@ vec3 loadEnvironmentRadiance(vec3 directionWS, float perceptualRoughness) {
     if ((frame.constants.flags & kInputEnvironment) == 0u)
         return vec3(0.0);
     float mip = perceptualRoughness * max(frame.constants.environmentMips - 1.0, 0.0);
-    return sanitize(textureLod(environment, toEnvironment(directionWS), mip).rgb) *
-           frame.constants.environmentStrength;
+    return sanitize(textureLod(environment, toEnvironment(directionWS), mip).rgb) * frame.constants.environmentStrength;
 }
 
 vec3 loadEnvironmentDiffuse(vec3 normalWS) {

@@ -9,13 +9,15 @@
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
-} frame;
+}
+frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
     RayListHeader header;
     uint pixels[];
-} rays;
+}
+rays;
 layout(push_constant, scalar) uniform PushBlock {
     RaysConstants settings;
 };

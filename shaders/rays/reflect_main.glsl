@@ -78,8 +78,8 @@ Path followPath(vec3 originWS, vec3 directionWS, Cone cone, ivec2 px, uint sampl
             break;
         }
         cone.width += cone.spread * hit.distance;
-        HitSurface met = hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, ray.directionWS,
-                                    cone.width);
+        HitSurface met =
+            hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, ray.directionWS, cone.width);
         vec3 V = -ray.directionWS;
         MaterialSample m = sampleMaterial(met.material, met.point);
         litFaceNormalWS = met.faceNormalWS;
@@ -115,24 +115,35 @@ Path followPath(vec3 originWS, vec3 directionWS, Cone cone, ivec2 px, uint sampl
 
 // ---------------------------------------------------------------- a pixel
 
-/// How much the normal turns from pixel to pixel: a bent mirror opens the cone. The smaller difference of both
-/// neighbours, as across an edge stands another surface.
-float normalSpread(ivec2 px, vec3 normalVS) {
-    ivec2 last = ivec2(frame.constants.size) - 1;
-    float spread = 0.0;
-    for (int axis = 0; axis < 2; ++axis) {
-        ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-        vec3 before = unpackSurface(texelFetch(surface, max(px - step, ivec2(0)), 0).xy).normalVS;
-        vec3 behind = unpackSurface(texelFetch(surface, min(px + step, last), 0).xy).normalVS;
-        spread = max(spread, min(distance(before, normalVS), distance(behind, normalVS)));
-    }
-    return spread;
+/// Where a pixel's mirror ray goes, unit.
+vec3 mirrorDirectionVS(ivec2 px) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    return reflect(viewDirection(frame.constants, viewPosition(frame.constants, uv, 1.0)), normalVS);
 }
 
-Cone pixelCone(ivec2 px, float z, vec3 normalVS) {
+/// How far the neighbours' mirror rays part from this one: as much as the camera's do on a flat mirror, more on a bent
+/// one. The smaller difference of both sides, as across an edge stands another surface. Radians, mean of both ways.
+float reflectedSpread(ivec2 px) {
+    ivec2 last = ivec2(frame.constants.size) - 1;
+    vec3 here = mirrorDirectionVS(px);
+    float sum = 0.0;
+    for (int axis = 0; axis < 2; ++axis) {
+        ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+        ivec2 before = px - step;
+        ivec2 behind = px + step;
+        if (any(lessThan(before, ivec2(0))))
+            before = min(behind, last);
+        if (any(greaterThan(behind, last)))
+            behind = max(before, ivec2(0));
+        sum += min(distance(mirrorDirectionVS(before), here), distance(mirrorDirectionVS(behind), here));
+    }
+    return 0.5 * sum;
+}
+
+Cone pixelCone(ivec2 px, float z) {
     float pixel = abs(frame.constants.uvToView.y) * frame.constants.invSize.y; // metres, at 1 m in perspective
-    float spread = 2.0 * normalSpread(px, normalVS);
-    return isOrthographic(frame.constants) ? Cone(pixel, spread) : Cone(pixel * z, pixel + spread);
+    return Cone(isOrthographic(frame.constants) ? pixel : pixel * z, reflectedSpread(px));
 }
 
 vec2 projectedUV(vec3 positionWS) {
@@ -158,7 +169,7 @@ void main() {
     bool halfDepth = (frame.constants.flags & kInputHalfDepth) != 0u;
     float offset = settings.tMin > 0.0 ? 0.0 : depthUncertainty(positionWS, z, halfDepth);
     vec3 originWS = positionWS + N * offset;
-    Cone cone = pixelCone(px, z, origin.normalVS);
+    Cone cone = pixelCone(px, z);
 
     bool mirror = isOn(kRaysMirror) || origin.perceptualRoughness < kMirrorRoughness;
     uint samples = mirror && settings.bounces == 1u ? 1u : settings.samples; // all the same

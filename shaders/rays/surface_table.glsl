@@ -14,13 +14,16 @@
 
 layout(scalar, set = 0, binding = 19) readonly buffer SurfaceInstancesBlock {
     SurfaceInstanceRecord item[];
-} surfaceInstances;
+}
+surfaceInstances;
 layout(scalar, set = 0, binding = 20) readonly buffer SurfaceMeshesBlock {
     SurfaceMeshRecord item[];
-} surfaceMeshes;
+}
+surfaceMeshes;
 layout(scalar, set = 0, binding = 21) readonly buffer SurfaceMaterialsBlock {
     Material item[];
-} surfaceMaterials;
+}
+surfaceMaterials;
 layout(set = 1, binding = 0) uniform sampler2D textures[];
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer FloatStream {
@@ -32,17 +35,44 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Uin
 
 // ---------------------------------------------------------------- textures
 
-/// Of the texel rows and columns that the ray's cone covers, as the square root of the ratio of areas: footprint on the
-/// surface to surface, surface to UV; by texCoord. 0: as sharp as it gets.
-vec2 uvFootprint = vec2(0.0);
+/// How far UVs change across the ray's cone, along both axes of the ellipse that it cuts from the surface; by texCoord.
+struct UvFootprint {
+    vec2 along;
+    vec2 across;
+};
+UvFootprint uvFootprint[2] = UvFootprint[2](UvFootprint(vec2(0.0), vec2(0.0)), UvFootprint(vec2(0.0), vec2(0.0)));
 
-/// The mip in which the footprint is a texel. Akenine-Moller et al. 2021, "Improved Shader and Texture Level of Detail
-/// Using Ray Cones", JCGT 10(1), eq. 3, with the texture's size and transform taken in here.
+/// Taps along the longer axis of a footprint that is stretched.
+const float kMostTaps = 4.0;
+
+/// The mean over the footprint: taps along its longer axis, each in the mip in which it covers a texel. Heckbert 1989,
+/// "Fundamentals of Texture Mapping and Image Warping". By hand, as drivers differ in what textureGrad does of it.
 vec4 sampleTexture(TextureRef ref, vec2 uv) {
+    UvFootprint footprint = uvFootprint[min(ref.texCoord, 1u)];
+    if (footprint.along == vec2(0.0))
+        return textureLod(textures[nonuniformEXT(ref.index)], uv, 0.0);
+    mat2 turned = mat2(ref.uvRow0.x, ref.uvRow1.x, ref.uvRow0.y, ref.uvRow1.y);
     vec2 size = vec2(textureSize(textures[nonuniformEXT(ref.index)], 0));
-    float turned = abs(ref.uvRow0.x * ref.uvRow1.y - ref.uvRow0.y * ref.uvRow1.x);
-    float texels = uvFootprint[min(ref.texCoord, 1u)] * sqrt(size.x * size.y * turned);
-    return textureLod(textures[nonuniformEXT(ref.index)], uv, max(log2(max(texels, 1e-6)), 0.0));
+    vec2 along = turned * footprint.along;
+    vec2 across = turned * footprint.across;
+    float alongTexels = length(along * size);
+    float acrossTexels = length(across * size);
+    if (acrossTexels > alongTexels) {
+        along = across;
+        float shorter = alongTexels;
+        alongTexels = acrossTexels;
+        acrossTexels = shorter;
+    }
+    float taps = clamp(ceil(alongTexels / max(acrossTexels, 1.0)), 1.0, kMostTaps);
+    float lod = log2(max(alongTexels / taps, 1e-6));
+    vec4 sum = vec4(0.0);
+    for (float tap = 0.5; tap < taps; tap += 1.0)
+        sum += textureLod(textures[nonuniformEXT(ref.index)], uv + along * (tap / taps - 0.5), lod);
+    return sum / taps;
+}
+
+void setSharpest() {
+    uvFootprint[0] = uvFootprint[1] = UvFootprint(vec2(0.0), vec2(0.0));
 }
 
 // ---------------------------------------------------------------- vertices
@@ -100,14 +130,9 @@ vec3 weightsOf(vec2 barycentrics) {
     return vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
 }
 
-/// Area of a triangle of UVs, twice.
-float uvArea2(StreamRecord stream, uvec3 triangle) {
-    if (!isPresent(stream))
-        return 0.0;
-    vec2 a = load2(stream, triangle.x);
-    vec2 u = load2(stream, triangle.y) - a;
-    vec2 v = load2(stream, triangle.z) - a;
-    return abs(u.x * v.y - u.y * v.x);
+/// How an attribute changes along a way, given as weights of the second and third vertex.
+vec2 change2(StreamRecord stream, uvec3 triangle, vec2 weights) {
+    return interpolate2(stream, triangle, vec3(-weights.x - weights.y, weights), vec2(0.0));
 }
 
 // ---------------------------------------------------------------- hits
@@ -121,7 +146,7 @@ bool rayMeetsSurface(uint instance, uint primitive, vec2 barycentrics) {
     SurfaceMeshRecord mesh = surfaceMeshes.item[placed.mesh];
     uvec3 triangle = loadTriangle(mesh, primitive);
     vec3 weights = weightsOf(barycentrics);
-    uvFootprint = vec2(0.0);
+    setSharpest();
     SurfacePoint point = SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec4(1.0), true);
     point.uv0 = interpolate2(mesh.uv0, triangle, weights, vec2(0.0));
     point.uv1 = interpolate2(mesh.uv1, triangle, weights, vec2(0.0));
@@ -171,10 +196,22 @@ HitSurface hitSurface(uint instance, uint primitive, vec2 barycentrics, bool fro
     result.point.color = interpolate4(mesh.colors, triangle, weights, vec4(1.0));
     result.point.frontFacing = frontFace;
 
-    // The cone's cross-section as it lies on the surface: stretched one way, so the mean of both ways.
-    float slant = max(abs(dot(frontNormalWS, directionWS)), 1e-2);
-    vec2 uvPerMetre = sqrt(vec2(uvArea2(mesh.uv0, triangle), uvArea2(mesh.uv1, triangle)) / max(area2, 1e-30));
-    uvFootprint = uvPerMetre * coneWidthWS * inversesqrt(slant);
+    // The ellipse that the cone cuts from the surface's plane. Akenine-Moller et al. 2021, "Improved Shader and Texture
+    // Level of Detail Using Ray Cones", JCGT 10(1), section 5.
+    vec3 along = directionWS - frontNormalWS * dot(frontNormalWS, directionWS);
+    along = normalizeOr(along, orthonormalBasis(frontNormalWS)[0]);
+    vec3 across = cross(frontNormalWS, along);
+    along *= coneWidthWS / max(length(along - directionWS * dot(directionWS, along)), 1e-2);
+    across *= coneWidthWS;
+    vec3 uWS = linear * u;
+    vec3 vWS = linear * v;
+    vec3 toWeightU =
+        cross(vWS, frontNormalWS) / max(area2, 1e-30) * side; // dot with a way in the plane: its weight of u
+    vec3 toWeightV = cross(frontNormalWS, uWS) / max(area2, 1e-30) * side;
+    vec2 weightsAlong = vec2(dot(along, toWeightU), dot(along, toWeightV));
+    vec2 weightsAcross = vec2(dot(across, toWeightU), dot(across, toWeightV));
+    uvFootprint[0] = UvFootprint(change2(mesh.uv0, triangle, weightsAlong), change2(mesh.uv0, triangle, weightsAcross));
+    uvFootprint[1] = UvFootprint(change2(mesh.uv1, triangle, weightsAlong), change2(mesh.uv1, triangle, weightsAcross));
     return result;
 }
 

@@ -1,6 +1,6 @@
-// Rays, listed by those who find that a pixel needs one: neighbours by neighbours, so that tracing runs over full groups.
-// Which place a ray gets may change from run to run; nothing depends on it, nor on a subgroup's size. Call takePlace from
-// every invocation of the entry, which defines what else the first ray of all needs:
+// Rays, listed by those who find that a pixel needs one: neighbours by neighbours, so that tracing runs over full
+// groups. Which place a ray gets may change from run to run; nothing depends on it, nor on a subgroup's size. Call
+// takePlace from every invocation of the entry, which defines what else the first ray of all needs:
 //     void listBegins();
 #ifndef GLINT_TRACE_RAY_LIST_GLSL
 #define GLINT_TRACE_RAY_LIST_GLSL
@@ -14,7 +14,8 @@ layout(constant_id = 0) const bool kSubgroups = true; // off: an atomic a ray, f
 layout(scalar, set = 0, binding = 10) buffer RaysBlock { // its header zeroed but for the group counts that stay 1
     RayListHeader header;
     uint pixels[];
-} rays;
+}
+rays;
 
 void listBegins();
 

@@ -36,8 +36,8 @@ Result<TextureTable> TextureTable::create(Context& context, std::span<const Entr
     std::vector<std::pair<SamplerDesc, VkSampler>>& samplers = owner.samplers_;
     std::vector<VkDescriptorImageInfo> infos;
     for (const Entry& entry : entries) {
-        auto known =
-            std::find_if(samplers.begin(), samplers.end(), [&](const auto& pair) { return pair.first == entry.sampler; });
+        auto known = std::find_if(samplers.begin(), samplers.end(),
+                                  [&](const auto& pair) { return pair.first == entry.sampler; });
         if (known == samplers.end()) {
             GLINT_TRY(sampler, makeSampler(context, entry.sampler));
             known = samplers.insert(samplers.end(), {entry.sampler, sampler});

@@ -13,10 +13,10 @@ struct Inputs {
     gpu::Image material;  ///< may be absent
     gpu::Image baseColor; ///< may be absent
     gpu::Image litRadiance;
-    gpu::Image fallbackSpecular; ///< may be absent
-    gpu::Image backDepth;        ///< may be absent; own size
-    gpu::Image motion;           ///< may be absent
-    gpu::Image environment;      ///< cube; may be absent
+    gpu::Image fallbackSpecular;   ///< may be absent
+    gpu::Image backDepth;          ///< may be absent; own size
+    gpu::Image motion;             ///< may be absent
+    gpu::Image environment;        ///< cube; may be absent
     gpu::Image environmentDiffuse; ///< cube; may be absent
 };
 

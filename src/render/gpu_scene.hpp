@@ -42,7 +42,9 @@ public:
     gpu::Buffer& materials() { return materials_; }   ///< shared::Material; the last one is glTF's default
     gpu::Buffer& indices() { return indices_; }       ///< uint32
     const gpu::TextureTable& textures() const { return textures_.table(); }
-    uint32_t textureIndex(const scene::TextureSlot& slot, TextureKind kind) const { return textures_.index(slot, kind); }
+    uint32_t textureIndex(const scene::TextureSlot& slot, TextureKind kind) const {
+        return textures_.index(slot, kind);
+    }
 
 private:
     struct Range {

@@ -15,9 +15,7 @@ std::array<float, 3> toArray(const glm::vec3& v) {
 
 SurfaceTextureRef textureRef(const GpuScene& gpuScene, const scene::TextureSlot& slot, TextureKind kind) {
     const glm::mat3& m = slot.uvTransform;
-    return {gpuScene.textureIndex(slot, kind),
-            slot.texCoord,
-            {m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1]}};
+    return {gpuScene.textureIndex(slot, kind), slot.texCoord, {m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1]}};
 }
 
 SurfaceMaterial surfaceMaterial(const GpuScene& gpuScene, const scene::Material& m) {

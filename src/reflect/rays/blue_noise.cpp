@@ -15,8 +15,8 @@ constexpr uint32_t kSize = shared::kBlueNoiseSize;
 constexpr uint32_t kCount = kSize * kSize;
 constexpr uint32_t kFirstPoints = kCount / 10; ///< of the pattern that the ranks grow from
 
-/// How crowded each texel is: a Gaussian about every point that is set, wrapped around the tile's borders. In integers, so
-/// that adding and taking away leaves no rounding behind, and every machine finds the same minima.
+/// How crowded each texel is: a Gaussian about every point that is set, wrapped around the tile's borders. In integers,
+/// so that adding and taking away leaves no rounding behind, and every machine finds the same minima.
 class Crowding {
 public:
     Crowding() : density_(kCount, 0), isSet_(kCount, false) {
@@ -86,7 +86,8 @@ std::vector<uint32_t> voidAndCluster(uint64_t seed) {
         shrinking.set(point, false);
         ranks[point] = rank;
     }
-    // Past the half Ulichney turns set and unset round; with a kernel whose sum is the same everywhere that is the same.
+    // Past the half Ulichney turns set and unset round; with a kernel whose sum is the same everywhere that is the
+    // same.
     for (uint32_t rank = kFirstPoints; rank < kCount; ++rank) {
         const uint32_t point = pattern.extreme(false);
         pattern.set(point, true);

@@ -1,4 +1,5 @@
-// A tile of blue noise: numbers of which each is unlike its neighbours', so that errors made with them are fine-grained.
+// A tile of blue noise: numbers of which each is unlike its neighbours', so that errors made with them are
+// fine-grained.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +7,8 @@
 
 namespace glint::reflect {
 
-/// kBlueNoiseSize^2 texels by rows: two independent ranks of 16 bits each, low and high, evenly spread over their range.
-/// The tile repeats without seams. Made at the first call, in some 100 ms; the same on every machine.
+/// kBlueNoiseSize^2 texels by rows: two independent ranks of 16 bits each, low and high, evenly spread over their
+/// range. The tile repeats without seams. Made at the first call, in some 100 ms; the same on every machine.
 std::span<const uint32_t> blueNoiseMask();
 
 } // namespace glint::reflect

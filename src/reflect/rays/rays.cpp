@@ -16,14 +16,15 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, ui
     };
     GLINT_TRY(radianceWeight, makeImage("glint/raysRadianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT));
     GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32_UINT));
-    GLINT_TRY(rays, gpu::Buffer::create(
-                        context, {"glint/raysList", sizeof(shared::RayListHeader) + size_t{4} * width * height,
-                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                      VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                                  gpu::BufferHome::Device}));
-    GLINT_TRY(noise, gpu::Buffer::create(context, {"glint/blueNoise", blueNoiseMask().size() * sizeof(uint32_t),
-                                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                   gpu::BufferHome::Device}));
+    GLINT_TRY(rays, gpu::Buffer::create(context,
+                                        {"glint/raysList", sizeof(shared::RayListHeader) + size_t{4} * width * height,
+                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
+                                         gpu::BufferHome::Device}));
+    GLINT_TRY(noise,
+              gpu::Buffer::create(context, {"glint/blueNoise", blueNoiseMask().size() * sizeof(uint32_t),
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                            gpu::BufferHome::Device}));
     source->radianceWeight_ = std::move(radianceWeight);
     source->record_ = std::move(record);
     source->rays_.list = std::move(rays);
@@ -32,10 +33,9 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, ui
 }
 
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
-    const std::string_view shader =
-        scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
-    GLINT_TRY(reflect, gpu::Pipeline::compute(
-                           context_, {shader, sizeof(shared::RaysConstants), {}, surfaces.textureLayout()}));
+    const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
+    GLINT_TRY(reflect,
+              gpu::Pipeline::compute(context_, {shader, sizeof(shared::RaysConstants), {}, surfaces.textureLayout()}));
     reflect_ = std::move(reflect);
     scene_ = &scene;
     surfaces_ = &surfaces;
@@ -96,8 +96,7 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .write("raysRecord", record_, 0, true);
     scene_->bind(pass);
-    surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list,
-                                                           offsetof(shared::RayListHeader, rayGroups));
+    surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
 }
 
 } // namespace glint::reflect

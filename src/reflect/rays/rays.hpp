@@ -33,7 +33,6 @@ public:
     bool hasScene() const { return scene_ != nullptr; }
     RayBackend backend() const { return scene_->backend(); }
 
-
     void record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs);
 
     gpu::Image& answer() { return radianceWeight_; }

@@ -129,10 +129,10 @@ shared::Light packLight(const SurfaceLight& light) {
 // ---------------------------------------------------------------- the lists
 
 Result<void> TableBuffer::create(gpu::Context& context, const char* name, size_t most) {
-    GLINT_TRY(buffer, gpu::Buffer::create(context, {name, std::max<size_t>(most, 16),
-                                                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                                        VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                                    gpu::BufferHome::Device}));
+    GLINT_TRY(buffer,
+              gpu::Buffer::create(context, {name, std::max<size_t>(most, 16),
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                            gpu::BufferHome::Device}));
     buffer_ = std::move(buffer);
     return {};
 }
@@ -163,8 +163,8 @@ Result<std::unique_ptr<SurfaceTableState>> SurfaceTableState::create(gpu::Contex
     table->maxMeshes_ = static_cast<uint32_t>(desc.meshes.size());
     GLINT_CHECK(table->instances_.create(context, "surfaces/instances",
                                          table->maxInstances_ * sizeof(shared::SurfaceInstanceRecord)));
-    GLINT_CHECK(table->meshes_.create(context, "surfaces/meshes",
-                                      table->maxMeshes_ * sizeof(shared::SurfaceMeshRecord)));
+    GLINT_CHECK(
+        table->meshes_.create(context, "surfaces/meshes", table->maxMeshes_ * sizeof(shared::SurfaceMeshRecord)));
     GLINT_CHECK(
         table->materials_.create(context, "surfaces/materials", table->maxMaterials_ * sizeof(shared::Material)));
     GLINT_CHECK(table->lights_.create(context, "surfaces/lights", table->maxLights_ * sizeof(shared::Light)));
