@@ -15,8 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
-}
-frame;
+} frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D radianceWeight;
@@ -74,27 +73,57 @@ void main() {
 
     vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
     switch (settings.view) {
-    case kViewReflection: value.rgb = texelFetch(reflected, px, 0).rgb; break;
-    case kViewWeight: value.rgb = vec3(texelFetch(radianceWeight, px, 0).a); break;
-    case kViewWeights: value.rgb = texelFetch(weights, px, 0).rgb; break;
-    case kViewSource: value.rgb = sourceColor(texelFetch(weights, px, 0)); break;
-    case kViewOutcome: value.rgb = outcomeColor(ray, settings.maxSteps); break;
-    case kViewNormal: value.rgb = background ? vec3(0.0) : mat3(frame.constants.viewToWorld) * here.normalVS; break;
-    case kViewDepth: value.rgb = vec3(background ? 0.0 : z); break;
-    case kViewRoughness: value.rgb = vec3(background ? 0.0 : here.perceptualRoughness); break;
+    case kViewReflection:
+        value.rgb = texelFetch(reflected, px, 0).rgb;
+        break;
+    case kViewWeight:
+        value.rgb = vec3(texelFetch(radianceWeight, px, 0).a);
+        break;
+    case kViewWeights:
+        value.rgb = texelFetch(weights, px, 0).rgb;
+        break;
+    case kViewSource:
+        value.rgb = sourceColor(texelFetch(weights, px, 0));
+        break;
+    case kViewOutcome:
+        value.rgb = outcomeColor(ray, settings.maxSteps);
+        break;
+    case kViewNormal:
+        value.rgb = background ? vec3(0.0) : mat3(frame.constants.viewToWorld) * here.normalVS;
+        break;
+    case kViewDepth:
+        value.rgb = vec3(background ? 0.0 : z);
+        break;
+    case kViewRoughness:
+        value.rgb = vec3(background ? 0.0 : here.perceptualRoughness);
+        break;
     case kViewReflectivity:
         value.rgb = background ? vec3(0.0) : resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb;
         break;
-    case kViewHitUv: value.rg = hit ? ray.hitUV : vec2(0.0); break;
-    case kViewHitDistance: value.rgb = vec3(hit ? ray.hitDistance : 0.0); break;
-    case kViewLookups: value.rgb = vec3(float(ray.lookups)); break;
-    case kViewRayDirection: value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z); break;
+    case kViewHitUv:
+        value.rg = hit ? ray.hitUV : vec2(0.0);
+        break;
+    case kViewHitDistance:
+        value.rgb = vec3(hit ? ray.hitDistance : 0.0);
+        break;
+    case kViewLookups:
+        value.rgb = vec3(float(ray.lookups));
+        break;
+    case kViewRayDirection:
+        value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z);
+        break;
     case kViewColor:
         value.rgb = texelFetch(radianceWeight, px, 0).a > 0.0 ? texelFetch(radianceWeight, px, 0).rgb : vec3(0.0);
         break;
-    case kViewHitDepth: value.rgb = vec3(hit ? hitDepth(ray) : 0.0); break;
-    case kViewHitSuccess: value.rgb = successColor(ray.outcome); break;
-    case kViewRay: value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups)); break;
+    case kViewHitDepth:
+        value.rgb = vec3(hit ? hitDepth(ray) : 0.0);
+        break;
+    case kViewHitSuccess:
+        value.rgb = successColor(ray.outcome);
+        break;
+    case kViewRay:
+        value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));
+        break;
     }
     imageStore(view, px, value);
 }

@@ -11,8 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
-}
-frame;
+} frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D radianceWeight;

@@ -9,9 +9,9 @@
 
 /// What a texel of the host says.
 struct HostSurface {
-    float viewZ;   // metres; kBackgroundZ: nothing is here
-    vec3 normalVS; // unit
-    vec3 f0;       // [0, 1]
+    float viewZ;    // metres; kBackgroundZ: nothing is here
+    vec3 normalVS;  // unit
+    vec3 f0;        // [0, 1]
     float perceptualRoughness;
 };
 
@@ -21,8 +21,8 @@ float hostViewZ(FrameConstants frame, float depth) {
     return z > 0.0 ? z : kBackgroundZ;
 }
 
-/// As rays see it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance. Rounded to the nearest
-/// half, ties to even, by hand: a compiler may take packing and unpacking for nothing and leave both out.
+/// As rays see it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance. Rounded to the nearest half,
+/// ties to even, by hand: a compiler may take packing and unpacking for nothing and leave both out.
 float storedViewZ(FrameConstants frame, float z) {
     const float kLargestHalf = 65504.0;
     if ((frame.flags & kInputHalfDepth) == 0u || z >= kBackgroundZ)

@@ -39,8 +39,8 @@ bool isHit(Hit hit) {
     return hit.instance != kNoInstance;
 }
 
-/// No for rays with NaN, infinite or absurdly large numbers, without direction or with an empty range: they meet
-/// nothing. Vulkan leaves such ray queries undefined.
+/// No for rays with NaN, infinite or absurdly large numbers, without direction or with an empty range: they meet nothing.
+/// Vulkan leaves such ray queries undefined.
 bool isTraceable(Ray ray) {
     const float kMost = 1e18; // squares still fit
     return all(lessThan(abs(ray.originWS), vec3(kMost))) && all(lessThan(abs(ray.directionWS), vec3(kMost))) &&

@@ -7,14 +7,14 @@
 
 struct ScreenRay {
     vec2 startPX;
-    vec2 deltaPX; // from start to end
+    vec2 deltaPX;       // from start to end
     float startInvW;
     float endInvW;
-    float startZOverW; // viewZ / w
+    float startZOverW;  // viewZ / w
     float endZOverW;
-    float lengthVS;   // metres
-    float screenEnd;  // share of the line that lies on screen, [0, 1]; 1 if all of it
-    bool clippedNear; // the ray was cut at the near plane
+    float lengthVS;     // metres
+    float screenEnd;    // share of the line that lies on screen, [0, 1]; 1 if all of it
+    bool clippedNear;   // the ray was cut at the near plane
 };
 
 /// Share of the segment from `start` along `delta` that stays in [low, high].
@@ -61,7 +61,8 @@ float rayViewZ(ScreenRay ray, float share) {
 
 /// At `share` of the line on screen: nearness (lib/nearness.glsl) of the ray, linear in `share`.
 float rayNearness(FrameConstants frame, ScreenRay ray, float share) {
-    return isOrthographic(frame) ? -mix(ray.startZOverW, ray.endZOverW, share) : mix(ray.startInvW, ray.endInvW, share);
+    return isOrthographic(frame) ? -mix(ray.startZOverW, ray.endZOverW, share)
+                                 : mix(ray.startInvW, ray.endInvW, share);
 }
 
 /// At `share` of the line on screen: metres travelled from the origin.

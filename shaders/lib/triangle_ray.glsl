@@ -37,8 +37,8 @@ ShearedRay shearRay(vec3 origin, vec3 direction) {
 /// axis-aligned planes exact. Where the ray runs along the plane the vertices' own range bounds the distance.
 ///
 /// `precise`: an edge that two triangles share must give exactly opposite signs in both, so no fused multiply-adds.
-/// An edge value of 0 counts as inside for both; the paper computes such again in double precision, to tell which of
-/// the two was met, which here does not matter. Degenerate triangles and NaN are not met.
+/// An edge value of 0 counts as inside for both; the paper computes such again in double precision, to tell which of the
+/// two was met, which here does not matter. Degenerate triangles and NaN are not met.
 TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2, vec3 normal) {
     precise vec3 a = longestLast(v0 - ray.origin, ray.longest);
     precise vec3 b = longestLast(v1 - ray.origin, ray.longest);

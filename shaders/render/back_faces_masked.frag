@@ -26,8 +26,8 @@ float alphaCutoff(Material material) {
 
 void main() {
     Material material = materials.list[instances.list[draw.constants.instance].material];
-    SurfacePoint point =
-        SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), uv01.xy, uv01.zw, vec4(1.0, 1.0, 1.0, alpha), true);
+    SurfacePoint point = SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), uv01.xy, uv01.zw, vec4(1.0, 1.0, 1.0, alpha),
+                                      true);
     if (sampleBaseColor(material, point).a < alphaCutoff(material))
         discard;
 }

@@ -12,8 +12,7 @@
 layout(set = 1, binding = 0) uniform sampler2D textures[];
 layout(push_constant, scalar) uniform DrawBlock {
     ShadowDrawConstants constants;
-}
-draw;
+} draw;
 
 layout(location = 0) in vec4 uv01;
 layout(location = 1) in float alpha;
@@ -24,8 +23,8 @@ vec4 sampleTexture(TextureRef ref, vec2 uv) {
 
 void main() {
     Material material = materials.list[instances.list[draw.constants.instance].material];
-    SurfacePoint point =
-        SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), uv01.xy, uv01.zw, vec4(1.0, 1.0, 1.0, alpha), true);
+    SurfacePoint point = SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), uv01.xy, uv01.zw, vec4(1.0, 1.0, 1.0, alpha),
+                                      true);
     if (sampleBaseColor(material, point).a < material.alphaCutoff)
         discard;
 }

@@ -10,8 +10,7 @@
 
 layout(scalar, set = 0, binding = 4) uniform ViewBlock {
     RenderView constants;
-}
-view;
+} view;
 layout(set = 1, binding = 0) uniform sampler2D textures[];
 
 #define VARYING in

@@ -4,5 +4,5 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "ray_alpha.glsl"
-#include "ray_main.glsl"
 #include "rays/bvh.glsl"
+#include "ray_main.glsl"

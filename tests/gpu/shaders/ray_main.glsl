@@ -8,12 +8,10 @@ struct TestHit {
 };
 layout(scalar, set = 0, binding = 0) readonly buffer RaysBlock {
     Ray item[];
-}
-rays;
+} rays;
 layout(scalar, set = 0, binding = 1) writeonly buffer HitsBlock {
     TestHit item[];
-}
-hits;
+} hits;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

@@ -1,0 +1,286 @@
+// The source `rays`: scenes of a few triangles whose reflections are known, on both back ends.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/surface_scene.hpp"
+
+namespace glint::test {
+namespace {
+
+class RaysSourceTest : public LibraryTest, public testing::WithParamInterface<RayBackend> {
+protected:
+    void SetUp() override {
+        LibraryTest::SetUp();
+        if (GetParam() == RayBackend::Query && !gpu().rayQuery())
+            GTEST_SKIP() << "no ray queries on " << gpu().info().name;
+    }
+
+    static Settings raySettings() {
+        Settings settings;
+        settings.screen.enabled = false;
+        settings.rays.enabled = true;
+        return settings;
+    }
+
+    static Picture look(const SurfaceScene& scene, const SyntheticScene& seen, const SyntheticCamera& camera,
+                        uint32_t width, uint32_t height, const Settings& settings,
+                        const EnvironmentMap& environment = {}) {
+        SurfaceScene::World world = scene.build(gpu(), library(), GetParam());
+        SyntheticGBuffer g = SyntheticGBuffer::render(gpu(), seen, camera, width, height);
+        Reflections reflections = LibraryTest::reflections(width, height, settings);
+        must(reflections.setInputs(g.gbuffer, environment));
+        must(reflections.setRays(world.rays, world.surfaces));
+        run([&](VkCommandBuffer commands) {
+            world.rays.record(commands);
+            world.surfaces.record(commands);
+        });
+        return LibraryTest::trace(reflections, camera.view(width, height));
+    }
+    static Picture look(const SurfaceScene& scene, const SyntheticCamera& camera, uint32_t width, uint32_t height,
+                        const Settings& settings, const EnvironmentMap& environment = {}) {
+        return look(scene, SurfaceScene::seenBy(scene), camera, width, height, settings, environment);
+    }
+    static TestEnvironment whiteEnvironment() {
+        return TestEnvironment::make(gpu(), 8, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
+    }
+    static glm::vec3 reflected(const Picture& picture, size_t pixel) {
+        return glm::vec3(picture.reflection[pixel * 4], picture.reflection[pixel * 4 + 1],
+                         picture.reflection[pixel * 4 + 2]);
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, RaysSourceTest, testing::Values(RayBackend::Query, RayBackend::Bvh),
+                         [](const auto& backend) { return backend.param == RayBackend::Query ? "query" : "bvh"; });
+
+TEST_P(RaysSourceTest, aMirrorShowsWhatStandsBehindTheCamera) {
+    SurfaceScene scene;
+    scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+    scene.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, emitting({0.25f, 0.5f, 0.75f}));
+    const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
+    const Picture picture = look(scene, camera, 33, 17, raySettings());
+    uint64_t hits = 0;
+    for (size_t i = 0; i < picture.pixels(); ++i)
+        if (picture.outcome(i) != shared::kOutcomeNone) {
+            ++hits;
+            EXPECT_EQ(picture.outcome(i), shared::kOutcomeHit);
+            EXPECT_NEAR(picture.color(i).g, 0.5, 1e-3);
+            EXPECT_GE(picture.hitDistance[i * 4], 10);
+        }
+    EXPECT_GT(hits, 50u);
+    EXPECT_EQ(picture.counted("hit"), hits);
+    EXPECT_EQ(picture.statistics.rays, hits);
+}
+
+/// Mirrors at x = -1 and 1, both `height` high, under a shining ceiling: each mirror of a path is one nearer to it.
+TEST_P(RaysSourceTest, twoMirrorsShowAsManyBouncesAsAsked) {
+    SurfaceScene scene;
+    scene.addQuad({-1, 0, -50}, {0, 9.5f, 0}, {0, 0, 100}, whiteMetal(0));
+    scene.addQuad({1, 0, -50}, {0, 0, 100}, {0, 9.5f, 0}, whiteMetal(0));
+    scene.addQuad({-300, 20, -300}, {0, 0, 600}, {600, 0, 0}, emitting(glm::vec3(1)));
+    // What a picture shows is the mirror at x = 1 alone; its pixels look up ever steeper.
+    SyntheticCamera camera = {.position = {0, 0.05, 0}, .target = {1, 1.2, 0}, .fovY = 1.5};
+    const SyntheticScene seen = [](const glm::dvec3& origin,
+                                   const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
+        const double distance = (1 - origin.x) / direction.x;
+        const glm::dvec3 met = origin + direction * distance;
+        if (!(distance > 0) || met.y < 0 || met.y > 9.5)
+            return {};
+        return SyntheticSurface{distance, {-1, 0, 0}, glm::vec3(1), 0, glm::vec3(0)};
+    };
+    for (const int bounces : {1, 2, 4, 8}) {
+        Settings settings = raySettings();
+        settings.rays.bounces = bounces;
+        const Picture picture = look(scene, seen, camera, 64, 48, settings);
+        size_t shining = 0;
+        size_t dark = 0;
+        for (uint32_t y = 0; y < 48; ++y)
+            for (uint32_t x = 0; x < 64; ++x) {
+                const glm::dvec3 direction = camera.rayThrough(x, y, 64, 48);
+                const glm::dvec3 eye = camera.position;
+                const auto surface = seen(eye, direction);
+                if (!surface)
+                    continue;
+                const double rise = direction.y / direction.x * 2; // from mirror to mirror
+                double at = eye.y + direction.y * surface->distance;
+                int mirrors = 0; // after the one that the picture shows
+                bool doubtful = rise <= 1e-3;
+                for (at += rise; at < 9.5 && mirrors < 20; at += rise) {
+                    ++mirrors;
+                    doubtful |= at > 9.45;
+                }
+                doubtful |= at < 9.55;
+                const double along = std::abs(direction.z / direction.x) * (20 / std::max(rise, 1e-3)) * 2;
+                if (doubtful || along > 45)
+                    continue;
+                const bool expected = mirrors < bounces;
+                (expected ? shining : dark) += 1;
+                EXPECT_EQ(reflected(picture, y * 64 + x).r > 0.5f, expected)
+                    << mirrors << " mirrors, " << bounces << " bounces, at " << x << ", " << y;
+            }
+        EXPECT_GT(shining, 20u) << bounces;
+        EXPECT_TRUE(bounces == 8 || dark > 20u) << bounces;
+    }
+}
+
+TEST_P(RaysSourceTest, aWhiteFurnaceStaysWhite) {
+    TestEnvironment environment = whiteEnvironment();
+    for (const float roughness : {0.f, 0.1f, 0.3f, 0.5f, 0.7f, 0.9f, 1.f}) {
+        SurfaceScene scene;
+        scene.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(roughness));
+        scene.addQuad({-1, 0, -2}, {2, 0, 0}, {0, 2, 0}, whiteMetal(roughness)); // stands on it, seen in it
+        Settings settings = raySettings();
+        settings.rays.samples = 16;
+        settings.rays.bounces = 3;
+        const Picture picture =
+            look(scene, {.position = {0, 1, 4}, .target = {0, 0.5, 0}}, 32, 24, settings, environment.map);
+        for (size_t i = 0; i < picture.pixels(); ++i)
+            if (picture.outcome(i) != shared::kOutcomeNone) {
+                EXPECT_NEAR(picture.color(i).r, 1, 0.01) << "roughness " << roughness;
+            }
+    }
+}
+
+/// A box, white outside in every direction: whatever shines inside has leaked.
+TEST_P(RaysSourceTest, closedBoxesStayDarkAtAnyScale) {
+    TestEnvironment environment = whiteEnvironment();
+    SurfaceScene box;
+    const SurfaceMaterial wall = blackMatte();
+    box.addQuad({-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, whiteMetal(0));
+    box.addQuad({-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, wall);
+    box.addQuad({-1, 0, -1}, {2, 0, 0}, {0, 1, 0}, wall);
+    box.addQuad({1, 0, 1}, {-2, 0, 0}, {0, 1, 0}, wall);
+    box.addQuad({-1, 0, 1}, {0, 0, -2}, {0, 1, 0}, wall);
+    box.addQuad({1, 0, -1}, {0, 0, 2}, {0, 1, 0}, wall);
+    for (const float scale : {1e-3f, 1.f, 1e3f}) {
+        const SurfaceScene scene = box.scaled(scale);
+        SyntheticCamera camera = {.position = glm::dvec3(-0.8, 0.4, 0.9) * double(scale),
+                                  .target = glm::dvec3(0.5, -0.1, -0.6) * double(scale),
+                                  .fovY = 1.2,
+                                  .near = 0.05 * double(scale)};
+        for (const float roughness : {0.f, 0.6f}) {
+            const SyntheticScene exact = SurfaceScene::seenBy(scene);
+            const SyntheticScene seen = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+                std::optional<SyntheticSurface> surface = exact(origin, direction);
+                if (surface)
+                    surface->perceptualRoughness = roughness;
+                return surface;
+            };
+            Settings settings = raySettings();
+            settings.rays.samples = 4;
+            const Picture picture = look(scene, seen, camera, 160, 120, settings, environment.map);
+            size_t mirrors = 0;
+            size_t leaks = 0;
+            size_t selfHits = 0;
+            for (size_t i = 0; i < picture.pixels(); ++i) {
+                mirrors += picture.outcome(i) == shared::kOutcomeHit;
+                leaks += picture.outcome(i) != shared::kOutcomeBelowThreshold && reflected(picture, i).r > 0;
+                selfHits += picture.outcome(i) == shared::kOutcomeHit && picture.hitDistance[i * 4] < 1e-4f * scale;
+            }
+            EXPECT_GT(mirrors, 2000u);
+            EXPECT_EQ(leaks, 0u) << "scale " << scale << ", roughness " << roughness;
+            EXPECT_LE(selfHits, mirrors / 1000) << "scale " << scale << ", roughness " << roughness;
+        }
+    }
+}
+
+/// Emitting things about a mirror, seen at three scales.
+TEST_P(RaysSourceTest, scaledScenesGiveTheSamePicture) {
+    SurfaceScene scene;
+    scene.addQuad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, whiteMetal(0));
+    for (int i = 0; i < 7; ++i) {
+        const float t = static_cast<float>(i);
+        scene.addQuad({-1.6f + 0.45f * t, 0, -1.5f + 0.3f * t}, {0.3f, 0, 0.1f}, {0, 0.5f + 0.1f * t, 0.05f},
+                      emitting({0.1f * t, 0.5f, 1 - 0.1f * t}));
+    }
+    std::vector<Picture> pictures;
+    for (const float scale : {1.f, 1e-3f, 1e3f}) {
+        const SurfaceScene sized = scene.scaled(scale);
+        const SyntheticCamera camera = {.position = glm::dvec3(0.2, 1.1, 3) * double(scale),
+                                        .target = glm::dvec3(0, 0.3, 0) * double(scale),
+                                        .near = 0.05 * double(scale)};
+        pictures.push_back(look(sized, camera, 160, 120, raySettings()));
+    }
+    for (size_t p = 1; p < pictures.size(); ++p) {
+        size_t differing = 0;
+        for (size_t i = 0; i < pictures[0].pixels(); ++i)
+            differing += glm::distance(pictures[0].color(i), pictures[p].color(i)) > 1.f / 255;
+        EXPECT_LE(differing, pictures[0].pixels() / 1000); // edges fall this way or that
+    }
+}
+
+TEST_P(RaysSourceTest, holesLetRaysThroughUnlessToldOtherwise) {
+    SurfaceScene scene;
+    scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+    SurfaceMaterial net = emitting({1, 0, 0});
+    net.alpha = SurfaceAlpha::Mask;
+    net.baseColorFactor[3] = 0.2f;
+    scene.addQuad({20, -20, 5}, {-40, 0, 0}, {0, 40, 0}, net);
+    scene.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, emitting({0, 1, 0}));
+    const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
+    for (const bool tested : {true, false}) {
+        Settings settings = raySettings();
+        settings.rays.alphaTest = tested;
+        const Picture picture = look(scene, camera, 33, 17, settings);
+        EXPECT_NEAR(reflected(picture, 33 * 8 + 16).r, tested ? 0 : 1, 1e-3);
+        EXPECT_NEAR(reflected(picture, 33 * 8 + 16).g, tested ? 1 : 0, 1e-3);
+    }
+}
+
+TEST_P(RaysSourceTest, masksRangesAndRoughnessLeaveRaysOut) {
+    SurfaceScene scene;
+    scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+    scene.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, emitting(glm::vec3(1)));
+    scene.triangles.instances[1].mask = 2;
+    const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
+    const auto center = [&](const Settings& settings) {
+        return reflected(look(scene, camera, 33, 17, settings), 33 * 8 + 16).r;
+    };
+    Settings settings = raySettings();
+    EXPECT_NEAR(center(settings), 1, 1e-3);
+    settings.rays.cullMask = 1;
+    EXPECT_EQ(center(settings), 0);
+    settings = raySettings();
+    settings.rays.tMax = 9.9f; // the wall is 10 m from the mirror
+    EXPECT_EQ(center(settings), 0);
+    settings = raySettings();
+    settings.rays.tMin = 10.5f;
+    EXPECT_EQ(center(settings), 0);
+    settings = raySettings();
+    settings.rays.enabled = false;
+    EXPECT_EQ(center(settings), 0);
+}
+
+TEST_P(RaysSourceTest, aLightShinesOnWhatAMirrorShowsUnlessSomethingStandsBetween) {
+    for (const bool shadowed : {false, true}) {
+        SurfaceScene scene;
+        scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+        SurfaceMaterial matte = blackMatte();
+        matte.baseColorFactor = {0.5f, 0.5f, 0.5f, 1};
+        scene.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, matte);
+        if (shadowed)
+            scene.addQuad({-50, 30, -50}, {100, 0, 0}, {0, 0, 100}, blackMatte());
+        SurfaceLight sun;
+        sun.color = {2, 2, 2};
+        sun.directionWS = {0, -std::sqrt(0.5f), std::sqrt(0.5f)};
+        scene.lights.push_back(sun);
+        const Picture picture = look(scene, {.position = {0, 0, 3}, .target = {0, 0, 0}}, 33, 17, raySettings());
+        const double lit = 2 * std::sqrt(0.5) * 0.5 / 3.14159265;
+        EXPECT_NEAR(reflected(picture, 33 * 8 + 16).r, shadowed ? 0 : lit, 2e-3);
+    }
+}
+
+TEST_P(RaysSourceTest, theOtherBackEndIsRefused) {
+    SurfaceScene scene;
+    scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+    SurfaceScene::World world = scene.build(gpu(), library(), GetParam());
+    Settings settings = raySettings();
+    settings.rays.backend = GetParam() == RayBackend::Query ? RayBackend::Bvh : RayBackend::Query;
+    Reflections reflections = LibraryTest::reflections(8, 8, settings);
+    const Result<void> refused = reflections.setRays(world.rays, world.surfaces);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("rays.backend"), std::string::npos) << refused.error().message;
+    settings.rays.backend = GetParam();
+    must(reflections.setSettings(settings));
+    must(reflections.setRays(world.rays, world.surfaces));
+}
+
+} // namespace
+} // namespace glint::test
