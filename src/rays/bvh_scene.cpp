@@ -7,7 +7,7 @@
 namespace glint::rays {
 namespace {
 
-/// A fitted top level whose cost has grown by this much is built anew. Tuned: a rebuild costs about ten fittings.
+/// A fitted top level whose cost has grown by this factor is built anew.
 constexpr double kWornOut = 1.3;
 
 /// An empty buffer cannot exist; nobody reads the spare element.
