@@ -59,6 +59,8 @@ public:
     Pass& readWrite(std::string_view name, Image& image, uint32_t mip = 0);
     Pass& readWrite(std::string_view name, Buffer& buffer);
 
+    bool rehearsing() const; ///< only checked, never run
+
     /// A texture table (gpu/texture_table.hpp) as set 1.
     Pass& table(VkDescriptorSet set);
     /// 32-bit indices for Draws::drawIndexed, made with INDEX_BUFFER usage.

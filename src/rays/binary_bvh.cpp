@@ -6,11 +6,15 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <future>
 
 namespace glint::rays {
 namespace {
 
 constexpr uint32_t kMostBins = 16;
+
+constexpr uint32_t kWorthAThread = 20000; ///< primitives: some ten milliseconds of work
+constexpr uint32_t kThreadedDepth = 5;    ///< at most 2^5 threads at once
 
 struct Reference {
     Bounds bounds;
@@ -51,36 +55,53 @@ public:
     }
 
     BinaryBvh build(uint32_t maxHeight) {
-        bvh_.nodes.reserve(2 * references_.size() + 1);
-        bvh_.nodes.emplace_back();
-        fill(0, 0, static_cast<uint32_t>(references_.size()), maxHeight);
-        bvh_.order.reserve(references_.size());
+        const auto count = static_cast<uint32_t>(references_.size());
+        bvh_.nodes.resize(count > 0 ? 2 * size_t{count} - 1 : 1); // down to single primitives
+        fill({0, 1, 0, count, maxHeight}, 0);
+        bvh_.order.reserve(count);
         for (const Reference& reference : references_)
             bvh_.order.push_back(reference.primitive);
         return std::move(bvh_);
     }
 
 private:
+    struct Subtree {
+        uint32_t root;
+        uint32_t nodes; ///< where the 2 * count - 2 others go
+        uint32_t first;
+        uint32_t count;
+        uint32_t maxHeight; ///< at most so many splits deep
+    };
+
     std::span<Reference> part(uint32_t first, uint32_t count) { return std::span(references_).subspan(first, count); }
 
-    /// Makes `node` of the references; at most `maxHeight` splits deep.
-    void fill(uint32_t node, uint32_t first, uint32_t count, uint32_t maxHeight) {
+    /// Subtrees own their nodes and references, so large ones are built side by side; the result is the same.
+    void fill(const Subtree& tree, uint32_t depth) {
         Bounds bounds;
         Bounds centroids;
-        for (const Reference& reference : part(first, count)) {
+        for (const Reference& reference : part(tree.first, tree.count)) {
             bounds.add(reference.bounds);
             centroids.add(reference.bounds.center());
         }
-        bvh_.nodes[node] = {bounds, 0, first, count, 0};
-        if (count <= 1)
+        BinaryNode& node = bvh_.nodes[tree.root];
+        node = {bounds, 0, tree.first, tree.count, 0};
+        if (tree.count <= 1)
             return;
-        const uint32_t left = sortIntoSides(first, count, centroids, maxHeight);
-        const auto child = static_cast<uint32_t>(bvh_.nodes.size());
-        bvh_.nodes[node].left = child;
-        bvh_.nodes.resize(child + 2);
-        fill(child, first, left, maxHeight - 1);
-        fill(child + 1, first + left, count - left, maxHeight - 1);
-        bvh_.nodes[node].height = 1 + std::max(bvh_.nodes[child].height, bvh_.nodes[child + 1].height);
+        const uint32_t onLeft = sortIntoSides(tree.first, tree.count, centroids, tree.maxHeight);
+        node.left = tree.nodes;
+        const Subtree left = {node.left, node.left + 2, tree.first, onLeft, tree.maxHeight - 1};
+        const Subtree right = {node.left + 1, node.left + 2 * onLeft, tree.first + onLeft, tree.count - onLeft,
+                               tree.maxHeight - 1};
+        if (tree.count >= kWorthAThread && depth < kThreadedDepth) {
+            // Deferred where the system has no thread to give.
+            auto other = std::async(std::launch::async | std::launch::deferred, [&] { fill(left, depth + 1); });
+            fill(right, depth + 1);
+            other.get();
+        } else {
+            fill(left, depth + 1);
+            fill(right, depth + 1);
+        }
+        node.height = 1 + std::max(bvh_.nodes[left.root].height, bvh_.nodes[right.root].height);
     }
 
     /// Returns the number on the left.

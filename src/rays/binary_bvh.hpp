@@ -30,7 +30,7 @@ struct BinaryBvh {
 ///
 /// `boxes`      one a primitive, finite
 /// `maxHeight`  of the tree; 2^maxHeight must be enough for all primitives
-/// Cost: O(n log n), on one core.
+/// Cost: O(n log n), large subtrees on threads of their own.
 BinaryBvh buildBinaryBvh(std::span<const Bounds> boxes, uint32_t maxHeight);
 
 /// The heuristic's cost of a tree: expected tests of boxes and primitives of a long random ray that meets the root's

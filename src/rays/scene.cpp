@@ -1,5 +1,7 @@
 #include "rays/scene.hpp"
 
+#include "base/assert.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -86,6 +88,7 @@ void Scene::record(VkCommandBuffer commands) {
                 return;
             gpu::Frame frame(context_, commands, timers_.get());
             backend->record(frame);
+            recorded_ = true;
         },
         scene_);
 }
@@ -102,6 +105,7 @@ RaySceneTimes Scene::times() {
 }
 
 gpu::Pass& Scene::bind(gpu::Pass& pass) {
+    GLINT_ASSERT(recorded_ || pass.rehearsing(), "a ray scene is traced before it was recorded");
     std::visit([&](auto& backend) { backend->bind(pass); }, scene_);
     return pass;
 }

@@ -165,6 +165,19 @@ TEST_P(RaySceneTest, randomScenesAreAnsweredAsByTheOracle) {
     }
 }
 
+TEST_P(RaySceneTest, instancesMayBeOfAnySize) {
+    for (const float scale : {1e-3f, 1e3f}) {
+        TestScene scene = randomScene(27, 1);
+        for (RayInstance& instance : scene.instances)
+            for (int i = 0; i < 15; ++i)
+                instance.localToWorld[static_cast<size_t>(i)] *= scale;
+        const std::vector<TestRay> rays = randomRays(28, 3000, scale);
+        const Disagreement result = disagreement(scene, rays, trace(scene, rays));
+        EXPECT_GT(result.judged, rays.size() * 9 / 10) << "scale " << scale;
+        EXPECT_EQ(result.wrong, 0u) << "scale " << scale << ": " << result.first;
+    }
+}
+
 /// A bumpy, finely divided sheet over [0, 1]^2 at about z = 0, all vertices shared.
 TestMesh sheet(uint32_t cells, float bump) {
     std::mt19937 random(5);
@@ -405,6 +418,15 @@ TEST_F(WithoutRayQuery, autoTakesTheHierarchyAndItWorks) {
     const std::unique_ptr<rays::Scene> scene = oneTriangle().build(*context_, RayBackend::Auto);
     EXPECT_EQ(scene->backend(), RayBackend::Bvh);
     EXPECT_TRUE(traceRays(*context_, *scene, {TestRay{}})[0].met());
+}
+
+TEST_F(WithoutRayQuery, aHostThatOnlySaysItEnabledThemIsToldSo) {
+    gpu::AdoptedDevice handles = context_->handles();
+    handles.rayQuery = true;
+    const auto adopted = gpu::Context::adopt(handles);
+    ASSERT_FALSE(adopted);
+    EXPECT_NE(adopted.error().message.find("ray queries are not enabled"), std::string::npos)
+        << adopted.error().message;
 }
 
 TEST_F(WithoutRayQuery, queriesAreRefused) {
