@@ -476,12 +476,12 @@ TEST_F(AccelerationStructureTest, aPassReadsTheTopLevelAndEveryBottomLevelBelowI
     constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
     run([&](VkCommandBuffer commands) {
         gpu::Frame frame(gpu(), commands);
-        frame.build(bottom, scratch);
+        frame.build(std::array{&bottom}, scratch);
         EXPECT_EQ(positions.state().readStages, kBuild);
         EXPECT_EQ(indices.state().readStages, kBuild);
         EXPECT_EQ(bottom.storage().state().writeStages, kBuild);
         EXPECT_EQ(scratch.state().writeStages, kBuild);
-        frame.build(top, scratch);
+        frame.build(std::array{&top}, scratch);
         EXPECT_EQ(bottom.storage().state().readStages, kBuild);
         EXPECT_EQ(instances.state().readStages, kBuild);
         frame.pass(pipeline).read("scene", top).read("rays", rays).write("hits", hits).dispatch(1);
@@ -489,7 +489,7 @@ TEST_F(AccelerationStructureTest, aPassReadsTheTopLevelAndEveryBottomLevelBelowI
             EXPECT_TRUE(structure->storage().state().readStages & kCompute);
             EXPECT_TRUE(structure->storage().state().readAccess & VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR);
         }
-        frame.refit(bottom, scratch);
+        frame.refit(std::array{&bottom}, scratch);
         EXPECT_EQ(bottom.storage().state().readStages, 0u) << "a write again, behind the shader's reads";
     });
     gpu::Frame rehearsal = gpu::Frame::rehearsal(gpu());
