@@ -310,6 +310,10 @@ TEST_P(RaySceneTest, wrongListsAreRefusedWithTheirPlace) {
     scene.instances[0].mesh = 1;
     EXPECT_EQ(refusal(scene), "ray instance 0 is of mesh 1, the scene has 1");
 
+    const auto tooMany = rays::Scene::create(gpu(), {.maxInstances = 1u << 24, .backend = GetParam()});
+    ASSERT_FALSE(tooMany);
+    EXPECT_EQ(tooMany.error().message, "room for 16777216 ray instances, at most 16777215 can be had");
+
     const std::unique_ptr<rays::Scene> good = build(oneTriangle(), 2);
     EXPECT_TRUE(good->setInstances(std::vector<RayInstance>(2)));
     EXPECT_FALSE(good->setInstances(std::vector<RayInstance>(3)));
