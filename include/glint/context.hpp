@@ -24,10 +24,16 @@ struct HostDevice {
     VkDevice device = VK_NULL_HANDLE;
     uint32_t queueFamily = 0; ///< that of the command buffers given to Glint; it must draw and compute
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
+    /// The host enabled rayQueryExtensions() and the features accelerationStructure and rayQuery. Without them rays go
+    /// through Glint's own hierarchy (RayBackend::Bvh).
+    bool rayQuery = false;
 };
 
 /// Device extensions that the host must have enabled, besides Vulkan 1.3.
 GLINT_API std::span<const char* const> requiredDeviceExtensions();
+
+/// Device extensions that ray queries need besides; optional (HostDevice::rayQuery).
+GLINT_API std::span<const char* const> rayQueryExtensions();
 
 /// Switches on, in the structs that the host is about to create its device with, every feature that Glint needs.
 /// A null struct is skipped: then the host switches those on itself (docs/embedding.md has the list).
@@ -39,7 +45,7 @@ GLINT_API void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalD
 class GLINT_API Context {
 public:
     /// Errors: InvalidArgument for a null handle or a queue family that is not there; Unsupported, with what is
-    /// missing, for a device that cannot run Glint.
+    /// missing, for a device that cannot run Glint, or that has not enabled the ray queries it is said to have.
     static Result<Context> adopt(const HostDevice& device);
     ~Context();
     Context(Context&&) noexcept;

@@ -13,6 +13,7 @@ void Api::loadDevice(VkDevice device) {
 #define GLINT_VK_LOAD(name) name = reinterpret_cast<PFN_vk##name>(GetDeviceProcAddr(device, "vk" #name));
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_LOAD)
     GLINT_VK_DEBUG_FUNCTIONS(GLINT_VK_LOAD)
+    GLINT_VK_RAY_FUNCTIONS(GLINT_VK_LOAD)
 #undef GLINT_VK_LOAD
 }
 
@@ -22,6 +23,11 @@ const char* Api::firstMissing() const {
         return "vk" #name;
     GLINT_VK_INSTANCE_FUNCTIONS(GLINT_VK_CHECK)
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_CHECK)
+    return nullptr;
+}
+
+const char* Api::firstMissingForRays() const {
+    GLINT_VK_RAY_FUNCTIONS(GLINT_VK_CHECK)
 #undef GLINT_VK_CHECK
     return nullptr;
 }

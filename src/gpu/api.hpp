@@ -34,6 +34,11 @@
 /// Present only where VK_EXT_debug_utils is enabled; null otherwise.
 #define GLINT_VK_DEBUG_FUNCTIONS(X)                                                                                    \
     X(SetDebugUtilsObjectNameEXT) X(CmdBeginDebugUtilsLabelEXT) X(CmdEndDebugUtilsLabelEXT)
+
+/// Present only where ray queries are enabled (Context::rayQuery); not called otherwise.
+#define GLINT_VK_RAY_FUNCTIONS(X)                                                                                      \
+    X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR)      \
+    X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR) X(GetBufferDeviceAddress)
 // clang-format on
 
 namespace glint::gpu {
@@ -44,12 +49,15 @@ struct Api {
     GLINT_VK_INSTANCE_FUNCTIONS(GLINT_VK_MEMBER)
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_MEMBER)
     GLINT_VK_DEBUG_FUNCTIONS(GLINT_VK_MEMBER)
+    GLINT_VK_RAY_FUNCTIONS(GLINT_VK_MEMBER)
 #undef GLINT_VK_MEMBER
 
     void loadInstance(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance);
     void loadDevice(VkDevice device);
-    /// The first function that `device` should offer but does not; null if all are there.
+    /// The first function that the device should offer but does not; null if all are there. Those of an extension that
+    /// nobody enabled are missing, too.
     const char* firstMissing() const;
+    const char* firstMissingForRays() const;
 };
 
 } // namespace glint::gpu

@@ -42,9 +42,8 @@ DeviceInfo describe(const Api& api, VkPhysicalDevice device) {
     info.apiVersion = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
                                   VK_API_VERSION_PATCH(version));
     info.software = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    info.rayQuery = hasExtension(api, device, VK_KHR_RAY_QUERY_EXTENSION_NAME) &&
-                    hasExtension(api, device, VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME);
     info.missing = missingRequirements(api, device);
+    info.rayQuery = version >= VK_API_VERSION_1_2 && supportsRayQuery(api, device);
     return info;
 }
 
@@ -83,7 +82,7 @@ Result<std::unique_ptr<Context>> Context::create(const ContextDesc& desc) {
     context->owned_ = true;
     GLINT_CHECK(context->createInstance(desc));
     GLINT_CHECK(context->chooseDevice(desc));
-    GLINT_CHECK(context->createDevice());
+    GLINT_CHECK(context->createDevice(desc));
     GLINT_CHECK(context->finish());
     return context;
 }
@@ -98,6 +97,7 @@ Result<std::unique_ptr<Context>> Context::adopt(const AdoptedDevice& host) {
     context->queueFamily_ = host.queueFamily;
     context->api_.loadInstance(host.getInstanceProcAddr, host.instance);
     context->info_ = describe(context->api_, host.physicalDevice);
+    context->rayQuery_ = host.rayQuery;
     GLINT_CHECK(context->finish());
     return context;
 }
@@ -224,7 +224,7 @@ Result<void> Context::chooseDevice(const ContextDesc& desc) {
     return {};
 }
 
-Result<void> Context::createDevice() {
+Result<void> Context::createDevice(const ContextDesc& desc) {
     const std::optional<uint32_t> family = findQueueFamily(api_, physicalDevice_);
     if (!family)
         return makeError(ErrorCode::Unsupported, "{} has no queue that both draws and computes", info_.name);
@@ -240,8 +240,16 @@ Result<void> Context::createDevice() {
     VkDeviceCreateInfo info = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.base};
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
-    info.enabledExtensionCount = static_cast<uint32_t>(requiredDeviceExtensions().size());
-    info.ppEnabledExtensionNames = requiredDeviceExtensions().data();
+    std::vector<const char*> extensions = requiredDeviceExtensions();
+    RayQueryFeatures rays;
+    rayQuery_ = desc.rayQuery && info_.rayQuery;
+    if (rayQuery_) {
+        extensions.insert(extensions.end(), rayQueryExtensions().begin(), rayQueryExtensions().end());
+        rays.require();
+        features.v13.pNext = &rays.accelerationStructure;
+    }
+    info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     if (const VkResult result = api_.CreateDevice(physicalDevice_, &info, nullptr, &device_); result != VK_SUCCESS)
         return vulkanError("vkCreateDevice", result);
     return {};
@@ -260,6 +268,10 @@ Result<void> Context::finish() {
                          "the device does not offer {}: it needs Vulkan 1.3 and VK_KHR_push_descriptor enabled",
                          missing);
 
+    if (const char* missing = api_.firstMissingForRays(); rayQuery_ && missing)
+        return makeError(ErrorCode::Unsupported, "ray queries are not enabled on the device: it does not offer {}",
+                         missing);
+
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);
     uint32_t count = 0;
@@ -271,7 +283,16 @@ Result<void> Context::finish() {
     if (families[queueFamily_].timestampValidBits > 0)
         timestampPeriodNs_ = static_cast<double>(properties.properties.limits.timestampPeriod);
 
-    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, allocator_);
+    maxStorageBufferRange_ = properties.properties.limits.maxStorageBufferRange;
+    if (rayQuery_) {
+        VkPhysicalDeviceAccelerationStructurePropertiesKHR structures = {
+            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
+        VkPhysicalDeviceProperties2 asked = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &structures};
+        api_.GetPhysicalDeviceProperties2(physicalDevice_, &asked);
+        scratchAlignment_ = std::max(structures.minAccelerationStructureScratchOffsetAlignment, 1u);
+    }
+
+    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, rayQuery_, allocator_);
         result != VK_SUCCESS)
         return vulkanError("creating the memory allocator", result);
 
@@ -338,7 +359,7 @@ Context::~Context() {
 }
 
 AdoptedDevice Context::handles() const {
-    return {instance_, physicalDevice_, device_, queueFamily_, api_.GetInstanceProcAddr};
+    return {instance_, physicalDevice_, device_, queueFamily_, api_.GetInstanceProcAddr, rayQuery_};
 }
 
 void Context::addShaders(std::span<const EmbeddedShader> shaders) {

@@ -24,7 +24,7 @@ struct DeviceInfo {
     std::string driver;               ///< name and version as the driver says them
     std::string apiVersion;           ///< "1.4.305"
     bool software = false;            ///< runs on the CPU
-    bool rayQuery = false;            ///< VK_KHR_acceleration_structure + VK_KHR_ray_query
+    bool rayQuery = false;            ///< offers VK_KHR_acceleration_structure + VK_KHR_ray_query
     std::vector<std::string> missing; ///< what Glint needs and this device lacks; empty: usable
     bool usable() const { return missing.empty(); }
 };
@@ -32,6 +32,7 @@ struct DeviceInfo {
 struct ContextDesc {
     std::string device;      ///< part of a name, or an index as `glint devices` prints it; empty: the best usable one
     bool validation = false; ///< the Khronos layer with synchronization checks; an error if it is not installed
+    bool rayQuery = true;    ///< enabled where the device offers it; false leaves it off everywhere
 };
 
 /// A host's device. All handles stay the host's; they must outlive the context.
@@ -41,6 +42,7 @@ struct AdoptedDevice {
     VkDevice device = VK_NULL_HANDLE;
     uint32_t queueFamily = 0;
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
+    bool rayQuery = false; ///< the host enabled rayQueryExtensions() and RayQueryFeatures
 };
 
 enum class SamplerKind : uint8_t { LinearClamp, NearestClamp, LinearRepeat, ShadowCompare, Count };
@@ -61,6 +63,10 @@ public:
     VkInstance instance() const { return instance_; }
     VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
     VkDevice device() const { return device_; }
+    /// Enabled on this device: acceleration structures may be built and shaders may trace through them.
+    bool rayQuery() const { return rayQuery_; }
+    uint32_t scratchAlignment() const { return scratchAlignment_; } ///< bytes; of builds, 1 without ray queries
+    VkDeviceSize maxStorageBufferRange() const { return maxStorageBufferRange_; } ///< bytes
     uint32_t queueFamily() const { return queueFamily_; }
     vma::VmaAllocator_T* allocator() const { return allocator_; }
     double timestampPeriodNs() const { return timestampPeriodNs_; } ///< 0: the queue has no timestamps
@@ -90,7 +96,7 @@ private:
     Context() = default;
     Result<void> createInstance(const ContextDesc& desc);
     Result<void> chooseDevice(const ContextDesc& desc);
-    Result<void> createDevice();
+    Result<void> createDevice(const ContextDesc& desc);
     Result<void> finish();
     static VKAPI_ATTR VkBool32 VKAPI_CALL onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                                               VkDebugUtilsMessageTypeFlagsEXT,
@@ -100,6 +106,9 @@ private:
     DeviceInfo info_;
     void* loader_ = nullptr; ///< dlopen handle, created contexts only
     bool owned_ = false;
+    bool rayQuery_ = false;
+    uint32_t scratchAlignment_ = 1;
+    VkDeviceSize maxStorageBufferRange_ = 0;
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;

@@ -45,6 +45,23 @@ const std::vector<const char*>& requiredDeviceExtensions() {
     return names;
 }
 
+const std::vector<const char*>& rayQueryExtensions() {
+    static const std::vector<const char*> names = {VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME,
+                                                   VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                                   VK_KHR_RAY_QUERY_EXTENSION_NAME};
+    return names;
+}
+
+bool supportsRayQuery(const Api& api, VkPhysicalDevice device) {
+    for (const char* name : rayQueryExtensions())
+        if (!hasExtension(api, device, name))
+            return false;
+    RayQueryFeatures rays;
+    VkPhysicalDeviceFeatures2 features = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &rays.accelerationStructure};
+    api.GetPhysicalDeviceFeatures2(device, &features);
+    return rays.accelerationStructure.accelerationStructure && rays.rayQuery.rayQuery;
+}
+
 void requireFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
                      VkPhysicalDeviceVulkan13Features* v13) {
     visitFeatures(core, v12, v13, [](const char*, VkBool32& flag) { flag = VK_TRUE; });

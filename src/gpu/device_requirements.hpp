@@ -30,6 +30,24 @@ const std::vector<const char*>& requiredDeviceExtensions();
 void requireFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
                      VkPhysicalDeviceVulkan13Features* v13);
 
+/// What ray queries need on top; optional. Not copyable, as above.
+struct RayQueryFeatures {
+    VkPhysicalDeviceAccelerationStructureFeaturesKHR accelerationStructure = {
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
+    VkPhysicalDeviceRayQueryFeaturesKHR rayQuery = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_QUERY_FEATURES_KHR};
+
+    RayQueryFeatures() { accelerationStructure.pNext = &rayQuery; }
+    RayQueryFeatures(const RayQueryFeatures&) = delete;
+    RayQueryFeatures& operator=(const RayQueryFeatures&) = delete;
+    void require() { accelerationStructure.accelerationStructure = rayQuery.rayQuery = VK_TRUE; }
+};
+
+/// The extensions that ray queries need, besides those above.
+const std::vector<const char*>& rayQueryExtensions();
+
+/// Does the device offer the extensions and the features?
+bool supportsRayQuery(const Api& api, VkPhysicalDevice device);
+
 /// In words, what this device lacks; empty if it can run Glint.
 std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device);
 

@@ -137,12 +137,61 @@ VkBufferImageCopy copyRegion(const Image& image, uint32_t mip, uint32_t layer, s
 
 } // namespace
 
-void Frame::update(Buffer& buffer, const void* data, size_t size) {
+void Frame::update(Buffer& buffer, const void* data, size_t size, size_t offset) {
     use(buffer, kTransferWriteBuffer);
     if (rehearsing())
         return;
     flushBarriers();
-    context_.api().CmdUpdateBuffer(commands_, buffer.handle(), 0, size, data);
+    constexpr size_t kMost = 65536; // Vulkan's own bound for one command
+    for (size_t done = 0; done < size; done += kMost)
+        context_.api().CmdUpdateBuffer(commands_, buffer.handle(), offset + done, std::min(size - done, kMost),
+                                       static_cast<const std::byte*>(data) + done);
+}
+
+void Frame::upload(Buffer& staging, Buffer& target) {
+    use(target, kTransferWriteBuffer);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    const VkBufferCopy region = {0, 0, staging.size()};
+    context_.api().CmdCopyBuffer(commands_, staging.handle(), target.handle(), 1, &region);
+}
+
+void Frame::build(std::span<AccelerationStructure* const> structures, Buffer& scratch) {
+    buildAll(structures, scratch, false);
+}
+
+void Frame::refit(std::span<AccelerationStructure* const> structures, Buffer& scratch) {
+    buildAll(structures, scratch, true);
+}
+
+void Frame::buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit) {
+    while (!structures.empty()) {
+        size_t count = 0; // of those that share the scratch memory, each with a part of its own
+        for (size_t bytes = 0; count < structures.size(); ++count) {
+            bytes += structures[count]->scratchSize();
+            if (count > 0 && bytes > scratch.size())
+                break;
+        }
+        const auto batch = structures.first(count);
+        structures = structures.subspan(count);
+        for (AccelerationStructure* structure : batch) {
+            for (Buffer* input : structure->inputs())
+                use(*input, kBuildInput);
+            for (AccelerationStructure* bottom : structure->references())
+                use(bottom->storage(), kBuildReference);
+            use(structure->storage(), kBuildTarget);
+        }
+        use(scratch, kBuildTarget);
+        if (rehearsing())
+            continue;
+        flushBarriers();
+        size_t offset = 0;
+        for (const AccelerationStructure* structure : batch) {
+            structure->recordBuild(commands_, scratch, offset, refit);
+            offset += structure->scratchSize();
+        }
+    }
 }
 
 void Frame::fill(Buffer& buffer, uint32_t value) {

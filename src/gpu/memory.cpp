@@ -35,11 +35,12 @@ namespace glint::gpu::vma {
 namespace glint::gpu {
 
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         vma::VmaAllocator_T*& allocator) {
+                         bool addresses, vma::VmaAllocator_T*& allocator) {
     vma::VmaVulkanFunctions functions = {};
     functions.vkGetInstanceProcAddr = api.GetInstanceProcAddr;
     functions.vkGetDeviceProcAddr = api.GetDeviceProcAddr;
     vma::VmaAllocatorCreateInfo info = {};
+    info.flags = addresses ? vma::VMA_ALLOCATOR_CREATE_BUFFER_DEVICE_ADDRESS_BIT : 0;
     info.physicalDevice = physicalDevice;
     info.device = device;
     info.instance = instance;

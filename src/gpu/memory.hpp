@@ -7,8 +7,9 @@
 
 namespace glint::gpu {
 
+/// `addresses`: memory may be reached by device address, as acceleration structures are.
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         vma::VmaAllocator_T*& allocator);
+                         bool addresses, vma::VmaAllocator_T*& allocator);
 void destroyAllocator(vma::VmaAllocator_T* allocator);
 
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,

@@ -49,17 +49,37 @@ bool filterable(VkFormat format) {
 
 // ---------------------------------------------------------------- what the shader reads and writes
 
-const ShaderBinding* Pass::find(std::string_view name, bool reads, bool writes, bool image) {
+Pass::ResourceKind Pass::resourceKind(BindingKind kind) {
+    switch (kind) {
+    case BindingKind::SampledImage:
+    case BindingKind::StorageImage: return ResourceKind::Image;
+    case BindingKind::UniformBuffer:
+    case BindingKind::StorageBuffer: return ResourceKind::Buffer;
+    case BindingKind::AccelerationStructure: return ResourceKind::AccelerationStructure;
+    }
+    return ResourceKind::Buffer;
+}
+
+const char* Pass::kindWord(ResourceKind kind) {
+    switch (kind) {
+    case ResourceKind::Image: return "an image";
+    case ResourceKind::Buffer: return "a buffer";
+    case ResourceKind::AccelerationStructure: return "an acceleration structure";
+    }
+    return "";
+}
+
+const ShaderBinding* Pass::find(std::string_view name, bool reads, bool writes, ResourceKind kind) {
     const std::span<const ShaderBinding> bindings = pipeline_.bindings();
     for (size_t i = 0; i < bindings.size(); ++i) {
         const ShaderBinding& binding = bindings[i];
         if (binding.name != name)
             continue;
-        const bool isImage = binding.kind == BindingKind::SampledImage || binding.kind == BindingKind::StorageImage;
-        if (binding.reads != reads || binding.writes != writes || isImage != image) {
+        const ResourceKind declared = resourceKind(binding.kind);
+        if (binding.reads != reads || binding.writes != writes || declared != kind) {
             frame_.fail(fmt::format("{}: '{}' is declared for {} as {}, but bound for {} as {}", pipeline_.name(), name,
-                                    accessWord(binding.reads, binding.writes), isImage ? "an image" : "a buffer",
-                                    accessWord(reads, writes), image ? "an image" : "a buffer"));
+                                    accessWord(binding.reads, binding.writes), kindWord(declared),
+                                    accessWord(reads, writes), kindWord(kind)));
             return nullptr;
         }
         boundMask_ |= 1u << i;
@@ -96,7 +116,7 @@ void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes)
 }
 
 Pass& Pass::read(std::string_view name, Image& image, SamplerKind sampler) {
-    if (const ShaderBinding* binding = find(name, true, false, true)) {
+    if (const ShaderBinding* binding = find(name, true, false, ResourceKind::Image)) {
         frame_.use(
             image, 0, image.desc().mips,
             {shaderStages(pipeline_), VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
@@ -108,13 +128,30 @@ Pass& Pass::read(std::string_view name, Image& image, SamplerKind sampler) {
 }
 
 Pass& Pass::read(std::string_view name, Buffer& buffer) {
-    if (const ShaderBinding* binding = find(name, true, false, false))
+    if (const ShaderBinding* binding = find(name, true, false, ResourceKind::Buffer))
         bindBuffer(*binding, buffer, false);
     return *this;
 }
 
+Pass& Pass::read(std::string_view name, AccelerationStructure& top) {
+    const ShaderBinding* binding = find(name, true, false, ResourceKind::AccelerationStructure);
+    if (!binding)
+        return *this;
+    const Use use = traversal(shaderStages(pipeline_));
+    frame_.use(top.storage(), use);
+    for (AccelerationStructure* bottom : top.references())
+        frame_.use(bottom->storage(), use);
+    scene_ = top.handle();
+    VkWriteDescriptorSet& write = writes_[bound_++];
+    write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstBinding = binding->binding;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
+    return *this;
+}
+
 Pass& Pass::write(std::string_view name, Image& image, uint32_t mip, bool keep) {
-    if (const ShaderBinding* binding = find(name, false, true, true)) {
+    if (const ShaderBinding* binding = find(name, false, true, ResourceKind::Image)) {
         frame_.use(
             image, mip, 1,
             {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true, !keep});
@@ -126,13 +163,13 @@ Pass& Pass::write(std::string_view name, Image& image, uint32_t mip, bool keep) 
 }
 
 Pass& Pass::write(std::string_view name, Buffer& buffer) {
-    if (const ShaderBinding* binding = find(name, false, true, false))
+    if (const ShaderBinding* binding = find(name, false, true, ResourceKind::Buffer))
         bindBuffer(*binding, buffer, true);
     return *this;
 }
 
 Pass& Pass::readWrite(std::string_view name, Image& image, uint32_t mip) {
-    if (const ShaderBinding* binding = find(name, true, true, true)) {
+    if (const ShaderBinding* binding = find(name, true, true, ResourceKind::Image)) {
         frame_.use(image, mip, 1,
                    {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                     VK_IMAGE_LAYOUT_GENERAL, true});
@@ -144,9 +181,13 @@ Pass& Pass::readWrite(std::string_view name, Image& image, uint32_t mip) {
 }
 
 Pass& Pass::readWrite(std::string_view name, Buffer& buffer) {
-    if (const ShaderBinding* binding = find(name, true, true, false))
+    if (const ShaderBinding* binding = find(name, true, true, ResourceKind::Buffer))
         bindBuffer(*binding, buffer, true);
     return *this;
+}
+
+bool Pass::rehearsing() const {
+    return frame_.rehearsing();
 }
 
 Pass& Pass::table(VkDescriptorSet set) {
@@ -242,6 +283,11 @@ bool Pass::begin() {
     for (uint32_t i = 0; i < bound_; ++i) { // only now: a pass may be copied while it is put together
         writes_[i].pImageInfo = &imageInfos_[i];
         writes_[i].pBufferInfo = &bufferInfos_[i];
+        if (writes_[i].descriptorType == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR) {
+            sceneWrite_.accelerationStructureCount = 1;
+            sceneWrite_.pAccelerationStructures = &scene_;
+            writes_[i].pNext = &sceneWrite_;
+        }
     }
     if (bound_ > 0)
         api.CmdPushDescriptorSetKHR(commands, pipeline_.bindPoint(), pipeline_.layout(), 0, bound_, writes_.data());

@@ -7,6 +7,7 @@
 // There is no graph: nothing is reordered, dropped or kept for later, and recording allocates nothing.
 #pragma once
 
+#include "gpu/acceleration_structure.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/resources.hpp"
 #include "gpu/timers.hpp"
@@ -49,12 +50,16 @@ public:
     Pass& read(std::string_view name, Image& image, SamplerKind sampler = SamplerKind::LinearClamp);
     /// A uniform buffer or a readonly storage buffer.
     Pass& read(std::string_view name, Buffer& buffer);
+    /// The scene that the shader's ray queries go through, and all that it refers to.
+    Pass& read(std::string_view name, AccelerationStructure& top);
     /// A writeonly storage image, one mip of it; its old content is thrown away unless `keep`.
     Pass& write(std::string_view name, Image& image, uint32_t mip = 0, bool keep = false);
     Pass& write(std::string_view name, Buffer& buffer);
     /// A storage image or buffer that the shader both reads and writes.
     Pass& readWrite(std::string_view name, Image& image, uint32_t mip = 0);
     Pass& readWrite(std::string_view name, Buffer& buffer);
+
+    bool rehearsing() const; ///< only checked, never run
 
     /// A texture table (gpu/texture_table.hpp) as set 1.
     Pass& table(VkDescriptorSet set);
@@ -92,7 +97,10 @@ private:
     friend class Frame;
     Pass(Frame& frame, const Pipeline& pipeline) : frame_(frame), pipeline_(pipeline) {}
 
-    const ShaderBinding* find(std::string_view name, bool reads, bool writes, bool image);
+    enum class ResourceKind : uint8_t { Image, Buffer, AccelerationStructure };
+    static ResourceKind resourceKind(BindingKind kind);
+    static const char* kindWord(ResourceKind kind);
+    const ShaderBinding* find(std::string_view name, bool reads, bool writes, ResourceKind kind);
     void bindImage(const ShaderBinding& binding, VkImageView view, VkImageLayout layout, VkSampler sampler);
     void bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes);
     Pass& pushBytes(const void* data, size_t size);
@@ -110,6 +118,9 @@ private:
     std::array<VkDescriptorImageInfo, kMaxBindings> imageInfos_;
     std::array<VkDescriptorBufferInfo, kMaxBindings> bufferInfos_;
     std::array<VkWriteDescriptorSet, kMaxBindings> writes_;
+    VkWriteDescriptorSetAccelerationStructureKHR sceneWrite_ = {
+        VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
+    VkAccelerationStructureKHR scene_ = VK_NULL_HANDLE; ///< a pass has one
     uint32_t bound_ = 0;
     uint32_t boundMask_ = 0; ///< by index into pipeline_.bindings()
     std::array<std::byte, 128> pushed_;
@@ -140,8 +151,25 @@ public:
 
     Pass pass(const Pipeline& pipeline) { return Pass(*this, pipeline); }
 
-    /// Writes at most 65536 bytes, a multiple of 4, into a buffer made with TRANSFER_DST.
-    void update(Buffer& buffer, const void* data, size_t size);
+    /// Copies `size` bytes, a multiple of 4, into the command buffer and from there to `offset` of a buffer made with
+    /// TRANSFER_DST; up to 65536 a command. For what changes each frame: nothing else has to be kept until it ran.
+    void update(Buffer& buffer, const void* data, size_t size, size_t offset = 0);
+    /// The whole of an upload buffer to the start of one made with TRANSFER_DST.
+    void upload(Buffer& staging, Buffer& target);
+    /// Builds acceleration structures from their inputs, as many at once as `scratch` has room for; it has at least the
+    /// largest scratchSize(). They may not refer to each other.
+    void build(std::span<AccelerationStructure* const> structures, Buffer& scratch);
+    /// Fits such as were made to be updated to their inputs' new content, the trees staying as they are.
+    void refit(std::span<AccelerationStructure* const> structures, Buffer& scratch);
+    /// A label and a GPU timer around what is not a pass.
+    template <class Record>
+    void scope(const std::string& name, Record&& record) {
+        if (!rehearsing())
+            beginScope(name);
+        record();
+        if (!rehearsing())
+            endScope();
+    }
     void fill(Buffer& buffer, uint32_t value);
     void clear(Image& image, const VkClearColorValue& value);
     /// Brings the image into a state that others expect: a host's, or the next tool's.
@@ -166,6 +194,7 @@ private:
 
     void use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& use);
     void use(Buffer& buffer, const Use& use);
+    void buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit);
     void flushBarriers();
     void fail(std::string message);
     void beginScope(const std::string& name);

@@ -13,6 +13,7 @@ VkDescriptorType descriptorType(BindingKind kind) {
     case BindingKind::StorageImage: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
     case BindingKind::UniformBuffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     case BindingKind::StorageBuffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingKind::AccelerationStructure: return VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR;
     }
     return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
@@ -61,6 +62,9 @@ Result<void> Pipeline::makeLayout(std::span<const EmbeddedShader* const> shaders
                                   VkDescriptorSetLayout tableLayout) {
     uint32_t shaderPushSize = 0;
     for (const EmbeddedShader* shader : shaders) {
+        if (shader->usesRayQuery() && !context_->rayQuery())
+            return makeError(ErrorCode::Unsupported, "{} traces by ray queries, which are not enabled on {}", name_,
+                             context_->info().name);
         shaderPushSize = std::max(shaderPushSize, shader->pushConstantSize);
         for (const ShaderBinding& binding : shader->bindings) {
             if (binding.set != 0)

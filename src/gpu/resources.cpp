@@ -131,6 +131,11 @@ Result<Buffer> Buffer::create(Context& context, const BufferDesc& desc) {
     return buffer;
 }
 
+VkDeviceAddress Buffer::address() const {
+    const VkBufferDeviceAddressInfo info = {VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO, nullptr, buffer_};
+    return context_->api().GetBufferDeviceAddress(context_->device(), &info);
+}
+
 void Buffer::destroy() {
     if (context_ && buffer_)
         destroyBuffer(context_->allocator(), buffer_, allocation_);

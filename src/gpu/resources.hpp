@@ -90,6 +90,8 @@ public:
     size_t size() const { return desc_.size; }
     const std::string& name() const { return desc_.name; }
     void* mapped() const { return mapped_; } ///< null for BufferHome::Device
+    /// Needs ray queries enabled and usage SHADER_DEVICE_ADDRESS.
+    VkDeviceAddress address() const;
     ResourceState& state() { return state_; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace glint::gpu {
 
-enum class BindingKind : uint8_t { SampledImage, StorageImage, UniformBuffer, StorageBuffer };
+enum class BindingKind : uint8_t { SampledImage, StorageImage, UniformBuffer, StorageBuffer, AccelerationStructure };
 
 struct ShaderBinding {
     std::string_view name;
@@ -26,6 +26,14 @@ struct EmbeddedShader {
     std::span<const ShaderBinding> bindings;
     uint32_t localSize[3] = {1, 1, 1};
     uint32_t pushConstantSize = 0; ///< bytes
+
+    /// Traces rays through acceleration structures: a pipeline of it exists only where Context::rayQuery.
+    bool usesRayQuery() const {
+        for (const ShaderBinding& binding : bindings)
+            if (binding.kind == BindingKind::AccelerationStructure)
+                return true;
+        return false;
+    }
 };
 
 /// The sets that this program embeds; see glint_embed_shaders in cmake/GlintShaders.cmake.

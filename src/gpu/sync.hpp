@@ -46,4 +46,22 @@ struct Barrier {
 ///   another layout        is a write of its own, ordered after everything before it
 std::optional<Barrier> transition(ResourceState& state, const Use& use);
 
+// Acceleration structures are synchronized as the buffers that hold them (Vulkan 1.3, "Acceleration Structure Builds").
+
+/// Vertices, indices and instance records that a build reads.
+inline constexpr Use kBuildInput = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+                                    VK_ACCESS_2_SHADER_READ_BIT};
+/// A bottom level that the build of a top level reads.
+inline constexpr Use kBuildReference = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+                                        VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR};
+/// What a build writes; its scratch memory and the structure that is refitted in place are read too.
+inline constexpr Use kBuildTarget = {VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+                                     VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR |
+                                         VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR,
+                                     VK_IMAGE_LAYOUT_UNDEFINED, true};
+/// What the ray queries of these shaders read: the top level and every bottom level that it refers to.
+constexpr Use traversal(VkPipelineStageFlags2 shaderStages) {
+    return {shaderStages, VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR};
+}
+
 } // namespace glint::gpu

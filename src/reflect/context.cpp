@@ -9,6 +9,10 @@ std::span<const char* const> requiredDeviceExtensions() {
     return gpu::requiredDeviceExtensions();
 }
 
+std::span<const char* const> rayQueryExtensions() {
+    return gpu::rayQueryExtensions();
+}
+
 void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
                            VkPhysicalDeviceVulkan13Features* v13) {
     gpu::requireFeatures(core, v12, v13);
@@ -21,7 +25,7 @@ Context& Context::operator=(Context&&) noexcept = default;
 
 Result<Context> Context::adopt(const HostDevice& device) {
     GLINT_TRY(context, gpu::Context::adopt({device.instance, device.physicalDevice, device.device, device.queueFamily,
-                                            device.getInstanceProcAddr}));
+                                            device.getInstanceProcAddr, device.rayQuery}));
     if (!context->info().usable())
         return makeError(ErrorCode::Unsupported, "{} cannot run Glint: it lacks {}", context->info().name,
                          context->info().missing.front());

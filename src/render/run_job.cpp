@@ -117,7 +117,7 @@ struct JobSession::State {
 
         const gpu::AdoptedDevice handles = context_.handles();
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
-                                           handles.queueFamily, handles.getInstanceProcAddr}));
+                                           handles.queueFamily, handles.getInstanceProcAddr, handles.rayQuery}));
         library_ = std::make_unique<Context>(std::move(library));
         GLINT_TRY(timers, gpu::Timers::create(context_));
         timers_ = std::move(timers);

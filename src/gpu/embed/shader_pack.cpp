@@ -53,6 +53,7 @@ constexpr Kind kKinds[] = {
     {SPVC_RESOURCE_TYPE_STORAGE_IMAGE, "StorageImage", false, true},
     {SPVC_RESOURCE_TYPE_UNIFORM_BUFFER, "UniformBuffer", true, false},
     {SPVC_RESOURCE_TYPE_STORAGE_BUFFER, "StorageBuffer", true, true},
+    {SPVC_RESOURCE_TYPE_ACCELERATION_STRUCTURE, "AccelerationStructure", false, false},
 };
 
 /// NonWritable and NonReadable stand on an image's variable, but on the members of a buffer's block.

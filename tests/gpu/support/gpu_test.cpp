@@ -18,7 +18,7 @@ Context& GpuTest::library() {
     static Context context = [] {
         const gpu::AdoptedDevice handles = gpu().handles();
         return must(Context::adopt({handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
-                                    handles.getInstanceProcAddr}));
+                                    handles.getInstanceProcAddr, handles.rayQuery}));
     }();
     return context;
 }

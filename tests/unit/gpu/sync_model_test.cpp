@@ -13,8 +13,9 @@
 namespace glint::gpu {
 namespace {
 
-constexpr VkAccessFlags2 kWriteAccess =
-    VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
+constexpr VkAccessFlags2 kWriteAccess = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |
+                                        VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
+                                        VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;
 
 std::vector<uint64_t> bitsOf(uint64_t mask) {
     std::vector<uint64_t> bits;
@@ -204,6 +205,21 @@ std::vector<Use> bufferUses() {
     return uses;
 }
 
+/// What happens to the buffers of a ray scene: filled, read by builds, built, fitted, referred to and traced.
+std::vector<Use> rayUses() {
+    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
+    return {
+        {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED, true, false},
+        kBuildInput,
+        kBuildReference,
+        kBuildTarget,
+        traversal(kCompute),
+        traversal(kCompute | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT),
+        {kCompute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT, VK_IMAGE_LAYOUT_UNDEFINED, false, false},
+        {kCompute, VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_UNDEFINED, true, false},
+    };
+}
+
 /// Runs the sequence through tracker and model; both must agree at every step, in both directions.
 void check(const std::vector<Use>& sequence) {
     ResourceState state;
@@ -243,9 +259,20 @@ TEST(SyncModel, everyPairAndTripleOfBufferUses) {
             }
 }
 
+TEST(SyncModel, everyPairAndTripleOfRaySceneUses) {
+    const std::vector<Use> uses = rayUses();
+    for (const Use& first : uses)
+        for (const Use& second : uses)
+            for (const Use& third : uses) {
+                check({first, second, third});
+                if (HasFatalFailure())
+                    return;
+            }
+}
+
 TEST(SyncModel, longRandomSequences) {
     std::mt19937 random(20240607);
-    for (const std::vector<Use>& uses : {imageUses(), bufferUses()})
+    for (const std::vector<Use>& uses : {imageUses(), bufferUses(), rayUses()})
         for (int round = 0; round < 300; ++round) {
             // Some rounds draw from a few uses only: long runs of readers between rare writes.
             const size_t kinds = round % 3 == 0 ? uses.size() : 2 + random() % 4;

@@ -170,5 +170,38 @@ TEST(Sync, aHostsStateIsWaitedForAsItSaysIt) {
                                  VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT, kCompute, kSampled, kReadOnly, kReadOnly}));
 }
 
+// A frame of rays: bottom level built, read by the top level's build and by the shader, fitted while the shader may
+// still be reading.
+TEST(Sync, aBottomLevelIsVisibleToTheTopLevelsBuildAndToTheShader) {
+    constexpr VkPipelineStageFlags2 kBuild = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
+    constexpr VkAccessFlags2 kRead = VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR;
+    constexpr VkAccessFlags2 kReadWrite = kRead | VK_ACCESS_2_ACCELERATION_STRUCTURE_WRITE_BIT_KHR;
+    ResourceState state;
+    EXPECT_FALSE(transition(state, kBuildTarget));
+    EXPECT_EQ(transition(state, kBuildReference), (Barrier{kBuild, kReadWrite, kBuild, kRead, kNone, kNone}));
+    EXPECT_EQ(transition(state, traversal(kCompute)),
+              (Barrier{kBuild, kReadWrite, kBuild | kCompute, kRead, kNone, kNone}));
+    EXPECT_FALSE(transition(state, traversal(kCompute)));
+    EXPECT_EQ(transition(state, kBuildTarget),
+              (Barrier{kBuild | kCompute, kReadWrite, kBuild, kReadWrite, kNone, kNone}))
+        << "the fitting waits for the shader";
+}
+
+TEST(Sync, buildsThatShareScratchMemoryAreOrdered) {
+    constexpr VkPipelineStageFlags2 kBuild = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
+    ResourceState scratch;
+    EXPECT_FALSE(transition(scratch, kBuildTarget));
+    EXPECT_EQ(transition(scratch, kBuildTarget),
+              (Barrier{kBuild, kBuildTarget.access, kBuild, kBuildTarget.access, kNone, kNone}));
+}
+
+TEST(Sync, verticesAreVisibleToTheBuildAsShaderReads) {
+    ResourceState positions;
+    transition(positions, write(kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT));
+    EXPECT_EQ(transition(positions, kBuildInput), (Barrier{kTransfer, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                                           VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR,
+                                                           VK_ACCESS_2_SHADER_READ_BIT, kNone, kNone}));
+}
+
 } // namespace
 } // namespace glint::gpu

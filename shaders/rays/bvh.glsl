@@ -1,0 +1,142 @@
+// The ray seam (lib/ray.glsl) over Glint's own two-level hierarchy (shared/bvh.h), traversed in compute: any device, no
+// subgroup operations. A short stack of groups of siblings stands in for recursion; shared/bvh.h bounds it.
+#ifndef GLINT_RAYS_BVH_GLSL
+#define GLINT_RAYS_BVH_GLSL
+
+#include "lib/bvh_node.glsl"
+#include "lib/ray.glsl"
+#include "lib/triangle_ray.glsl"
+
+// Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
+layout(std430, set = 0, binding = 16) readonly buffer BvhNodes {
+    BvhNode item[]; // the top level's root first
+} bvhNodes;
+layout(std430, set = 0, binding = 17) readonly buffer BvhTriangles {
+    BvhTriangle item[];
+} bvhTriangles;
+layout(std430, set = 0, binding = 18) readonly buffer BvhInstances {
+    BvhInstance item[];
+} bvhInstances;
+
+/// A ray in one space: the world's, or that of the instance it is in.
+struct BvhRay {
+    BoxRay boxes;
+    ShearedRay triangles;
+};
+
+BvhRay makeBvhRay(vec3 origin, vec3 direction) {
+    return BvhRay(makeBoxRay(origin, direction), shearRay(origin, direction));
+}
+
+// Groups are what waits to be visited. Of nodes: x the first sibling, y the hits of intersectChildren with, below them,
+// the bits of the slots that hold nodes. Of primitives: x the first, y their hits, all below bit 24.
+const uint kFirstNodeBit = 0x01000000u;
+
+/// A group of the one node `root`.
+uvec2 groupOfRoot(uint root) {
+    return uvec2(root, 0x80000000u);
+}
+
+/// Its longest component is 1.
+vec3 normalOf(BvhTriangle triangle, uint axis) {
+    vec2 others = vec2(triangle.vertices[1].w, triangle.vertices[2].w);
+    return axis == 0u ? vec3(1.0, others) : axis == 1u ? vec3(others.x, 1.0, others.y) : vec3(others, 1.0);
+}
+
+/// Nearest hit, or, with `any`, the first that is found.
+Hit traverseBvh(Ray ray, bool any) {
+    Hit hit = missOf(ray);
+    if (!isTraceable(ray))
+        return hit;
+    BvhRay current = makeBvhRay(ray.originWS, ray.directionWS);
+    bool inInstance = false;
+    uint instanceNumber = kNoInstance;
+    uint instanceFlags = 0u;
+    uvec2 stack[kBvhStackSize];
+    uint height = 0u;
+    uint instanceHeight = 0u; // of the stack when the instance was entered
+    uvec2 nodes = groupOfRoot(0u);
+    uvec2 primitives = uvec2(0u);
+
+    while (true) {
+        if (nodes.y >= kFirstNodeBit) {
+            uint bit = uint(findMSB(nodes.y));
+            nodes.y ^= 1u << bit;
+            if (nodes.y >= kFirstNodeBit)
+                stack[height++] = nodes;
+            uint slot = (bit - 24u) ^ current.boxes.order;
+            uint before = bitCount(nodes.y & 0xffu & ((1u << slot) - 1u));
+            BvhNode node = bvhNodes.item[nodes.x + before];
+            uint hits = intersectChildren(node, current.boxes, ray.tMin, hit.distance);
+            nodes = uvec2(node.words[1].x, (hits & 0xff000000u) | node.words[0].w >> 24);
+            primitives = uvec2(node.words[1].y, hits & 0x00ffffffu);
+        }
+
+        while (primitives.y != 0u) {
+            uint index = primitives.x + uint(findLSB(primitives.y));
+            primitives.y &= primitives.y - 1u;
+            if (!inInstance) {
+                BvhInstance instance = bvhInstances.item[index];
+                if ((instance.maskAndFlags & ray.mask & 0xffu) == 0u)
+                    continue;
+                if (nodes.y >= kFirstNodeBit)
+                    stack[height++] = nodes;
+                if (primitives.y != 0u)
+                    stack[height++] = primitives;
+                inInstance = true;
+                instanceHeight = height;
+                instanceNumber = instance.number;
+                instanceFlags = instance.maskAndFlags;
+                // The translation first: near the instance little is lost by rounding, wherever in the world it is.
+                // The direction keeps its length in the world, so distances are the world's.
+                vec4 rows[3] = instance.worldToLocal;
+                mat3 transposed = mat3(rows[0].xyz, rows[1].xyz, rows[2].xyz);
+                current = makeBvhRay((ray.originWS - vec3(rows[0].w, rows[1].w, rows[2].w)) * transposed,
+                                     ray.directionWS * transposed);
+                nodes = groupOfRoot(instance.rootNode);
+                primitives.y = 0u;
+                continue;
+            }
+            BvhTriangle triangle = bvhTriangles.item[index];
+            uint numberAndAxis = floatBitsToUint(triangle.vertices[0].w);
+            TriangleHit met =
+                intersectTriangle(current.triangles, triangle.vertices[0].xyz, triangle.vertices[1].xyz,
+                                  triangle.vertices[2].xyz, normalOf(triangle, numberAndAxis >> kBvhNormalAxisShift));
+            if (!met.met || !(met.distance > ray.tMin) || !(met.distance < hit.distance))
+                continue;
+            if ((ray.flags & kRayCullBackFaces) != 0u && !met.frontFace &&
+                (instanceFlags & kBvhInstanceDoubleSided) == 0u)
+                continue;
+            uint primitive = numberAndAxis & ((1u << kBvhNormalAxisShift) - 1u);
+            bool ask = (ray.flags & kRayAllOpaque) == 0u && (instanceFlags & kBvhInstanceOpaque) == 0u;
+            if (ask && !rayMeetsSurface(instanceNumber, primitive, met.barycentrics))
+                continue;
+            hit = Hit(met.distance, instanceNumber, primitive, met.barycentrics, met.frontFace);
+            if (any)
+                return hit;
+        }
+
+        if (nodes.y < kFirstNodeBit) {
+            if (inInstance && height == instanceHeight) {
+                inInstance = false;
+                current = makeBvhRay(ray.originWS, ray.directionWS);
+            }
+            if (height == 0u)
+                return hit;
+            uvec2 group = stack[--height];
+            bool isNodes = group.y >= kFirstNodeBit;
+            nodes = isNodes ? group : uvec2(0u);
+            primitives = isNodes ? uvec2(0u) : group;
+        }
+    }
+}
+
+Hit traceRay(Ray ray) {
+    return traverseBvh(ray, false);
+}
+
+bool isOccluded(Ray ray) {
+    return isHit(traverseBvh(ray, true));
+}
+
+#endif

@@ -1,0 +1,208 @@
+#include "rays/bvh_scene.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+
+namespace glint::rays {
+namespace {
+
+/// A fitted top level whose cost has grown by this factor is built anew.
+constexpr double kWornOut = 1.3;
+
+/// An empty buffer cannot exist; nobody reads the spare element.
+template <class T>
+size_t bytesFor(size_t count) {
+    return std::max<size_t>(count, 1) * sizeof(T);
+}
+
+shared::BvhTriangle packTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, uint32_t number) {
+    const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
+    const glm::dvec3 size = glm::abs(normal);
+    const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+    const glm::vec3 scaled(normal / normal[axis]); // 0 / 0 where the triangle has no area
+    return {{glm::vec4(a, std::bit_cast<float>(number | static_cast<uint32_t>(axis) << shared::kBvhNormalAxisShift)),
+             glm::vec4(b, scaled[axis == 0 ? 1 : 0]), glm::vec4(c, scaled[axis == 2 ? 1 : 2])}};
+}
+
+} // namespace
+
+std::vector<Bounds> BvhScene::boxesOf(const Part& part) {
+    std::vector<Bounds> boxes;
+    boxes.reserve(part.kept.size());
+    for (const uint32_t triangle : part.kept)
+        boxes.push_back(boundsOf(part.mesh, part.mesh.triangles[triangle]));
+    return boxes;
+}
+
+void BvhScene::writeNodes(const Part& part, shared::BvhNode* out) const {
+    for (shared::BvhNode node : part.tree.nodes) {
+        node.words[1].x += part.firstNode;
+        node.words[1].y += part.firstTriangle;
+        *out++ = node;
+    }
+}
+
+void BvhScene::writeTriangles(const Part& part, shared::BvhTriangle* out) const {
+    for (const uint32_t primitive : part.tree.order) {
+        const uint32_t number = part.kept[primitive];
+        const glm::uvec3& triangle = part.mesh.triangles[number];
+        *out++ = packTriangle(part.mesh.positions[triangle.x], part.mesh.positions[triangle.y],
+                              part.mesh.positions[triangle.z], number);
+    }
+}
+
+Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances) {
+    BvhScene scene;
+    scene.maxInstances_ = maxInstances;
+    // The top level comes first; a node has at least two children, so it has no more nodes than instances.
+    size_t nodeCount = std::max(maxInstances, 1u);
+    size_t triangleCount = 0;
+    for (Mesh& mesh : meshes) {
+        Part part;
+        part.mesh = std::move(mesh);
+        for (uint32_t i = 0; i < part.mesh.triangles.size(); ++i)
+            if (!isLeftOut(part.mesh.triangles[i]))
+                part.kept.push_back(i);
+        part.tree = buildWideBvh(boxesOf(part), shared::kBvhPrimitivesPerSlot, shared::kBvhMeshLevels);
+        part.bounds = part.tree.bounds.front();
+        part.firstNode = static_cast<uint32_t>(nodeCount);
+        part.firstTriangle = static_cast<uint32_t>(triangleCount);
+        nodeCount += part.tree.nodes.size();
+        triangleCount += part.kept.size();
+        scene.parts_.push_back(std::move(part));
+    }
+    const size_t nodeBytes = bytesFor<shared::BvhNode>(nodeCount);
+    const size_t triangleBytes = bytesFor<shared::BvhTriangle>(triangleCount);
+    const size_t instanceBytes = bytesFor<shared::BvhInstance>(maxInstances);
+    for (const size_t bytes : {nodeBytes, triangleBytes, instanceBytes})
+        if (bytes > context.maxStorageBufferRange())
+            return makeError(ErrorCode::Unsupported,
+                             "{} triangles for rays take a buffer of {} bytes, {} lets shaders see {}", triangleCount,
+                             bytes, context.info().name, context.maxStorageBufferRange());
+
+    const auto make = [&](gpu::Buffer& out, const char* name, size_t size, VkBufferUsageFlags usage,
+                          gpu::BufferHome home) -> Result<void> {
+        GLINT_TRY(buffer, gpu::Buffer::create(context, {name, size, usage, home}));
+        out = std::move(buffer);
+        return {};
+    };
+    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    constexpr VkBufferUsageFlags kStaging = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    GLINT_CHECK(make(scene.nodes_, "rays/nodes", nodeBytes, kUsage, gpu::BufferHome::Device));
+    GLINT_CHECK(make(scene.triangles_, "rays/triangles", triangleBytes, kUsage, gpu::BufferHome::Device));
+    GLINT_CHECK(make(scene.instanceRecords_, "rays/instances", instanceBytes, kUsage, gpu::BufferHome::Device));
+    GLINT_CHECK(make(scene.nodeStaging_, "rays/nodes/staging", nodeBytes, kStaging, gpu::BufferHome::Upload));
+    GLINT_CHECK(
+        make(scene.triangleStaging_, "rays/triangles/staging", triangleBytes, kStaging, gpu::BufferHome::Upload));
+    auto* nodes = static_cast<shared::BvhNode*>(scene.nodeStaging_.mapped());
+    auto* triangles = static_cast<shared::BvhTriangle*>(scene.triangleStaging_.mapped());
+    for (Part& part : scene.parts_) {
+        scene.writeNodes(part, nodes + part.firstNode);
+        scene.writeTriangles(part, triangles + part.firstTriangle);
+        if (!part.mesh.deforms) {
+            part.mesh = {};
+            part.tree = {};
+            part.kept = {};
+        }
+    }
+    return scene;
+}
+
+void BvhScene::setInstances(std::span<const RayInstance> instances) {
+    instances_.assign(instances.begin(), instances.end());
+    fitTop();
+}
+
+void BvhScene::fitMesh(uint32_t index) {
+    Part& part = parts_[index];
+    refit(part.tree, boxesOf(part));
+    part.bounds = part.tree.bounds.front();
+    part.deformed = anyDeformed_ = true;
+    fitTop();
+}
+
+void BvhScene::fitTop() {
+    std::vector<uint32_t> present;
+    std::vector<Bounds> boxes;
+    std::vector<shared::BvhInstance> records;
+    for (uint32_t i = 0; i < instances_.size(); ++i) {
+        const RayInstance& instance = instances_[i];
+        const Part& part = parts_[instance.mesh];
+        const std::optional<Placement> placement = placementOf(instance);
+        if (part.bounds.empty() || !placement)
+            continue;
+        present.push_back(i);
+        boxes.push_back(boundsWS(*placement, part.bounds));
+        shared::BvhInstance record = {};
+        const glm::mat3 rows(glm::transpose(placement->worldToLocal));
+        const glm::vec3 originWS(placement->localToWorld[3]);
+        for (int row = 0; row < 3; ++row)
+            record.worldToLocal[row] = glm::vec4(rows[row], originWS[row]);
+        record.rootNode = part.firstNode;
+        record.number = i;
+        record.maskAndFlags = instance.mask | (instance.opaque ? shared::kBvhInstanceOpaque : 0) |
+                              (instance.doubleSided ? shared::kBvhInstanceDoubleSided : 0);
+        records.push_back(record);
+    }
+    const bool sameInstances = present == topInstances_ && !top_.nodes.empty();
+    if (sameInstances)
+        refit(top_, boxes);
+    if (!sameInstances || sahCost(top_, boxes) > kWornOut * topCost_) {
+        top_ = buildWideBvh(boxes, 1, shared::kBvhTopLevels);
+        topCost_ = sahCost(top_, boxes);
+        topInstances_ = std::move(present);
+    }
+    topRecords_.clear();
+    for (const uint32_t primitive : top_.order)
+        topRecords_.push_back(records[primitive]);
+    topChanged_ = true;
+}
+
+void BvhScene::record(gpu::Frame& frame) {
+    if (staged_) {
+        frame.scope("rays/build", [&] {
+            frame.upload(nodeStaging_, nodes_);
+            frame.upload(triangleStaging_, triangles_);
+        });
+        staged_ = false;
+    }
+    frame.scope("rays/update", [&] {
+        if (anyDeformed_) {
+            std::vector<shared::BvhNode> nodes;
+            std::vector<shared::BvhTriangle> triangles;
+            for (Part& part : parts_) {
+                if (!part.deformed || part.kept.empty())
+                    continue;
+                nodes.resize(part.tree.nodes.size());
+                triangles.resize(part.tree.order.size());
+                writeNodes(part, nodes.data());
+                writeTriangles(part, triangles.data());
+                frame.update(nodes_, nodes.data(), nodes.size() * sizeof(shared::BvhNode),
+                             part.firstNode * sizeof(shared::BvhNode));
+                frame.update(triangles_, triangles.data(), triangles.size() * sizeof(shared::BvhTriangle),
+                             part.firstTriangle * sizeof(shared::BvhTriangle));
+                part.deformed = false;
+            }
+        }
+        if (topChanged_) {
+            frame.update(nodes_, top_.nodes.data(), top_.nodes.size() * sizeof(shared::BvhNode));
+            if (!topRecords_.empty())
+                frame.update(instanceRecords_, topRecords_.data(), topRecords_.size() * sizeof(shared::BvhInstance));
+        }
+    });
+    anyDeformed_ = topChanged_ = false;
+}
+
+void BvhScene::releaseStaging() {
+    if (staged_)
+        return;
+    nodeStaging_ = {};
+    triangleStaging_ = {};
+}
+
+void BvhScene::bind(gpu::Pass& pass) {
+    pass.read("bvhNodes", nodes_).read("bvhTriangles", triangles_).read("bvhInstances", instanceRecords_);
+}
+
+} // namespace glint::rays

@@ -1,0 +1,160 @@
+#include "rays/scene.hpp"
+
+#include "base/assert.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace glint::rays {
+namespace {
+
+/// Every device with ray queries takes so many (Vulkan 1.3, "Required Limits"), and the hierarchy's levels hold them.
+constexpr uint32_t kMostInstances = (1u << 24) - 1;
+static_assert(uint64_t{kMostInstances} <= uint64_t{1} << 3 * shared::kBvhTopLevels);
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace
+
+Result<void> Scene::check(std::span<const RayInstance> instances) const {
+    if (instances.size() > maxInstances_)
+        return invalidArgument("{} ray instances, the scene was made for at most {}", instances.size(), maxInstances_);
+    for (size_t i = 0; i < instances.size(); ++i)
+        if (instances[i].mesh >= deformable_.size())
+            return invalidArgument("ray instance {} is of mesh {}, the scene has {}", i, instances[i].mesh,
+                                   deformable_.size());
+    return {};
+}
+
+Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySceneDesc& desc) {
+    const auto start = std::chrono::steady_clock::now();
+    if (desc.backend == RayBackend::Query && !context.rayQuery())
+        return makeError(ErrorCode::Unsupported, "ray queries are not enabled on {}; RayBackend::Bvh runs anywhere",
+                         context.info().name);
+    std::unique_ptr<Scene> scene(new Scene(context));
+    const bool query = desc.backend != RayBackend::Bvh && context.rayQuery();
+    scene->backend_ = query ? RayBackend::Query : RayBackend::Bvh;
+    scene->maxInstances_ = std::max(desc.maxInstances, static_cast<uint32_t>(desc.instances.size()));
+    if (scene->maxInstances_ > kMostInstances)
+        return invalidArgument("room for {} ray instances, at most {} can be had", scene->maxInstances_,
+                               kMostInstances);
+    std::vector<Mesh> meshes;
+    for (uint32_t i = 0; i < desc.meshes.size(); ++i) {
+        GLINT_TRY(mesh, readMesh(desc.meshes[i], i));
+        scene->deformable_.push_back(mesh.deforms ? static_cast<uint32_t>(mesh.positions.size()) : 0);
+        meshes.push_back(std::move(mesh));
+    }
+    GLINT_CHECK(scene->check(desc.instances));
+    if (query) {
+        GLINT_TRY(backend, QueryScene::create(context, std::move(meshes), scene->maxInstances_));
+        scene->scene_ = std::move(backend);
+    } else {
+        GLINT_TRY(backend, BvhScene::create(context, std::move(meshes), scene->maxInstances_));
+        scene->scene_ = std::make_unique<BvhScene>(std::move(backend));
+    }
+    GLINT_TRY(timers, gpu::Timers::create(context));
+    scene->timers_ = std::move(timers);
+    GLINT_CHECK(scene->setInstances(desc.instances));
+    scene->times_.cpuBuildMs = millisecondsSince(start);
+    scene->times_.cpuUpdateMs = 0;
+    return scene;
+}
+
+Result<void> Scene::setInstances(std::span<const RayInstance> instances) {
+    const auto start = std::chrono::steady_clock::now();
+    GLINT_CHECK(check(instances));
+    instanceCount_ = static_cast<uint32_t>(instances.size());
+    std::visit([&](auto& backend) { backend->setInstances(instances); }, scene_);
+    times_.cpuUpdateMs = millisecondsSince(start);
+    return {};
+}
+
+Result<void> Scene::deform(uint32_t mesh, const float* positions, uint32_t vertexCount, uint32_t vertexStride) {
+    const auto start = std::chrono::steady_clock::now();
+    if (mesh >= deformable_.size() || deformable_[mesh] == 0)
+        return invalidArgument("ray mesh {} was not made with `deforms`, or has no vertices", mesh);
+    if (vertexCount != deformable_[mesh] || !positions || vertexStride < 3 * sizeof(float))
+        return invalidArgument("ray mesh {}: {} positions {} bytes apart, it has {} vertices", mesh, vertexCount,
+                               vertexStride, deformable_[mesh]);
+    std::visit(
+        [&](auto& backend) {
+            moveVertices(backend->mesh(mesh), positions, vertexStride);
+            backend->fitMesh(mesh);
+        },
+        scene_);
+    times_.cpuUpdateMs = millisecondsSince(start);
+    return {};
+}
+
+void Scene::record(VkCommandBuffer commands) {
+    std::visit(
+        [&](auto& backend) {
+            if (!backend->pending())
+                return;
+            gpu::Frame frame(context_, commands, timers_.get());
+            backend->record(frame);
+            recorded_ = true;
+        },
+        scene_);
+}
+
+void Scene::releaseStaging() {
+    std::visit([](auto& backend) { backend->releaseStaging(); }, scene_);
+}
+
+RaySceneTimes Scene::times() {
+    if (backend_ == RayBackend::Query)
+        for (const gpu::PassTime& time : timers_->latest())
+            (time.name == "rays/build" ? times_.gpuBuildMs : times_.gpuUpdateMs) = time.milliseconds;
+    return times_;
+}
+
+gpu::Pass& Scene::bind(gpu::Pass& pass) {
+    GLINT_ASSERT(recorded_ || pass.rehearsing(), "a ray scene is traced before it was recorded");
+    std::visit([&](auto& backend) { backend->bind(pass); }, scene_);
+    return pass;
+}
+
+} // namespace glint::rays
+
+// ---------------------------------------------------------------- the public class
+
+namespace glint {
+
+RayScene::RayScene(std::unique_ptr<rays::Scene> scene) : scene_(std::move(scene)) {}
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+Result<RayScene> RayScene::create(Context& context, const RaySceneDesc& desc) {
+    GLINT_TRY(scene, rays::Scene::create(context.gpu(), desc));
+    return RayScene(std::move(scene));
+}
+
+RayBackend RayScene::backend() const {
+    return scene_->backend();
+}
+
+Result<void> RayScene::setInstances(std::span<const RayInstance> instances) {
+    return scene_->setInstances(instances);
+}
+
+Result<void> RayScene::deform(uint32_t mesh, const float* positions, uint32_t vertexCount, uint32_t vertexStride) {
+    return scene_->deform(mesh, positions, vertexCount, vertexStride);
+}
+
+void RayScene::record(VkCommandBuffer commands) {
+    scene_->record(commands);
+}
+
+void RayScene::releaseStaging() {
+    scene_->releaseStaging();
+}
+
+RaySceneTimes RayScene::times() {
+    return scene_->times();
+}
+
+} // namespace glint
