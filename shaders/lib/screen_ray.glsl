@@ -70,9 +70,4 @@ float rayDistance(ScreenRay ray, float share) {
     return ray.lengthVS * share * ray.endInvW / mix(ray.startInvW, ray.endInvW, share);
 }
 
-/// The inverse of rayDistance.
-float shareAtDistance(ScreenRay ray, float distance) {
-    return distance * ray.startInvW / (ray.lengthVS * ray.endInvW - distance * (ray.endInvW - ray.startInvW));
-}
-
 #endif

@@ -1,5 +1,5 @@
-// The `adaptive` marcher: equal steps along the ray in 3D, more of them for rays that are long on screen, then a binary
-// search in the step that met something. compute_ssr is the model for the settings: docs/techniques/adaptive.md.
+// The `adaptive` marcher: equal steps on screen, more of them for rays that are long there, then a binary search in the
+// step that met something. compute_ssr is the model for the settings: docs/techniques/adaptive.md.
 #include "trace/hit_test.glsl"
 
 /// Narrows the step from `front`, where the ray is in front of the picture, to `behind`; both move.
@@ -29,8 +29,8 @@ March march(Ray r) {
     ScreenRay ray = r.screen;
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
     bool clip = isOn(kTraceClipToFrustum);
-    float usable = clip ? rayDistance(ray, ray.screenEnd) : ray.lengthVS;
-    float pixels = screenPixels(ray) * (clip ? ray.screenEnd : 1.0);
+    float end = clip ? ray.screenEnd : 1.0;
+    float pixels = screenPixels(ray) * end;
     uint most = min(2u * settings.baseSteps, settings.maxSteps);
     uint steps = uint(clamp(ceil(pixels / settings.pixelSpacing), float(settings.baseSteps), float(most)));
 
@@ -40,9 +40,7 @@ March march(Ray r) {
     bool nearlyThickEnough = false;
     for (uint i = 1u; i <= steps; ++i) {
         result.iterations = i;
-        // The last one lands on the end itself, which rounding could put off screen.
-        result.share =
-            i < steps ? shareAtDistance(ray, usable * float(i) / float(steps)) : (clip ? ray.screenEnd : 1.0);
+        result.share = end * (float(i) / float(steps)); // the last is the end itself, with no rounding
         if (!onScreen(ray.startPX + ray.deltaPX * result.share)) {
             result.outcome = kOutcomeOffScreen;
             return result;
