@@ -1,0 +1,132 @@
+// Directions of rough reflections against the density that they shall have, integrated here in double precision.
+#include "gpu/support/brdf_oracle.hpp"
+#include "gpu/support/gpu_test.hpp"
+
+#include <cstring>
+#include <random>
+
+namespace glint::test {
+namespace {
+
+/// As tests/gpu/shaders/ggx_samples.comp has it.
+struct Item {
+    glm::vec3 wo;
+    float alpha;
+    glm::vec2 u;
+    glm::vec3 wm;
+    float weight;
+};
+
+constexpr int kPolarBins = 12;
+constexpr int kAzimuthBins = 16;
+constexpr int kBins = kPolarBins * kAzimuthBins;
+
+class GgxSamplingTest : public GpuTest {
+protected:
+    static std::vector<Item> sample(const glm::dvec3& wo, double alpha, uint32_t count) {
+        std::mt19937 random(11);
+        std::uniform_real_distribution<float> unit(0, 1);
+        std::vector<Item> list(count);
+        for (Item& item : list)
+            item = {glm::vec3(wo), static_cast<float>(alpha), {unit(random), unit(random)}, {}, 0};
+        gpu::Buffer buffer = must(gpu::uploadBuffer(
+            gpu(), "test/ggx", list, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
+        const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"ggx_samples", 0, {}}));
+        run([&](VkCommandBuffer commands) {
+            gpu::Frame frame(gpu(), commands);
+            frame.pass(pipeline).readWrite("items", buffer).dispatch(count);
+        });
+        const std::vector<std::byte> bytes = must(gpu::downloadBuffer(gpu(), buffer));
+        std::memcpy(list.data(), bytes.data(), list.size() * sizeof(Item));
+        return list;
+    }
+
+    /// Slopes are squeezed so that narrow lobes fill the bins too: s = tan(theta) / (tan(theta) + alpha).
+    static int binOf(const glm::dvec3& wm, double alpha) {
+        const double tangent = std::hypot(wm.x, wm.y) / wm.z;
+        const double turn = std::atan2(wm.y, wm.x) / (2 * oracle::kPi) + 0.5;
+        const int polar = std::min(int(tangent / (tangent + alpha) * kPolarBins), kPolarBins - 1);
+        return polar * kAzimuthBins + std::min(int(turn * kAzimuthBins), kAzimuthBins - 1);
+    }
+
+    /// Heitz 2018, eq. 3: D_wo(wm) = G1(wo) max(wo.wm, 0) D(wm) / wo.z, integrated over each bin.
+    static std::vector<double> expectedShares(const glm::dvec3& wo, double alpha) {
+        const double g1 = 1 / (1 + oracle::lambda(wo.z, alpha));
+        std::vector<double> shares(kBins, 0.0);
+        constexpr int kSub = 40; // midpoints a bin's side
+        for (int p = 0; p < kPolarBins * kSub; ++p)
+            for (int a = 0; a < kAzimuthBins * kSub; ++a) {
+                const double s = (p + 0.5) / (kPolarBins * kSub);
+                const double tangent = alpha * s / (1 - s);
+                const double cosine = 1 / std::sqrt(1 + tangent * tangent);
+                const double sine = tangent * cosine;
+                const double phi = ((a + 0.5) / (kAzimuthBins * kSub) - 0.5) * 2 * oracle::kPi;
+                const glm::dvec3 wm(sine * std::cos(phi), sine * std::sin(phi), cosine);
+                const double density = g1 * std::max(glm::dot(wo, wm), 0.0) * oracle::ggx(cosine, alpha) / wo.z;
+                // dw = sin(theta) dtheta dphi, dtheta = cos^2(theta) dtan, dtan = alpha / (1 - s)^2 ds
+                const double jacobian = sine * cosine * cosine * alpha / ((1 - s) * (1 - s));
+                const double cell = 1.0 / (kPolarBins * kSub) * 2 * oracle::kPi / (kAzimuthBins * kSub);
+                shares[size_t(binOf(wm, alpha))] += density * jacobian * cell;
+            }
+        return shares;
+    }
+};
+
+TEST_F(GgxSamplingTest, DirectionsHaveTheDensityOfVisibleNormals) {
+    constexpr uint32_t kSamples = 200000;
+    for (const double roughness : {0.05, 0.2, 0.4, 0.6, 0.8, 1.0})
+        for (const double cosine : {0.1, 0.5, 0.95}) {
+            const double alpha = roughness * roughness;
+            const double sine = std::sqrt(1 - cosine * cosine);
+            const glm::dvec3 wo(sine * std::cos(0.7), sine * std::sin(0.7), cosine);
+            const std::vector<double> shares = expectedShares(wo, alpha);
+            std::vector<double> counts(kBins, 0.0);
+            for (const Item& item : sample(wo, alpha, kSamples))
+                counts[size_t(binOf(glm::dvec3(item.wm), alpha))] += 1;
+            // Pearson's statistic; bins with few expected samples are taken together.
+            double statistic = 0;
+            double restExpected = 0;
+            double restCounted = 0;
+            int degrees = -1;
+            double total = 0;
+            for (int bin = 0; bin < kBins; ++bin) {
+                const double expected = shares[size_t(bin)] * kSamples;
+                total += shares[size_t(bin)];
+                if (expected < 10) {
+                    restExpected += expected;
+                    restCounted += counts[size_t(bin)];
+                    continue;
+                }
+                statistic += (counts[size_t(bin)] - expected) * (counts[size_t(bin)] - expected) / expected;
+                ++degrees;
+            }
+            if (restExpected >= 10) {
+                statistic += (restCounted - restExpected) * (restCounted - restExpected) / restExpected;
+                ++degrees;
+            }
+            ASSERT_GT(degrees, 20);
+            EXPECT_NEAR(total, 1, 2e-3) << "the density itself";
+            // Wilson and Hilferty 1931: the statistic's cube root is nearly normal. 4 sigma: one in 30 000.
+            const double d = degrees;
+            const double sigmas = (std::cbrt(statistic / d) - (1 - 2 / (9 * d))) / std::sqrt(2 / (9 * d));
+            EXPECT_LT(sigmas, 4) << "roughness " << roughness << ", cosine " << cosine << ": " << statistic << " at "
+                                 << degrees << " degrees of freedom";
+        }
+}
+
+/// What samples weigh on average is what the split sum says of a lobe with F = 1.
+TEST_F(GgxSamplingTest, WeightsAverageToTheAlbedo) {
+    for (const double roughness : {0.1, 0.5, 1.0})
+        for (const double cosine : {0.2, 0.9}) {
+            const glm::dvec3 wo(std::sqrt(1 - cosine * cosine), 0, cosine);
+            double sum = 0;
+            const std::vector<Item> items = sample(wo, roughness * roughness, 50000);
+            for (const Item& item : items)
+                sum += item.weight;
+            const glm::dvec2 albedo = oracle::splitSum(cosine, roughness);
+            EXPECT_NEAR(sum / double(items.size()), albedo.x + albedo.y, 0.005) << roughness << " " << cosine;
+        }
+}
+
+} // namespace
+} // namespace glint::test
