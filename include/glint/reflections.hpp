@@ -82,6 +82,10 @@ public:
     /// Unsupported.
     Result<void> setRays(RayScene& scene, SurfaceTable& surfaces);
 
+    /// With rays.accumulate the next frame starts anew, as it does by itself when the view, the settings or the scene
+    /// given to setRays change: for what Glint cannot see, as when lights, materials or things have changed.
+    void restartAccumulation();
+
     /// Records the frame's passes. Never submits or waits, and makes no Vulkan object and no device memory. Call
     /// outside a render pass, after setInputs.
     /// Returns the picture with reflections (RGBA16F, ready for sampling), valid until the next call; with every

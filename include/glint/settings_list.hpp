@@ -171,6 +171,9 @@
         "")                                                                                                            \
     SETTING(int, cullMask, 255, "[0, 255]", "",                                                                        \
         "Instances are met whose own mask shares a bit with this",                                                     \
+        "")                                                                                                            \
+    SETTING(bool, accumulate, false, "", "",                                                                           \
+        "Average over all frames since the view or a setting changed; Reflections::restartAccumulation starts anew",   \
         "")
 
 #define GLINT_SKY_SETTINGS(SETTING)                                                                                    \

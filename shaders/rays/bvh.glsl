@@ -10,13 +10,16 @@
 // Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
 layout(std430, set = 0, binding = 16) readonly buffer BvhNodes {
     BvhNode item[]; // the top level's root first
-} bvhNodes;
+}
+bvhNodes;
 layout(std430, set = 0, binding = 17) readonly buffer BvhTriangles {
     BvhTriangle item[];
-} bvhTriangles;
+}
+bvhTriangles;
 layout(std430, set = 0, binding = 18) readonly buffer BvhInstances {
     BvhInstance item[];
-} bvhInstances;
+}
+bvhInstances;
 
 /// A ray in one space: the world's, or that of the instance it is in.
 struct BvhRay {

@@ -12,6 +12,8 @@ layout(local_size_x = 64) in; // kRaysPerGroup
 
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D raysRadianceWeight;
 layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D raysRecord;
+layout(set = 0, binding = 11, rgba32f) uniform image2D raysSum;  // kRaysAccumulate: over all samples so far, weighted
+layout(set = 0, binding = 12, r32f) uniform image2D raysWeights; // radiance and weight of what is known; weight
 
 /// Less is no longer followed: half of what an 8-bit picture can show.
 const float kLeastThroughput = 1.0 / 512.0;
@@ -181,7 +183,7 @@ void main() {
         uint sampleIndex = frame.constants.frameIndex * settings.samples + i;
         vec2 noise = firstBounceNoise(px, sampleIndex, frame.constants.seed);
         Direction first = sampleReflection(N, V, origin.perceptualRoughness, noise);
-        if (first.weight <= 0.0 && i + 1u == samples && weights == 0.0)
+        if (first.weight <= 0.0 && i + 1u == samples && weights == 0.0 && !isOn(kRaysAccumulate))
             first = Direction(reflect(-V, N), 1.0); // every sample went below: the middle of the lobe stands for it
         if (first.weight <= 0.0)
             continue;
@@ -198,6 +200,12 @@ void main() {
         }
     }
     record.hitDistance /= max(hits, 1.0);
+    if (isOn(kRaysAccumulate)) {
+        sum += imageLoad(raysSum, px);
+        weights += imageLoad(raysWeights, px).r;
+        imageStore(raysSum, px, sum);
+        imageStore(raysWeights, px, vec4(weights));
+    }
     vec4 answer = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a / weights) : vec4(0.0);
     imageStore(raysRadianceWeight, px, vec4(sanitize(answer.rgb), answer.a));
     imageStore(raysRecord, px, uvec4(packRayRecord(record), 0u, 0u));

@@ -23,6 +23,7 @@ GLINT_CONSTANT(uint, kRaysMirror, 2);             // mirror directions only, wha
 GLINT_CONSTANT(uint, kRaysEnvironment, 4);        // the environment answers where a ray meets nothing
 GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8); // the host's own diffuse light is there
 GLINT_CONSTANT(uint, kRaysAfterScreen, 16);       // only for what the screen source left
+GLINT_CONSTANT(uint, kRaysAccumulate, 32);        // the frames before, of the same view, count as well
 
 GLINT_CONSTANT(uint, kBlueNoiseSize, 64); // texels a side of the mask
 

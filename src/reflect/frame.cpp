@@ -113,6 +113,7 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     constants.environmentMips = static_cast<float>(environmentMips);
     constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environmentFlipY ? -1 : 1, 1)),
                                                -environmentRotation, glm::vec3(0, 1, 0));
+    sameView = constants.worldToView == lastFrame.worldToView && constants.viewToPixel == lastFrame.viewToPixel;
     if (!frame.rehearsing()) {
         lastFrame = constants;
         historyGamma = settings.output.colorIsGamma;
@@ -209,7 +210,7 @@ void FrameState::traceScene(gpu::Frame& frame) {
     raysSource->record(frame, desc.settings,
                        {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
                         static_cast<bool>(inputs.environment), environment,
-                        static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black});
+                        static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
 }
 
 /// How the pixels' rays ended: the screen's, or those through the scene where there are no others.
@@ -431,10 +432,18 @@ Result<void> FrameState::makeImagesFor(const Settings& settings) {
     }
     if (settings.rays.enabled && !raysSource) {
         GLINT_TRY(source, RaysSource::create(*context, w, h));
+        GLINT_CHECK(source->setSettings(settings));
         raysSource = std::move(source);
         GLINT_CHECK(giveScene());
+    } else if (raysSource) {
+        GLINT_CHECK(raysSource->setSettings(settings));
     }
     return makeDenoiseImages(*context, settings, w, h, denoised);
+}
+
+void FrameState::restartAccumulation() {
+    if (raysSource)
+        raysSource->forgetFrames();
 }
 
 Result<void> FrameState::setRays(rays::Scene& scene, SurfaceTableState& surfaces) {
@@ -450,7 +459,7 @@ Result<void> FrameState::giveScene() {
     GLINT_CHECK(raysSource->setScene(*rayScene, *raySurfaces));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black});
+                       {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black, false});
     return frame.firstError();
 }
 

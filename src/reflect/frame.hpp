@@ -75,6 +75,7 @@ struct FrameState {
         false; ///< `composite` and `prepared` hold the last frame's picture, for hits to take colours from
     bool historyGamma = false; ///< and that picture is sRGB-encoded
     bool usesHistory = false;  ///< this frame's hits do
+    bool sameView = false;     ///< the camera stands where it did in the frame before
     bool ranPasses = false;    ///< by the last record()
     bool recorded = false;     ///< a frame with the settings in force
     std::unique_ptr<gpu::Timers> timers;
@@ -89,6 +90,7 @@ struct FrameState {
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
     /// Errors: Unsupported, OutOfMemory.
+    void restartAccumulation();
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);

@@ -257,6 +257,10 @@ Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
     return {};
 }
 
+void Reflections::restartAccumulation() {
+    state_->frame->restartAccumulation();
+}
+
 HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     reflect::FrameState& state = *state_->frame;
     GLINT_ASSERT(state.inputsSet, "call setInputs before record");

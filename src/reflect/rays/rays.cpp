@@ -32,6 +32,23 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, ui
     return source;
 }
 
+Result<void> RaysSource::setSettings(const Settings& settings) {
+    framesHeld_ = false;
+    const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
+    const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;
+    if (sum_ && sum_.width() == width && sum_.height() == height)
+        return {};
+    const auto makeImage = [&](const char* name, VkFormat format) {
+        return gpu::Image::create(context_, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
+                                             VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    };
+    GLINT_TRY(sum, makeImage("glint/raysSum", VK_FORMAT_R32G32B32A32_SFLOAT));
+    GLINT_TRY(weights, makeImage("glint/raysWeights", VK_FORMAT_R32_SFLOAT));
+    sum_ = std::move(sum);
+    weights_ = std::move(weights);
+    return {};
+}
+
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
     GLINT_TRY(reflect,
@@ -39,6 +56,7 @@ Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surface
     reflect_ = std::move(reflect);
     scene_ = &scene;
     surfaces_ = &surfaces;
+    framesHeld_ = false;
     return {};
 }
 
@@ -59,6 +77,7 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     flag(inputs.hasEnvironment && settings.sky.enabled, shared::kRaysEnvironment);
     flag(inputs.hasEnvironmentDiffuse, shared::kRaysEnvironmentDiffuse);
     flag(inputs.screenAnswer != nullptr, shared::kRaysAfterScreen);
+    flag(rays.accumulate, shared::kRaysAccumulate);
     return constants;
 }
 
@@ -70,6 +89,11 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         frame.update(blueNoise_, blueNoiseMask().data(), blueNoise_.size());
         noiseHeld_ = true;
     }
+    if (settings.rays.accumulate && (!framesHeld_ || !inputs.sameView)) {
+        frame.clear(sum_, {});
+        frame.clear(weights_, {});
+    }
+    framesHeld_ = settings.rays.accumulate && !frame.rehearsing();
     const shared::RaysConstants constants = this->constants(settings, inputs);
     constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, {0, 0, 1}, {}};
     frame.update(rays_.list, &kNoRays, sizeof(kNoRays));
@@ -94,7 +118,9 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .read("dfg", inputs.dfg)
         .read("blueNoise", blueNoise_)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
-        .write("raysRecord", record_, 0, true);
+        .write("raysRecord", record_, 0, true)
+        .readWrite("raysSum", sum_)
+        .readWrite("raysWeights", weights_);
     scene_->bind(pass);
     surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
 }

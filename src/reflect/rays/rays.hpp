@@ -20,6 +20,7 @@ struct RaysInputs {
     gpu::Image& environmentDiffuse; ///< or a black cube
     gpu::Image& dfg;
     gpu::Image& black; ///< stands in for what is absent
+    bool sameView;     ///< as in the frame before
 };
 
 /// Made when the settings first ask for it.
@@ -32,6 +33,11 @@ public:
     Result<void> setScene(rays::Scene& scene, SurfaceTableState& surfaces);
     bool hasScene() const { return scene_ != nullptr; }
     RayBackend backend() const { return scene_->backend(); }
+
+    /// Makes room for the frames before, if the settings ask for them, and forgets them. Errors: OutOfMemory.
+    Result<void> setSettings(const Settings& settings);
+    /// The next frame starts anew.
+    void forgetFrames() { framesHeld_ = false; }
 
     void record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs);
 
@@ -49,6 +55,9 @@ private:
     SurfaceTableState* surfaces_ = nullptr;
     Rays rays_;
     gpu::Image radianceWeight_; ///< RGBA16F: radiance, weight [0, 1]
+    gpu::Image sum_;            ///< RGBA32F, 1x1 unless rays.accumulate: reflect_main.glsl
+    gpu::Image weights_;        ///< R32F, of the same size
+    bool framesHeld_ = false;   ///< they hold the frames before
     gpu::Image record_;         ///< RG32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays
     gpu::Buffer blueNoise_;
     bool noiseHeld_ = false;
