@@ -409,18 +409,20 @@ protected:
         std::vector<float> weights;
     };
     static Answer combine(std::vector<Pixel> pixels, TestEnvironment& environment, bool screen, bool sky,
-                          bool present = true) {
+                          bool present = true, const std::vector<glm::vec4>& rays = {}) {
         std::vector<float> viewZ;
         std::vector<glm::vec4> answers;
         for (const Pixel& pixel : pixels) {
             viewZ.push_back(static_cast<float>(pixel.viewZ));
             answers.push_back(pixel.answer);
         }
-        const shared::HierarchyConstants constants = {screen, sky};
+        const shared::HierarchyConstants constants = {screen, sky, !rays.empty()};
         gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, &environment);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));
         gpu::Image screenImage = upload("test/screen", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(answers));
+        gpu::Image raysImage =
+            upload("test/rays", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(rays.empty() ? answers : rays));
         gpu::Image reflected = output("test/reflected", VK_FORMAT_R16G16B16A16_SFLOAT);
         gpu::Image weights = output("test/weights", VK_FORMAT_R8G8B8A8_UNORM);
         static const gpu::Pipeline pipeline =
@@ -432,6 +434,7 @@ protected:
                 .read("viewZ", viewZImage)
                 .read("surface", surface)
                 .read("radianceWeight", screenImage)
+                .read("raysAnswer", raysImage)
                 .read("environment", environment.cube)
                 .write("reflected", reflected)
                 .write("weights", weights)
@@ -475,6 +478,28 @@ TEST_F(HierarchyPassTest, skyGetsExactlyWhatTheScreenLeft) {
         ASSERT_NEAR(answer.reflected[i * 4 + 3], 1, kHalf) << "all weight is given";
         ASSERT_NEAR(answer.weights[i * 4], w, 0.5 / 255 + 1e-6);
         ASSERT_NEAR(answer.weights[i * 4 + 1], 1 - w, 0.5 / 255 + 1e-6);
+    }
+}
+
+TEST_F(HierarchyPassTest, raysGetWhatTheScreenLeftAndTheSkyTheRest) {
+    TestEnvironment environment =
+        TestEnvironment::make(gpu(), 8, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
+    const std::vector<Pixel> pixels = screenPixels(9);
+    std::vector<glm::vec4> rays;
+    for (const Pixel& pixel : screenPixels(10))
+        rays.push_back(pixel.answer);
+    const Answer answer = combine(pixels, environment, true, true, true, rays);
+    for (uint32_t i = 0; i < pixels.size(); ++i) {
+        const double screen = pixels[i].answer.a;
+        const double traced = std::min(double(rays[i].a), 1 - screen);
+        const double sky = 1 - screen - traced;
+        const glm::dvec3 expected =
+            screen * glm::dvec3(pixels[i].answer) + traced * glm::dvec3(rays[i]) + glm::dvec3(sky);
+        for (int c = 0; c < 3; ++c)
+            ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 2 * kHalf) << i;
+        ASSERT_NEAR(answer.weights[i * 4], screen, 0.5 / 255 + 1e-6);
+        ASSERT_NEAR(answer.weights[i * 4 + 1], sky, 0.5 / 255 + 1e-6);
+        ASSERT_NEAR(answer.weights[i * 4 + 2], traced, 0.5 / 255 + 1e-6);
     }
 }
 

@@ -89,7 +89,7 @@ TEST(Presets, AllAreValidAndStartFromTheDefaults) {
         const auto done = applyPreset(settings, name);
         ASSERT_TRUE(done.ok()) << done.error().message;
         EXPECT_TRUE(validate(settings).ok()) << name;
-        EXPECT_TRUE(settings.screen.enabled) << name;
+        EXPECT_EQ(settings.screen.enabled, name != "ray-query") << name;
         EXPECT_LE(settings.screen.selfCollisionSkip, 1) << name;
     }
 }
@@ -104,8 +104,8 @@ TEST(Presets, AnUnknownNameListsThem) {
     Settings settings;
     const auto done = applyPreset(settings, "babylom");
     ASSERT_FALSE(done.ok());
-    EXPECT_EQ(done.error().message, "unknown preset 'babylom'; there are babylon, balanced, compute-ssr, fast, hdrp "
-                                    "and quality");
+    EXPECT_EQ(done.error().message, "unknown preset 'babylom'; there are babylon, balanced, compute-ssr, fast, hdrp, "
+                                    "quality and ray-query");
 }
 
 TEST(Presets, FileBeatsPresetAndSetBeatsFile) {

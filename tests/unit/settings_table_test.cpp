@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -53,9 +54,12 @@ TEST(SettingsTable, EveryKeyTakesAValueFromText) {
         const std::string text = otherValue(info);
         const auto done = set(settings, info.key, text);
         ASSERT_TRUE(done.ok()) << done.error().message;
-        const bool number = info.type == SettingType::Int || info.type == SettingType::Float;
+        const bool number = info.type == SettingType::Int;
         const double value = valueIn(settings, info);
-        EXPECT_EQ(number ? fmt::format("{}", value) : settingText(info, value), text);
+        if (info.type == SettingType::Float) // as a float holds it
+            EXPECT_EQ(value, static_cast<double>(std::stof(text))) << info.key;
+        else
+            EXPECT_EQ(number ? fmt::format("{}", value) : settingText(info, value), text);
         for (const SettingInfo& other : settingsTable()) {
             if (other.key == info.key)
                 continue;
@@ -93,7 +97,7 @@ TEST(SettingsTable, RangesHoldAtBothEnds) {
         for (const bool upper : {false, true}) {
             const double end = upper ? info.range.max : info.range.min;
             const bool open = upper ? info.range.maxOpen : info.range.minOpen;
-            const double outside = end + (upper ? 1 : -1);
+            const double outside = end + (upper ? 1 : -1) * std::max(1.0, std::floor(std::abs(end) * 1e-3));
             Settings settings;
             EXPECT_EQ(set(settings, info.key, fmt::format("{}", end)).ok(), !open) << info.key << " = " << end;
             const auto refused = set(settings, info.key, fmt::format("{}", outside));
