@@ -45,7 +45,7 @@ GLINT_API void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalD
 class GLINT_API Context {
 public:
     /// Errors: InvalidArgument for a null handle or a queue family that is not there; Unsupported, with what is
-    /// missing, for a device that cannot run Glint.
+    /// missing, for a device that cannot run Glint, or that has not enabled the ray queries it is said to have.
     static Result<Context> adopt(const HostDevice& device);
     ~Context();
     Context(Context&&) noexcept;

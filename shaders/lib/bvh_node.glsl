@@ -3,6 +3,8 @@
 #ifndef GLINT_LIB_BVH_NODE_GLSL
 #define GLINT_LIB_BVH_NODE_GLSL
 
+#extension GL_EXT_control_flow_attributes : require
+
 #include "shared/bvh.h"
 
 /// A ray as boxes see it.
@@ -43,7 +45,7 @@ uint intersectChildren(BvhNode node, BoxRay ray, float tMin, float tMax) {
     vec3 startFar = start + slack;
 
     uint hits = 0u;
-    for (int half4 = 0; half4 < 2; ++half4) {
+    [[unroll]] for (int half4 = 0; half4 < 2; ++half4) {
         uint lowX = half4 == 0 ? node.words[2].x : node.words[2].y;
         uint lowY = half4 == 0 ? node.words[2].z : node.words[2].w;
         uint lowZ = half4 == 0 ? node.words[3].x : node.words[3].y;
@@ -60,7 +62,7 @@ uint intersectChildren(BvhNode node, BoxRay ray, float tMin, float tMax) {
         vec4 leave = min(min(farX, farY), min(farZ, vec4(tMax)));
 
         uint meta = half4 == 0 ? node.words[1].z : node.words[1].w;
-        for (int i = 0; i < 4; ++i) {
+        [[unroll]] for (int i = 0; i < 4; ++i) {
             uint child = (meta >> (8 * i)) & 0xffu;
             uint slot = uint(4 * half4 + i);
             bool isNode = (exponents >> (24u + slot) & 1u) != 0u;

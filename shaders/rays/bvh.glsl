@@ -8,13 +8,13 @@
 #include "lib/triangle_ray.glsl"
 
 // Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
-layout(scalar, set = 0, binding = 16) readonly buffer BvhNodes {
+layout(std430, set = 0, binding = 16) readonly buffer BvhNodes {
     BvhNode item[]; // the top level's root first
 } bvhNodes;
-layout(scalar, set = 0, binding = 17) readonly buffer BvhTriangles {
+layout(std430, set = 0, binding = 17) readonly buffer BvhTriangles {
     BvhTriangle item[];
 } bvhTriangles;
-layout(scalar, set = 0, binding = 18) readonly buffer BvhInstances {
+layout(std430, set = 0, binding = 18) readonly buffer BvhInstances {
     BvhInstance item[];
 } bvhInstances;
 
@@ -50,7 +50,8 @@ Hit traverseBvh(Ray ray, bool any) {
         return hit;
     BvhRay current = makeBvhRay(ray.originWS, ray.directionWS);
     bool inInstance = false;
-    BvhInstance instance;
+    uint instanceNumber = kNoInstance;
+    uint instanceFlags = 0u;
     uvec2 stack[kBvhStackSize];
     uint height = 0u;
     uint instanceHeight = 0u; // of the stack when the instance was entered
@@ -75,7 +76,7 @@ Hit traverseBvh(Ray ray, bool any) {
             uint index = primitives.x + uint(findLSB(primitives.y));
             primitives.y &= primitives.y - 1u;
             if (!inInstance) {
-                instance = bvhInstances.item[index];
+                BvhInstance instance = bvhInstances.item[index];
                 if ((instance.maskAndFlags & ray.mask & 0xffu) == 0u)
                     continue;
                 if (nodes.y >= kFirstNodeBit)
@@ -84,6 +85,8 @@ Hit traverseBvh(Ray ray, bool any) {
                     stack[height++] = primitives;
                 inInstance = true;
                 instanceHeight = height;
+                instanceNumber = instance.number;
+                instanceFlags = instance.maskAndFlags;
                 // The translation first: near the instance little is lost by rounding, wherever in the world it is.
                 // The direction keeps its length in the world, so distances are the world's.
                 vec4 rows[3] = instance.worldToLocal;
@@ -102,13 +105,13 @@ Hit traverseBvh(Ray ray, bool any) {
             if (!met.met || !(met.distance > ray.tMin) || !(met.distance < hit.distance))
                 continue;
             if ((ray.flags & kRayCullBackFaces) != 0u && !met.frontFace &&
-                (instance.maskAndFlags & kBvhInstanceDoubleSided) == 0u)
+                (instanceFlags & kBvhInstanceDoubleSided) == 0u)
                 continue;
             uint primitive = numberAndAxis & ((1u << kBvhNormalAxisShift) - 1u);
-            bool ask = (ray.flags & kRayAllOpaque) == 0u && (instance.maskAndFlags & kBvhInstanceOpaque) == 0u;
-            if (ask && !rayMeetsSurface(instance.number, primitive, met.barycentrics))
+            bool ask = (ray.flags & kRayAllOpaque) == 0u && (instanceFlags & kBvhInstanceOpaque) == 0u;
+            if (ask && !rayMeetsSurface(instanceNumber, primitive, met.barycentrics))
                 continue;
-            hit = Hit(met.distance, instance.number, primitive, met.barycentrics, met.frontFace);
+            hit = Hit(met.distance, instanceNumber, primitive, met.barycentrics, met.frontFace);
             if (any)
                 return hit;
         }

@@ -86,13 +86,17 @@ Result<void> AccelerationStructure::allocate(Context& context, std::string name,
     return {};
 }
 
-void AccelerationStructure::recordBuild(VkCommandBuffer commands, Buffer& scratch, bool refit) const {
+void AccelerationStructure::recordBuild(VkCommandBuffer commands, Buffer& scratch, size_t scratchOffset,
+                                        bool refit) const {
     GLINT_ASSERT(!refit || (flags_ & VK_BUILD_ACCELERATION_STRUCTURE_ALLOW_UPDATE_BIT_KHR),
                  "refit of a structure that was not made for it");
+    GLINT_ASSERT(scratchOffset + scratchSize_ <= scratch.size(),
+                 "a build of {} bytes at {} of {} bytes of scratch memory", scratchSize_, scratchOffset,
+                 scratch.size());
     const VkDeviceSize alignment = context_->scratchAlignment();
     VkAccelerationStructureBuildGeometryInfoKHR info = buildInfo(geometry_);
     info.dstAccelerationStructure = handle_;
-    info.scratchData.deviceAddress = (scratch.address() + alignment - 1) / alignment * alignment;
+    info.scratchData.deviceAddress = (scratch.address() + scratchOffset + alignment - 1) / alignment * alignment;
     if (refit) {
         info.mode = VK_BUILD_ACCELERATION_STRUCTURE_MODE_UPDATE_KHR;
         info.srcAccelerationStructure = handle_;

@@ -50,7 +50,7 @@ private:
 
     Result<void> allocate(Context& context, std::string name, uint32_t primitives);
     VkAccelerationStructureBuildGeometryInfoKHR buildInfo(const VkAccelerationStructureGeometryKHR& geometry) const;
-    void recordBuild(VkCommandBuffer commands, Buffer& scratch, bool refit) const;
+    void recordBuild(VkCommandBuffer commands, Buffer& scratch, size_t scratchOffset, bool refit) const;
     void destroy();
     void swap(AccelerationStructure& other);
 

@@ -23,6 +23,11 @@ const char* Api::firstMissing() const {
         return "vk" #name;
     GLINT_VK_INSTANCE_FUNCTIONS(GLINT_VK_CHECK)
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_CHECK)
+    return nullptr;
+}
+
+const char* Api::firstMissingForRays() const {
+    GLINT_VK_RAY_FUNCTIONS(GLINT_VK_CHECK)
 #undef GLINT_VK_CHECK
     return nullptr;
 }

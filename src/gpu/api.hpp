@@ -54,8 +54,10 @@ struct Api {
 
     void loadInstance(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance);
     void loadDevice(VkDevice device);
-    /// The first function that `device` should offer but does not; null if all are there.
+    /// The first function that the device should offer but does not; null if all are there. Those of an extension that
+    /// nobody enabled are missing, too.
     const char* firstMissing() const;
+    const char* firstMissingForRays() const;
 };
 
 } // namespace glint::gpu

@@ -268,6 +268,10 @@ Result<void> Context::finish() {
                          "the device does not offer {}: it needs Vulkan 1.3 and VK_KHR_push_descriptor enabled",
                          missing);
 
+    if (const char* missing = api_.firstMissingForRays(); rayQuery_ && missing)
+        return makeError(ErrorCode::Unsupported, "ray queries are not enabled on the device: it does not offer {}",
+                         missing);
+
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);
     uint32_t count = 0;

@@ -157,25 +157,41 @@ void Frame::upload(Buffer& staging, Buffer& target) {
     context_.api().CmdCopyBuffer(commands_, staging.handle(), target.handle(), 1, &region);
 }
 
-void Frame::build(AccelerationStructure& structure, Buffer& scratch) {
-    buildFrom(structure, scratch, false);
+void Frame::build(std::span<AccelerationStructure* const> structures, Buffer& scratch) {
+    buildAll(structures, scratch, false);
 }
 
-void Frame::refit(AccelerationStructure& structure, Buffer& scratch) {
-    buildFrom(structure, scratch, true);
+void Frame::refit(std::span<AccelerationStructure* const> structures, Buffer& scratch) {
+    buildAll(structures, scratch, true);
 }
 
-void Frame::buildFrom(AccelerationStructure& structure, Buffer& scratch, bool refit) {
-    for (Buffer* input : structure.inputs())
-        use(*input, kBuildInput);
-    for (AccelerationStructure* bottom : structure.references())
-        use(bottom->storage(), kBuildReference);
-    use(structure.storage(), kBuildTarget);
-    use(scratch, kBuildTarget);
-    if (rehearsing())
-        return;
-    flushBarriers();
-    structure.recordBuild(commands_, scratch, refit);
+void Frame::buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit) {
+    while (!structures.empty()) {
+        size_t count = 0; // of those that share the scratch memory, each with a part of its own
+        for (size_t bytes = 0; count < structures.size(); ++count) {
+            bytes += structures[count]->scratchSize();
+            if (count > 0 && bytes > scratch.size())
+                break;
+        }
+        const auto batch = structures.first(count);
+        structures = structures.subspan(count);
+        for (AccelerationStructure* structure : batch) {
+            for (Buffer* input : structure->inputs())
+                use(*input, kBuildInput);
+            for (AccelerationStructure* bottom : structure->references())
+                use(bottom->storage(), kBuildReference);
+            use(structure->storage(), kBuildTarget);
+        }
+        use(scratch, kBuildTarget);
+        if (rehearsing())
+            continue;
+        flushBarriers();
+        size_t offset = 0;
+        for (const AccelerationStructure* structure : batch) {
+            structure->recordBuild(commands_, scratch, offset, refit);
+            offset += structure->scratchSize();
+        }
+    }
 }
 
 void Frame::fill(Buffer& buffer, uint32_t value) {

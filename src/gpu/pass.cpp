@@ -186,6 +186,10 @@ Pass& Pass::readWrite(std::string_view name, Buffer& buffer) {
     return *this;
 }
 
+bool Pass::rehearsing() const {
+    return frame_.rehearsing();
+}
+
 Pass& Pass::table(VkDescriptorSet set) {
     table_ = set;
     return *this;

@@ -59,6 +59,8 @@ public:
     Pass& readWrite(std::string_view name, Image& image, uint32_t mip = 0);
     Pass& readWrite(std::string_view name, Buffer& buffer);
 
+    bool rehearsing() const; ///< only checked, never run
+
     /// A texture table (gpu/texture_table.hpp) as set 1.
     Pass& table(VkDescriptorSet set);
     /// 32-bit indices for Draws::drawIndexed, made with INDEX_BUFFER usage.
@@ -154,10 +156,11 @@ public:
     void update(Buffer& buffer, const void* data, size_t size, size_t offset = 0);
     /// The whole of an upload buffer to the start of one made with TRANSFER_DST.
     void upload(Buffer& staging, Buffer& target);
-    /// Builds the acceleration structure from its inputs. `scratch` has at least buildScratchSize().
-    void build(AccelerationStructure& structure, Buffer& scratch);
-    /// Fits one that was made to be updated to its inputs' new content, the tree staying as it is.
-    void refit(AccelerationStructure& structure, Buffer& scratch);
+    /// Builds acceleration structures from their inputs, as many at once as `scratch` has room for; it has at least the
+    /// largest scratchSize(). They may not refer to each other.
+    void build(std::span<AccelerationStructure* const> structures, Buffer& scratch);
+    /// Fits such as were made to be updated to their inputs' new content, the trees staying as they are.
+    void refit(std::span<AccelerationStructure* const> structures, Buffer& scratch);
     /// A label and a GPU timer around what is not a pass.
     template <class Record>
     void scope(const std::string& name, Record&& record) {
@@ -191,7 +194,7 @@ private:
 
     void use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& use);
     void use(Buffer& buffer, const Use& use);
-    void buildFrom(AccelerationStructure& structure, Buffer& scratch, bool refit);
+    void buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit);
     void flushBarriers();
     void fail(std::string message);
     void beginScope(const std::string& name);

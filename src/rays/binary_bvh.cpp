@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
+#include <cmath>
+#include <future>
 
 namespace glint::rays {
 namespace {
 
-constexpr uint32_t kBins = 16;
+constexpr uint32_t kMostBins = 16;
+
+constexpr uint32_t kWorthAThread = 20000; ///< primitives: some ten milliseconds of work
+constexpr uint32_t kThreadedDepth = 5;    ///< at most 2^5 threads at once
 
 struct Reference {
     Bounds bounds;
@@ -28,84 +32,92 @@ struct BinScale {
     float low = 0;
     float perUnit = 0;
 
-    BinScale(const Bounds& centroids, int axis)
-        : low(centroids.low[axis]), perUnit(kBins / (centroids.high[axis] - centroids.low[axis])) {}
+    uint32_t bins = 0;
+
+    BinScale(const Bounds& centroids, int axis, uint32_t count)
+        : low(centroids.low[axis]), bins(std::min(kMostBins, 2 * count)) {
+        perUnit = static_cast<float>(bins) / (centroids.high[axis] - centroids.low[axis]);
+    }
+    /// No for extents of 0, and those so small that the scale overflows.
+    bool usable() const { return perUnit > 0 && std::isfinite(perUnit); }
     uint32_t binOf(const Reference& reference, int axis) const {
         const float place = (reference.bounds.center()[axis] - low) * perUnit;
-        return std::min(static_cast<uint32_t>(std::max(place, 0.0f)), kBins - 1);
+        return std::min(static_cast<uint32_t>(std::max(place, 0.0f)), bins - 1);
     }
 };
 
 class Builder {
 public:
-    Builder(std::span<const Bounds> boxes, uint32_t maxLeaf) : maxLeaf_(maxLeaf) {
+    explicit Builder(std::span<const Bounds> boxes) {
         references_.reserve(boxes.size());
         for (uint32_t i = 0; i < boxes.size(); ++i)
             references_.push_back({boxes[i], i});
     }
 
     BinaryBvh build(uint32_t maxHeight) {
-        bvh_.nodes.reserve(2 * references_.size() / maxLeaf_ + 1);
-        bvh_.nodes.emplace_back();
-        fill(0, 0, static_cast<uint32_t>(references_.size()), maxHeight);
-        bvh_.order.reserve(references_.size());
+        const auto count = static_cast<uint32_t>(references_.size());
+        bvh_.nodes.resize(count > 0 ? 2 * size_t{count} - 1 : 1); // down to single primitives
+        fill({0, 1, 0, count, maxHeight}, 0);
+        bvh_.order.reserve(count);
         for (const Reference& reference : references_)
             bvh_.order.push_back(reference.primitive);
         return std::move(bvh_);
     }
 
 private:
+    struct Subtree {
+        uint32_t root;
+        uint32_t nodes; ///< where the 2 * count - 2 others go
+        uint32_t first;
+        uint32_t count;
+        uint32_t maxHeight; ///< at most so many splits deep
+    };
+
     std::span<Reference> part(uint32_t first, uint32_t count) { return std::span(references_).subspan(first, count); }
 
-    /// Makes `node` of the references; its subtree gets at most `maxHeight` levels of splits.
-    void fill(uint32_t node, uint32_t first, uint32_t count, uint32_t maxHeight) {
+    /// Subtrees own their nodes and references, so large ones are built side by side; the result is the same.
+    void fill(const Subtree& tree, uint32_t depth) {
         Bounds bounds;
         Bounds centroids;
-        for (const Reference& reference : part(first, count)) {
+        for (const Reference& reference : part(tree.first, tree.count)) {
             bounds.add(reference.bounds);
             centroids.add(reference.bounds.center());
         }
-        bvh_.nodes[node].bounds = bounds;
-        const uint32_t left = leftCount(first, count, bounds, centroids, maxHeight);
-        if (left == 0) {
-            bvh_.nodes[node].first = first;
-            bvh_.nodes[node].count = count;
+        BinaryNode& node = bvh_.nodes[tree.root];
+        node = {bounds, 0, tree.first, tree.count, 0};
+        if (tree.count <= 1)
             return;
+        const uint32_t onLeft = sortIntoSides(tree.first, tree.count, centroids, tree.maxHeight);
+        node.left = tree.nodes;
+        const Subtree left = {node.left, node.left + 2, tree.first, onLeft, tree.maxHeight - 1};
+        const Subtree right = {node.left + 1, node.left + 2 * onLeft, tree.first + onLeft, tree.count - onLeft,
+                               tree.maxHeight - 1};
+        if (tree.count >= kWorthAThread && depth < kThreadedDepth) {
+            // Deferred where the system has no thread to give.
+            auto other = std::async(std::launch::async | std::launch::deferred, [&] { fill(left, depth + 1); });
+            fill(right, depth + 1);
+            other.get();
+        } else {
+            fill(left, depth + 1);
+            fill(right, depth + 1);
         }
-        const auto child = static_cast<uint32_t>(bvh_.nodes.size());
-        bvh_.nodes[node].left = child;
-        bvh_.nodes.resize(child + 2);
-        fill(child, first, left, maxHeight - 1);
-        fill(child + 1, first + left, count - left, maxHeight - 1);
-        bvh_.nodes[node].height = 1 + std::max(bvh_.nodes[child].height, bvh_.nodes[child + 1].height);
+        node.height = 1 + std::max(bvh_.nodes[left.root].height, bvh_.nodes[right.root].height);
     }
 
-    /// Sorts the references into two sides and returns the number on the left; 0: they are a leaf.
-    uint32_t leftCount(uint32_t first, uint32_t count, const Bounds& bounds, const Bounds& centroids,
-                       uint32_t maxHeight) {
-        if (count <= 1)
-            return 0;
+    /// Returns the number on the left.
+    uint32_t sortIntoSides(uint32_t first, uint32_t count, const Bounds& centroids, uint32_t maxHeight) {
         // Halving by number needs this many levels: with no more left, nothing else is allowed.
-        const uint32_t leaves = (count + maxLeaf_ - 1) / maxLeaf_;
-        if (static_cast<uint32_t>(std::bit_width(leaves - 1)) >= maxHeight)
-            return count <= maxLeaf_ ? 0 : halve(first, count, centroids);
+        if (count == 2 || static_cast<uint32_t>(std::bit_width(count - 1)) >= maxHeight)
+            return halve(first, count, centroids);
         const Split split = bestSplit(first, count, centroids);
-        if (count <= maxLeaf_) {
-            const float area = bounds.halfArea();
-            const float asLeaf = area * static_cast<float>(count);
-            if (split.axis < 0 || asLeaf <= split.cost + kNodeCost * area)
-                return 0;
-        }
         if (split.axis < 0)
             return halve(first, count, centroids);
-        const BinScale scale(centroids, split.axis);
+        const BinScale scale(centroids, split.axis, count);
         const std::span<Reference> all = part(first, count);
         const auto middle = std::partition(all.begin(), all.end(), [&](const Reference& reference) {
             return scale.binOf(reference, split.axis) < split.bin;
         });
-        const auto left = static_cast<uint32_t>(middle - all.begin());
-        GLINT_ASSERT(left > 0 && left < count, "a bin's split left a side empty");
-        return left;
+        return static_cast<uint32_t>(middle - all.begin());
     }
 
     Split bestSplit(uint32_t first, uint32_t count, const Bounds& centroids) {
@@ -113,33 +125,31 @@ private:
             Bounds bounds;
             uint32_t count = 0;
         };
-        std::array<std::array<Bin, kBins>, 3> bins;
-        std::array<bool, 3> usable = {};
-        std::array<BinScale, 3> scales = {BinScale(centroids, 0), BinScale(centroids, 1), BinScale(centroids, 2)};
-        for (int axis = 0; axis < 3; ++axis) // extents of 0, and those so small that the scale overflows
-            usable[axis] = centroids.high[axis] > centroids.low[axis] && std::isfinite(scales[axis].perUnit);
+        std::array<std::array<Bin, kMostBins>, 3> bins;
+        const std::array<BinScale, 3> scales = {BinScale(centroids, 0, count), BinScale(centroids, 1, count),
+                                                BinScale(centroids, 2, count)};
         for (const Reference& reference : part(first, count))
             for (int axis = 0; axis < 3; ++axis)
-                if (usable[axis]) {
+                if (scales[axis].usable()) {
                     Bin& bin = bins[axis][scales[axis].binOf(reference, axis)];
                     bin.bounds.add(reference.bounds);
                     ++bin.count;
                 }
         Split best;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!usable[axis])
+            if (!scales[axis].usable())
                 continue;
-            std::array<float, kBins> rightCost = {}; // of bins i to the last
+            std::array<float, kMostBins> rightCost = {}; // of bins i to the last
             Bounds side;
             uint32_t number = 0;
-            for (uint32_t i = kBins - 1; i > 0; --i) {
+            for (uint32_t i = scales[axis].bins - 1; i > 0; --i) {
                 side.add(bins[axis][i].bounds);
                 number += bins[axis][i].count;
                 rightCost[i] = side.halfArea() * static_cast<float>(number);
             }
             side = {};
             number = 0;
-            for (uint32_t i = 1; i < kBins; ++i) {
+            for (uint32_t i = 1; i < scales[axis].bins; ++i) {
                 side.add(bins[axis][i - 1].bounds);
                 number += bins[axis][i - 1].count;
                 const float cost = side.halfArea() * static_cast<float>(number) + rightCost[i];
@@ -155,32 +165,28 @@ private:
         const glm::vec3 size = centroids.high - centroids.low;
         const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
         const std::span<Reference> all = part(first, count);
-        // Whole leaves on the left, or the two sides together may need a leaf more than there is room for.
-        const uint32_t leaves = (count + maxLeaf_ - 1) / maxLeaf_;
-        const uint32_t left = leaves > 1 ? (leaves + 1) / 2 * maxLeaf_ : count / 2;
-        const uint32_t middle = std::min(left, count - 1);
+        const uint32_t middle = (count + 1) / 2;
         std::nth_element(all.begin(), all.begin() + middle, all.end(), [axis](const Reference& a, const Reference& b) {
             return a.bounds.center()[axis] < b.bounds.center()[axis];
         });
         return middle;
     }
 
-    uint32_t maxLeaf_;
     std::vector<Reference> references_;
     BinaryBvh bvh_;
 };
 
 } // namespace
 
-BinaryBvh buildBinaryBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t maxHeight) {
-    return Builder(boxes, maxLeaf).build(maxHeight);
+BinaryBvh buildBinaryBvh(std::span<const Bounds> boxes, uint32_t maxHeight) {
+    GLINT_ASSERT(boxes.size() <= uint64_t{1} << maxHeight, "{} primitives in {} levels", boxes.size(), maxHeight);
+    return Builder(boxes).build(maxHeight);
 }
 
 double sahCost(const BinaryBvh& bvh) {
     double cost = 0;
     for (const BinaryNode& node : bvh.nodes)
-        cost += static_cast<double>(node.bounds.halfArea()) *
-                (node.isLeaf() ? static_cast<double>(node.count) : static_cast<double>(kNodeCost));
+        cost += static_cast<double>(node.bounds.halfArea());
     const double whole = static_cast<double>(bvh.nodes.front().bounds.halfArea());
     return whole > 0 ? cost / whole : 0;
 }

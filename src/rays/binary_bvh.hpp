@@ -12,32 +12,29 @@ namespace glint::rays {
 struct BinaryNode {
     Bounds bounds;
     uint32_t left = 0;   ///< children at left and left + 1; 0: a leaf (the root is nobody's child)
-    uint32_t first = 0;  ///< leaf: its primitives in BinaryBvh::order
-    uint32_t count = 0;  ///< leaf: 0 only for an empty tree's root
+    uint32_t first = 0;  ///< the subtree's primitives in BinaryBvh::order
+    uint32_t count = 0;  ///< a leaf has one; 0 only for an empty tree's root
     uint32_t height = 0; ///< of the subtree; a leaf has 0
     bool isLeaf() const { return left == 0; }
 };
 
 struct BinaryBvh {
     std::vector<BinaryNode> nodes; ///< root first; children come after their parent
-    std::vector<uint32_t> order;   ///< every primitive once, leaf by leaf
+    std::vector<uint32_t> order;   ///< every primitive once
 };
 
-/// Cost of a node's box test over that of a primitive: what the heuristic weighs. Tuned: eight boxes are tested
-/// together.
-constexpr float kNodeCost = 0.6f;
-
-/// Builds top-down: splits go where the expected cost, area times primitives, is least among 16 bins on each axis.
-/// Where the allowed height is nearly used up it halves by number, which always fits. Wald 2007, "On Fast Construction
-/// of SAH-based Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing.
+/// Builds top-down to single primitives: splits go where the expected cost, area times primitives summed over both
+/// sides, is least among up to 16 bins on each axis. Where the allowed height is nearly used up it halves by number,
+/// which always fits. Wald 2007, "On Fast Construction of SAH-based Bounding Volume Hierarchies", IEEE Symposium on
+/// Interactive Ray Tracing.
 ///
 /// `boxes`      one a primitive, finite
-/// `maxLeaf`    most primitives in a leaf, > 0
-/// `maxHeight`  of the tree; maxLeaf * 2^maxHeight must be enough for all primitives
-/// Cost: O(n log n); about 0.8 s a million triangles on one core.
-BinaryBvh buildBinaryBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t maxHeight);
+/// `maxHeight`  of the tree; 2^maxHeight must be enough for all primitives
+/// Cost: O(n log n), large subtrees on threads of their own.
+BinaryBvh buildBinaryBvh(std::span<const Bounds> boxes, uint32_t maxHeight);
 
-/// The heuristic's cost of a tree: expected tests of a long random ray that meets the root's box.
+/// The heuristic's cost of a tree: expected tests of boxes and primitives of a long random ray that meets the root's
+/// box.
 double sahCost(const BinaryBvh& bvh);
 
 } // namespace glint::rays

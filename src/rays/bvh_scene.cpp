@@ -7,7 +7,7 @@
 namespace glint::rays {
 namespace {
 
-/// A fitted top level whose cost has grown by this much is built anew. Tuned: a rebuild costs about ten fittings.
+/// A fitted top level whose cost has grown by this factor is built anew.
 constexpr double kWornOut = 1.3;
 
 /// An empty buffer cannot exist; nobody reads the spare element.
@@ -101,11 +101,9 @@ Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshe
         scene.writeNodes(part, nodes + part.firstNode);
         scene.writeTriangles(part, triangles + part.firstTriangle);
         if (!part.mesh.deforms) {
-            const auto firstNode = part.firstNode;
-            Part rest;
-            rest.bounds = part.bounds;
-            rest.firstNode = firstNode;
-            part = std::move(rest);
+            part.mesh = {};
+            part.tree = {};
+            part.kept = {};
         }
     }
     return scene;
@@ -137,11 +135,10 @@ void BvhScene::fitTop() {
         present.push_back(i);
         boxes.push_back(boundsWS(*placement, part.bounds));
         shared::BvhInstance record = {};
-        const glm::mat4x3 worldToLocal(placement->worldToLocal);
+        const glm::mat3 rows(glm::transpose(placement->worldToLocal));
         const glm::vec3 originWS(placement->localToWorld[3]);
         for (int row = 0; row < 3; ++row)
-            record.worldToLocal[row] =
-                glm::vec4(worldToLocal[0][row], worldToLocal[1][row], worldToLocal[2][row], originWS[row]);
+            record.worldToLocal[row] = glm::vec4(rows[row], originWS[row]);
         record.rootNode = part.firstNode;
         record.number = i;
         record.maskAndFlags = instance.mask | (instance.opaque ? shared::kBvhInstanceOpaque : 0) |

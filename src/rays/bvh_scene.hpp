@@ -27,7 +27,8 @@ public:
 
 private:
     struct Part {
-        Mesh mesh; ///< triangles and positions are kept of meshes that deform only
+        // Once uploaded, these three are kept of meshes that deform only.
+        Mesh mesh;
         WideBvh tree;
         std::vector<uint32_t> kept; ///< by primitive of the tree: the triangle's number
         Bounds bounds;

@@ -13,17 +13,15 @@ std::optional<Placement> placementOf(const RayInstance& instance) {
     const glm::dmat3 linear(matrix);
     const glm::dmat3 inverse = glm::inverse(linear);
     const glm::dvec3 translation(matrix[3]);
-    const glm::dvec3 back = -(inverse * translation);
     const auto fits = [](const glm::dvec3& v) {
-        return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(static_cast<double>(kFarthest))));
+        return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(static_cast<double>(kFarthest)))); // no for NaN
     };
     for (int i = 0; i < 3; ++i)
         if (!fits(linear[i]) || !fits(inverse[i]))
             return std::nullopt;
-    if (!fits(translation) || !fits(back))
+    if (!fits(translation))
         return std::nullopt;
-    return Placement{glm::dmat4x3(linear[0], linear[1], linear[2], translation),
-                     glm::dmat4x3(inverse[0], inverse[1], inverse[2], back)};
+    return Placement{glm::dmat4x3(linear[0], linear[1], linear[2], translation), inverse};
 }
 
 Bounds boundsWS(const Placement& placement, const Bounds& local) {

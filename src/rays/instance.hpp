@@ -13,7 +13,7 @@ namespace glint::rays {
 
 struct Placement {
     glm::dmat4x3 localToWorld;
-    glm::dmat4x3 worldToLocal;
+    glm::dmat3 worldToLocal; ///< of directions; positions are first counted from the local origin
 };
 
 /// Nothing for a transform that is not finite or cannot be inverted: such an instance is met by no ray.

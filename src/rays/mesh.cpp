@@ -24,6 +24,9 @@ Result<Mesh> readMesh(const RayMesh& source, uint32_t number) {
         return invalidArgument("ray mesh {}: a stride of {} bytes, but a position has 12", number, source.vertexStride);
     if (source.indices.size() % 3 != 0)
         return invalidArgument("ray mesh {}: {} indices are no whole triangles", number, source.indices.size());
+    if (source.indices.size() / 3 > kMostTriangles)
+        return invalidArgument("ray mesh {}: {} triangles, at most {} can be had", number, source.indices.size() / 3,
+                               kMostTriangles);
     Mesh mesh;
     mesh.deforms = source.deforms;
     mesh.positions.reserve(source.vertexCount);

@@ -12,6 +12,9 @@ namespace glint::rays {
 /// Positions farther out than this, and NaN, are nowhere: squared distances still fit a float.
 constexpr float kFarthest = 1e18f;
 
+/// In a mesh: every device with ray queries takes so many (Vulkan 1.3, "Required Limits").
+constexpr size_t kMostTriangles = (size_t{1} << 29) - 1;
+
 struct Mesh {
     std::vector<glm::vec3> positions;  ///< all finite
     std::vector<glm::uvec3> triangles; ///< in the host's order; all below positions.size()

@@ -1,10 +1,14 @@
 #include "rays/query_scene.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <utility>
 
 namespace glint::rays {
 namespace {
+
+/// Bytes of scratch memory for meshes that are built side by side; a large mesh alone may need more.
+constexpr size_t kScratchForMany = size_t{32} << 20;
 
 VkAccelerationStructureInstanceKHR recordOf(const RayInstance& instance, const Placement& placement,
                                             VkDeviceAddress structure) {
@@ -59,6 +63,7 @@ Result<std::unique_ptr<QueryScene>> QueryScene::create(gpu::Context& context, st
     size_t firstVertex = 0;
     size_t firstTriangle = 0;
     size_t scratchBytes = 0;
+    size_t largest = 0;
     scene->parts_.reserve(meshes.size()); // the top level points at the structures in here
     for (size_t i = 0; i < meshes.size(); ++i) {
         Part& part = scene->parts_.emplace_back();
@@ -75,7 +80,8 @@ Result<std::unique_ptr<QueryScene>> QueryScene::create(gpu::Context& context, st
                                               static_cast<uint32_t>(part.mesh.triangles.size())};
             GLINT_TRY(structure, gpu::AccelerationStructure::bottom(context, "rays/mesh", range, part.mesh.deforms));
             part.structure = std::move(structure);
-            scratchBytes = std::max(scratchBytes, part.structure.scratchSize());
+            largest = std::max(largest, part.structure.scratchSize());
+            scratchBytes += part.structure.scratchSize();
         }
         firstVertex += part.mesh.positions.size();
         firstTriangle += part.mesh.triangles.size();
@@ -89,7 +95,8 @@ Result<std::unique_ptr<QueryScene>> QueryScene::create(gpu::Context& context, st
     GLINT_TRY(top, gpu::AccelerationStructure::top(context, "rays/scene", scene->instances_,
                                                    static_cast<uint32_t>(scene->records_.size()), std::move(bottoms)));
     scene->top_ = std::move(top);
-    scratchBytes = std::max(scratchBytes, scene->top_.scratchSize());
+    largest = std::max(largest, scene->top_.scratchSize());
+    scratchBytes = std::max(largest, std::min(scratchBytes, kScratchForMany));
     GLINT_CHECK(make(scene->scratch_, "rays/scratch", scratchBytes,
                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT, kDevice));
     return scene;
@@ -115,23 +122,21 @@ void QueryScene::record(gpu::Frame& frame) {
         frame.scope("rays/build", [&] {
             frame.upload(positionStaging_, positions_);
             frame.upload(indexStaging_, indices_);
-            for (Part& part : parts_)
-                if (part.structure)
-                    frame.build(part.structure, scratch_);
+            frame.build(top_.references(), scratch_);
         });
     frame.scope("rays/update", [&] {
         for (Part& part : parts_)
             if (part.deformed)
                 frame.update(positions_, part.mesh.positions.data(), part.mesh.positions.size() * sizeof(glm::vec3),
                              part.firstVertex * sizeof(glm::vec3));
+        std::vector<gpu::AccelerationStructure*> deformed;
         for (Part& part : parts_)
-            if (part.deformed) {
-                frame.refit(part.structure, scratch_);
-                part.deformed = false;
-            }
+            if (std::exchange(part.deformed, false))
+                deformed.push_back(&part.structure);
+        frame.refit(deformed, scratch_);
         if (topChanged_)
             frame.update(instances_, records_.data(), records_.size() * sizeof(records_.front()));
-        frame.build(top_, scratch_); // its boxes are those of the meshes, too
+        frame.build(std::array{&top_}, scratch_); // its boxes are those of the meshes, too
     });
     staged_ = anyDeformed_ = topChanged_ = false;
 }

@@ -1,10 +1,16 @@
 #include "rays/scene.hpp"
 
+#include "base/assert.hpp"
+
 #include <algorithm>
 #include <chrono>
 
 namespace glint::rays {
 namespace {
+
+/// Every device with ray queries takes so many (Vulkan 1.3, "Required Limits"), and the hierarchy's levels hold them.
+constexpr uint32_t kMostInstances = (1u << 24) - 1;
+static_assert(uint64_t{kMostInstances} <= uint64_t{1} << 3 * shared::kBvhTopLevels);
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -31,6 +37,9 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
     const bool query = desc.backend != RayBackend::Bvh && context.rayQuery();
     scene->backend_ = query ? RayBackend::Query : RayBackend::Bvh;
     scene->maxInstances_ = std::max(desc.maxInstances, static_cast<uint32_t>(desc.instances.size()));
+    if (scene->maxInstances_ > kMostInstances)
+        return invalidArgument("room for {} ray instances, at most {} can be had", scene->maxInstances_,
+                               kMostInstances);
     std::vector<Mesh> meshes;
     for (uint32_t i = 0; i < desc.meshes.size(); ++i) {
         GLINT_TRY(mesh, readMesh(desc.meshes[i], i));
@@ -86,6 +95,7 @@ void Scene::record(VkCommandBuffer commands) {
                 return;
             gpu::Frame frame(context_, commands, timers_.get());
             backend->record(frame);
+            recorded_ = true;
         },
         scene_);
 }
@@ -102,6 +112,7 @@ RaySceneTimes Scene::times() {
 }
 
 gpu::Pass& Scene::bind(gpu::Pass& pass) {
+    GLINT_ASSERT(recorded_ || pass.rehearsing(), "a ray scene is traced before it was recorded");
     std::visit([&](auto& backend) { backend->bind(pass); }, scene_);
     return pass;
 }

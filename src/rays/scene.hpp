@@ -39,6 +39,7 @@ private:
     std::vector<uint32_t> deformable_; ///< by mesh: its vertices if it deforms, else 0
     uint32_t maxInstances_ = 0;
     uint32_t instanceCount_ = 0;
+    bool recorded_ = false; ///< buffers hold a scene: a garbled one could keep a GPU busy for good
 };
 
 } // namespace glint::rays

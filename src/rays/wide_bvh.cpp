@@ -119,9 +119,81 @@ std::array<int, kSlots> assignSlots(std::span<const Bounds> children, const glm:
     return childAt;
 }
 
+/// The least cost of turning a binary subtree into at most i wide ones, for i up to 7, by dynamic programming from the
+/// leaves up. Ylitie, Karras and Laine 2017, section 3.1.
+class CollapseCosts {
+public:
+    CollapseCosts(const BinaryBvh& binary, uint32_t maxLeaf) : binary_(binary), maxLeaf_(maxLeaf) {
+        costs_.resize(binary.nodes.size());
+        for (size_t n = binary.nodes.size(); n-- > 0;) { // children come after their parents
+            const BinaryNode& node = binary.nodes[n];
+            std::array<float, kSlots - 1>& costs = costs_[n];
+            const float asLeaf = node.count <= maxLeaf ? leafCost(node) : std::numeric_limits<float>::infinity();
+            if (node.isLeaf()) {
+                costs.fill(asLeaf);
+                continue;
+            }
+            costs[0] = std::min(asLeaf, nodeCost(node));
+            for (uint32_t i = 2; i < kSlots; ++i)
+                costs[i - 1] = std::min(costs[i - 2], bestShare(node, i).cost);
+        }
+    }
+
+    bool isCheapestAsLeaf(const BinaryNode& node) const {
+        return node.count <= maxLeaf_ && (node.isLeaf() || leafCost(node) <= nodeCost(node));
+    }
+
+    /// The binary nodes that become the children of `root`.
+    void appendChildren(const BinaryNode& root, std::vector<uint32_t>& children) const {
+        appendShares(root, kSlots, children);
+    }
+
+private:
+    struct Share {
+        float cost = std::numeric_limits<float>::infinity();
+        uint32_t left = 1; ///< slots for the left child
+    };
+
+    float leafCost(const BinaryNode& node) const {
+        return node.bounds.halfArea() * static_cast<float>(node.count) * kPrimitiveCost;
+    }
+    float nodeCost(const BinaryNode& node) const {
+        return bestShare(node, kSlots).cost + node.bounds.halfArea() * kNodeCost;
+    }
+    /// The cheapest way to share `slots` between the two children.
+    Share bestShare(const BinaryNode& node, uint32_t slots) const {
+        Share best;
+        for (uint32_t left = 1; left < slots; ++left) {
+            const float cost = costs_[node.left][left - 1] + costs_[node.left + 1][slots - left - 1];
+            if (cost < best.cost)
+                best = {cost, left};
+        }
+        return best;
+    }
+    void appendShares(const BinaryNode& node, uint32_t slots, std::vector<uint32_t>& children) const {
+        const Share share = bestShare(node, slots);
+        append(node.left, share.left, children);
+        append(node.left + 1, slots - share.left, children);
+    }
+    void append(uint32_t index, uint32_t slots, std::vector<uint32_t>& children) const {
+        const std::array<float, kSlots - 1>& costs = costs_[index];
+        while (slots > 1 && !(costs[slots - 1] < costs[slots - 2]))
+            --slots; // more would not help
+        if (slots == 1)
+            children.push_back(index);
+        else
+            appendShares(binary_.nodes[index], slots, children);
+    }
+
+    const BinaryBvh& binary_;
+    uint32_t maxLeaf_;
+    std::vector<std::array<float, kSlots - 1>> costs_;
+};
+
 class Collapse {
 public:
-    Collapse(const BinaryBvh& binary, WideBvh& wide) : binary_(binary), wide_(wide) {}
+    Collapse(const BinaryBvh& binary, uint32_t maxLeaf, WideBvh& wide)
+        : binary_(binary), costs_(binary, maxLeaf), maxLeaf_(maxLeaf), wide_(wide) {}
 
     void run(uint32_t maxLevels) {
         wide_.nodes.resize(1);
@@ -131,39 +203,38 @@ public:
     }
 
 private:
-    /// The binary nodes that become the children. The one with the largest box is opened first, for rays come there
-    /// most. A subtree whose height three binary levels to a wide one would not fit below is opened before: with height
-    /// <= 3 * levels all such lie in the first three binary levels, which eight children hold.
-    std::vector<uint32_t> chooseChildren(uint32_t root, uint32_t levels) const {
-        std::vector<uint32_t> children = {root};
-        while (children.size() < kSlots) {
-            int open = -1;
-            float largest = -1;
-            for (size_t i = 0; i < children.size(); ++i) {
-                const BinaryNode& node = binary_.nodes[children[i]];
-                if (node.isLeaf())
-                    continue;
-                const bool tooHigh = node.height > 3 * (levels - 1);
-                const float weight = tooHigh ? std::numeric_limits<float>::infinity() : node.bounds.halfArea();
-                if (weight > largest) {
-                    largest = weight;
-                    open = static_cast<int>(i);
-                }
-            }
-            if (open < 0)
-                break;
-            const uint32_t left = binary_.nodes[children[open]].left;
-            children[open] = left;
-            children.push_back(left + 1);
-        }
+    /// Three binary levels to a wide one: a subtree of at most this height fits below whatever is chosen.
+    static uint32_t heightFor(uint32_t levels) { return 3 * levels; }
+
+    std::vector<uint32_t> chooseChildren(uint32_t index, uint32_t levels) const {
+        const BinaryNode& root = binary_.nodes[index];
+        if (root.isLeaf())
+            return {index};
+        std::vector<uint32_t> children;
+        if (root.height <= heightFor(levels - 1))
+            costs_.appendChildren(root, children);
+        else
+            openTheHighest(index, heightFor(levels - 1), children);
         return children;
+    }
+
+    /// Where levels are scarce: every subtree higher than `most` is opened. With a root of at most most + 3 all of them
+    /// lie in its first three levels, so eight children hold what remains.
+    void openTheHighest(uint32_t index, uint32_t most, std::vector<uint32_t>& children) const {
+        const BinaryNode& node = binary_.nodes[index];
+        if (node.height <= most || node.count <= maxLeaf_) {
+            children.push_back(index);
+            return;
+        }
+        openTheHighest(node.left, most, children);
+        openTheHighest(node.left + 1, most, children);
     }
 
     void fill(uint32_t wideNode, uint32_t binaryNode, uint32_t levels, uint32_t level) {
         GLINT_ASSERT(levels > 0, "the wide hierarchy grew deeper than its stack");
         wide_.levels = std::max(wide_.levels, level);
         const BinaryNode& root = binary_.nodes[binaryNode];
-        if (root.isLeaf() && root.count == 0) {
+        if (root.count == 0) {
             wide_.nodes[wideNode] = {};
             quantize(wide_.nodes[wideNode], {}, {});
             return;
@@ -185,7 +256,7 @@ private:
             const uint32_t index = children[childAt[slot]];
             const BinaryNode& child = binary_.nodes[index];
             slots[slot] = child.bounds;
-            if (child.isLeaf()) {
+            if (child.count <= maxLeaf_ && (levels == 1 || costs_.isCheapestAsLeaf(child))) {
                 const uint32_t offset = static_cast<uint32_t>(wide_.order.size()) - node.words[1].y;
                 setByte(node.words[1], 2, slot, ((1u << child.count) - 1) << 5 | offset);
                 const auto first = binary_.order.begin() + child.first;
@@ -206,6 +277,8 @@ private:
     }
 
     const BinaryBvh& binary_;
+    CollapseCosts costs_;
+    uint32_t maxLeaf_;
     WideBvh& wide_;
 };
 
@@ -234,8 +307,8 @@ void visitSlots(const WideBvh& bvh, size_t index, std::span<const Bounds> boxes,
 WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t maxLevels) {
     GLINT_ASSERT(maxLeaf >= 1 && maxLeaf <= shared::kBvhPrimitivesPerSlot, "{} primitives a slot", maxLeaf);
     WideBvh wide;
-    const BinaryBvh binary = buildBinaryBvh(boxes, maxLeaf, 3 * maxLevels);
-    Collapse(binary, wide).run(maxLevels);
+    const BinaryBvh binary = buildBinaryBvh(boxes, 3 * maxLevels);
+    Collapse(binary, maxLeaf, wide).run(maxLevels);
     return wide;
 }
 
@@ -257,7 +330,7 @@ double sahCost(const WideBvh& bvh, std::span<const Bounds> boxes) {
     for (size_t i = 0; i < bvh.nodes.size(); ++i) {
         cost += static_cast<double>(kNodeCost) * static_cast<double>(bvh.bounds[i].halfArea());
         visitSlots(bvh, i, boxes, [&](uint32_t, const Bounds& box, uint32_t primitives) {
-            cost += static_cast<double>(box.halfArea()) * primitives;
+            cost += static_cast<double>(kPrimitiveCost) * static_cast<double>(box.halfArea()) * primitives;
         });
     }
     const double whole = static_cast<double>(bvh.bounds.front().halfArea());

@@ -14,8 +14,12 @@ struct WideBvh {
     uint32_t levels = 0;                ///< of nodes
 };
 
+/// Cost of testing a node's eight boxes and of a primitive: what collapsing weighs.
+constexpr float kNodeCost = 1;
+constexpr float kPrimitiveCost = 0.5f;
+
 /// Builds over `boxes` (one a primitive, finite) with at most `maxLeaf` (1 to kBvhPrimitivesPerSlot) primitives a slot
-/// and at most `maxLevels` levels of nodes. Without boxes: one node without children.
+/// and at most `maxLevels` levels of nodes; 8^maxLevels must be enough. Without boxes: one node without children.
 WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t maxLevels);
 
 /// Fits all boxes of the tree to the moved primitives; `boxes` as in buildWideBvh. Cost: O(n).

@@ -1,6 +1,5 @@
 // RayScene: both back ends find what an oracle finds that tries every triangle in double precision.
 #include "gpu/support/ray_test.hpp"
-#include "gpu/support/test_shaders.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -26,14 +25,6 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Backends, RaySceneTest, testing::Values(RayBackend::Query, RayBackend::Bvh),
                          [](const auto& backend) { return backend.param == RayBackend::Query ? "query" : "bvh"; });
-
-/// One triangle that faces +Z.
-TestScene oneTriangle() {
-    TestScene scene;
-    scene.meshes.emplace_back().addTriangle({-1, -1, -2}, {3, -1, -2}, {-1, 3, -2});
-    scene.instances.emplace_back();
-    return scene;
-}
 
 TEST_P(RaySceneTest, oneTriangleIsMetWhereItIs) {
     const std::vector<TestHit> hits =
@@ -162,6 +153,19 @@ TEST_P(RaySceneTest, randomScenesAreAnsweredAsByTheOracle) {
         EXPECT_GT(result.judged, rays.size() * 9 / 10) << "scale " << scale;
         EXPECT_GT(result.met, rays.size() / 10) << "scale " << scale;
         EXPECT_EQ(result.wrong, 0u) << "scale " << scale << ", of " << result.judged << ": " << result.first;
+    }
+}
+
+TEST_P(RaySceneTest, instancesMayBeOfAnySize) {
+    for (const float scale : {1e-3f, 1e3f}) {
+        TestScene scene = randomScene(27, 1);
+        for (RayInstance& instance : scene.instances)
+            for (int i = 0; i < 15; ++i)
+                instance.localToWorld[static_cast<size_t>(i)] *= scale;
+        const std::vector<TestRay> rays = randomRays(28, 3000, scale);
+        const Disagreement result = disagreement(scene, rays, trace(scene, rays));
+        EXPECT_GT(result.judged, rays.size() * 9 / 10) << "scale " << scale;
+        EXPECT_EQ(result.wrong, 0u) << "scale " << scale << ": " << result.first;
     }
 }
 
@@ -297,6 +301,10 @@ TEST_P(RaySceneTest, wrongListsAreRefusedWithTheirPlace) {
     scene.instances[0].mesh = 1;
     EXPECT_EQ(refusal(scene), "ray instance 0 is of mesh 1, the scene has 1");
 
+    const auto tooMany = rays::Scene::create(gpu(), {.maxInstances = 1u << 24, .backend = GetParam()});
+    ASSERT_FALSE(tooMany);
+    EXPECT_EQ(tooMany.error().message, "room for 16777216 ray instances, at most 16777215 can be had");
+
     const std::unique_ptr<rays::Scene> good = build(oneTriangle(), 2);
     EXPECT_TRUE(good->setInstances(std::vector<RayInstance>(2)));
     EXPECT_FALSE(good->setInstances(std::vector<RayInstance>(3)));
@@ -384,97 +392,6 @@ TEST_P(RaySceneTest, nothingIsRecordedWhenNothingChanged) {
     }
     EXPECT_TRUE(traceRays(gpu(), *scene, {TestRay{}})[0].met());
     EXPECT_EQ(scene->times().gpuUpdateMs, first.gpuUpdateMs);
-}
-
-// ---------------------------------------------------------------- devices without ray queries
-
-class WithoutRayQuery : public testing::Test {
-protected:
-    void SetUp() override {
-        context_ = must(gpu::Context::create({.device = {}, .validation = true, .rayQuery = false}));
-        context_->addShaders(gpu::shaders::test());
-    }
-    void TearDown() override {
-        for (const std::string& message : context_->validationMessages())
-            ADD_FAILURE() << "validation: " << message;
-    }
-    std::unique_ptr<gpu::Context> context_;
-};
-
-TEST_F(WithoutRayQuery, autoTakesTheHierarchyAndItWorks) {
-    const std::unique_ptr<rays::Scene> scene = oneTriangle().build(*context_, RayBackend::Auto);
-    EXPECT_EQ(scene->backend(), RayBackend::Bvh);
-    EXPECT_TRUE(traceRays(*context_, *scene, {TestRay{}})[0].met());
-}
-
-TEST_F(WithoutRayQuery, queriesAreRefused) {
-    const auto scene = rays::Scene::create(*context_, {.backend = RayBackend::Query});
-    ASSERT_FALSE(scene);
-    EXPECT_EQ(scene.error().code, ErrorCode::Unsupported);
-    const auto pipeline = gpu::Pipeline::compute(*context_, {"ray_query", 0, {}});
-    ASSERT_FALSE(pipeline);
-    EXPECT_EQ(pipeline.error().code, ErrorCode::Unsupported);
-    EXPECT_NE(pipeline.error().message.find("ray_query traces by ray queries"), std::string::npos)
-        << pipeline.error().message;
-}
-
-// ---------------------------------------------------------------- barriers
-
-class AccelerationStructureTest : public GpuTest {};
-
-/// The packaged validation layer does not see these hazards: what the tracker was told is looked at here.
-TEST_F(AccelerationStructureTest, aPassReadsTheTopLevelAndEveryBottomLevelBelowIt) {
-    if (!gpu().rayQuery())
-        GTEST_SKIP() << "no ray queries on " << gpu().info().name;
-    const std::vector<glm::vec3> vertices = {{-1, -1, -2}, {3, -1, -2}, {-1, 3, -2}};
-    const std::vector<uint32_t> triangle = {0, 1, 2};
-    gpu::Buffer positions = must(gpu::uploadBuffer(gpu(), "test/positions", vertices, gpu::kBuildInputUsage));
-    gpu::Buffer indices = must(gpu::uploadBuffer(gpu(), "test/indices", triangle, gpu::kBuildInputUsage));
-    const gpu::TriangleRange range = {&positions, 0, 3, &indices, 0, 1};
-    gpu::AccelerationStructure bottom = must(gpu::AccelerationStructure::bottom(gpu(), "test/bottom", range, true));
-    VkAccelerationStructureInstanceKHR record = {};
-    for (int i = 0; i < 3; ++i)
-        record.transform.matrix[i][i] = 1;
-    record.mask = 0xff;
-    record.accelerationStructureReference = bottom.address();
-    gpu::Buffer instances =
-        must(gpu::uploadBuffer(gpu(), "test/instances", std::vector{record}, gpu::kBuildInputUsage));
-    gpu::AccelerationStructure top = must(gpu::AccelerationStructure::top(gpu(), "test/top", instances, 1, {&bottom}));
-    gpu::Buffer scratch =
-        must(gpu::Buffer::create(gpu(), {"test/scratch", std::max(bottom.scratchSize(), top.scratchSize()),
-                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
-                                         gpu::BufferHome::Device}));
-    gpu::Buffer rays =
-        must(gpu::uploadBuffer(gpu(), "test/rays", std::vector<TestRay>(1), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
-    gpu::Buffer hits = must(gpu::Buffer::create(
-        gpu(), {"test/hits", sizeof(TestHit), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Device}));
-    const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"ray_query", 0, {}}));
-
-    constexpr VkPipelineStageFlags2 kBuild = VK_PIPELINE_STAGE_2_ACCELERATION_STRUCTURE_BUILD_BIT_KHR;
-    constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
-    run([&](VkCommandBuffer commands) {
-        gpu::Frame frame(gpu(), commands);
-        frame.build(bottom, scratch);
-        EXPECT_EQ(positions.state().readStages, kBuild);
-        EXPECT_EQ(indices.state().readStages, kBuild);
-        EXPECT_EQ(bottom.storage().state().writeStages, kBuild);
-        EXPECT_EQ(scratch.state().writeStages, kBuild);
-        frame.build(top, scratch);
-        EXPECT_EQ(bottom.storage().state().readStages, kBuild);
-        EXPECT_EQ(instances.state().readStages, kBuild);
-        frame.pass(pipeline).read("scene", top).read("rays", rays).write("hits", hits).dispatch(1);
-        for (gpu::AccelerationStructure* structure : {&top, &bottom}) {
-            EXPECT_TRUE(structure->storage().state().readStages & kCompute);
-            EXPECT_TRUE(structure->storage().state().readAccess & VK_ACCESS_2_ACCELERATION_STRUCTURE_READ_BIT_KHR);
-        }
-        frame.refit(bottom, scratch);
-        EXPECT_EQ(bottom.storage().state().readStages, 0u) << "a write again, behind the shader's reads";
-    });
-    gpu::Frame rehearsal = gpu::Frame::rehearsal(gpu());
-    rehearsal.pass(pipeline).read("scene", rays).read("rays", rays).write("hits", hits).dispatch(1);
-    ASSERT_FALSE(rehearsal.firstError());
-    EXPECT_EQ(rehearsal.firstError().error().message,
-              "ray_query: 'scene' is declared for read as an acceleration structure, but bound for read as a buffer");
 }
 
 } // namespace

@@ -23,6 +23,13 @@ std::unique_ptr<rays::Scene> TestScene::build(gpu::Context& context, RayBackend 
     return must(rays::Scene::create(context, {views, instances, maxInstances, backend}));
 }
 
+TestScene oneTriangle() {
+    TestScene scene;
+    scene.meshes.emplace_back().addTriangle({-1, -1, -2}, {3, -1, -2}, {-1, 3, -2});
+    scene.instances.emplace_back();
+    return scene;
+}
+
 std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays,
                                double* milliseconds) {
     const std::unique_ptr<gpu::Timers> timers = must(gpu::Timers::create(context));

@@ -50,6 +50,9 @@ struct TestScene {
     std::unique_ptr<rays::Scene> build(gpu::Context& context, RayBackend backend, uint32_t maxInstances = 0) const;
 };
 
+/// One triangle at z = -2 that faces +Z; the default TestRay meets it.
+TestScene oneTriangle();
+
 /// Records what is pending and traces; frees the staging memory on the way. `milliseconds`: of the GPU, for both the
 /// nearest hits and the occlusions; 0 without timestamps.
 std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays,

@@ -170,20 +170,20 @@ TEST(WideBvh, refitMovesEveryBox) {
     EXPECT_GT(sahCost(bvh, moved), 3 * before) << "a tree of other places is a bad one, and says so";
 }
 
-/// Halving by number along the longest axis down to the same leaves.
+/// Halving by number along the longest axis.
 double medianSplitCost(std::vector<Bounds> boxes, size_t first, size_t count, const Bounds& root) {
     Bounds bounds;
     for (size_t i = first; i < first + count; ++i)
         bounds.add(boxes[i]);
     const double share = static_cast<double>(bounds.halfArea()) / static_cast<double>(root.halfArea());
-    if (count <= 3)
-        return share * static_cast<double>(count);
+    if (count == 1)
+        return share;
     const glm::vec3 size = bounds.high - bounds.low;
     const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     std::vector<Bounds> part(boxes.begin() + first, boxes.begin() + first + count);
     std::sort(part.begin(), part.end(),
               [axis](const Bounds& a, const Bounds& b) { return a.center()[axis] < b.center()[axis]; });
-    return share * static_cast<double>(kNodeCost) + medianSplitCost(part, 0, count / 2, root) +
+    return share + medianSplitCost(part, 0, count / 2, root) +
            medianSplitCost(part, count / 2, count - count / 2, root);
 }
 
@@ -198,7 +198,7 @@ TEST(BinaryBvh, costsLessThanHalvingByNumber) {
             crowded.push_back(box);
         }
     for (const auto& [boxes, factor] : {std::pair{randomBoxes(20, 4000), 1.0}, std::pair{crowded, 0.8}}) {
-        const BinaryBvh bvh = buildBinaryBvh(boxes, 3, 48);
+        const BinaryBvh bvh = buildBinaryBvh(boxes, 48);
         const double median = medianSplitCost(boxes, 0, boxes.size(), bvh.nodes.front().bounds);
         EXPECT_LT(sahCost(bvh), factor * median);
     }
