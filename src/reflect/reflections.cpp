@@ -188,7 +188,7 @@ void Reflections::State::note() {
         notes.emplace_back(
             "no fallbackSpecular: reflections are added to litRadiance, as nothing says which part of it "
             "they replace");
-    if (wantsBackFaces() && !gbuffer.backDepth)
+    if (frame->desc.settings.screen.enabled && wantsBackFaces() && !gbuffer.backDepth)
         notes.emplace_back("no backDepth: screen.thicknessMode backface takes every surface to be as thick as "
                            "screen.thickness says");
 }

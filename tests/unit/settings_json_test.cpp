@@ -89,7 +89,7 @@ TEST(Presets, AllAreValidAndStartFromTheDefaults) {
         const auto done = applyPreset(settings, name);
         ASSERT_TRUE(done.ok()) << done.error().message;
         EXPECT_TRUE(validate(settings).ok()) << name;
-        EXPECT_EQ(settings.screen.enabled, name != "ray-query") << name;
+        EXPECT_EQ(settings.screen.enabled, name != "ray-query" && name != "reference") << name;
         EXPECT_LE(settings.screen.selfCollisionSkip, 1) << name;
     }
 }
@@ -105,7 +105,7 @@ TEST(Presets, AnUnknownNameListsThem) {
     const auto done = applyPreset(settings, "babylom");
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().message, "unknown preset 'babylom'; there are babylon, balanced, compute-ssr, fast, hdrp, "
-                                    "quality and ray-query");
+                                    "quality, ray-query and reference");
 }
 
 TEST(Presets, FileBeatsPresetAndSetBeatsFile) {
