@@ -209,6 +209,8 @@ void FrameState::traceScene(gpu::Frame& frame) {
     gpu::Image& diffuse = inputs.environmentDiffuse ? inputs.environmentDiffuse : blackCube;
     raysSource->record(frame, desc.settings,
                        {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
+                        traced.rayRecord, resolvesMaterial() ? prepared.material : inputs.material, inputs.litRadiance,
+                        inputs.fallbackSpecular ? inputs.fallbackSpecular : black,
                         static_cast<bool>(inputs.environment), environment,
                         static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
 }
@@ -240,6 +242,7 @@ gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeli
         .read("surface", prepared.surface)
         .read("radianceWeight", *denoised.answer)
         .read("raysAnswer", usesRays() ? raysSource->answer() : black)
+        .read("raysRecord", usesRays() ? raysSource->rayRecord() : traced.rayRecord)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
@@ -470,7 +473,8 @@ Result<void> FrameState::giveScene() {
         GLINT_CHECK(raysSource->setScene(*rayScene, shadeHits));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black, false});
+                       {frameConstants, prepared, nullptr, traced.rayRecord, black, black, black, false, blackCube,
+                        false, blackCube, dfg, black, false});
     return frame.firstError();
 }
 
