@@ -113,13 +113,14 @@ struct JobSession::State {
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
-        GLINT_CHECK(resizeGBuffer());
         parameters_.camera = inputs_.camera;
 
         const gpu::AdoptedDevice handles = context_.handles();
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
                                            handles.queueFamily, handles.getInstanceProcAddr, handles.rayQuery}));
         library_ = std::make_unique<Context>(std::move(library));
+        GLINT_CHECK(makeRayWorld());
+        GLINT_CHECK(resizeGBuffer());
         GLINT_TRY(timers, gpu::Timers::create(context_));
         timers_ = std::move(timers);
         GLINT_CHECK(makeReflections());
@@ -128,6 +129,7 @@ struct JobSession::State {
 
     Result<void> setSettings(const ProgramSettings& settings) {
         job_.settings = settings;
+        GLINT_CHECK(makeRayWorld());
         GLINT_CHECK(renderer_->setSettings(settings.render));
         GLINT_CHECK(resizeGBuffer());
         passTimes_.clear();
@@ -154,24 +156,26 @@ struct JobSession::State {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true, job_.inspect.has_value()}));
         reflections_ = std::make_unique<Reflections>(std::move(reflections));
-        return makeRayWorld();
+        if (!job_.settings.reflections.rays.enabled)
+            return {};
+        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
+        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
     }
 
-    /// As soon as the settings ask for rays, and anew for another back end.
+    /// As soon as the settings ask for rays, to reflect or for shadows, and anew for another back end.
     Result<void> makeRayWorld() {
         const RaysSettings& settings = job_.settings.reflections.rays;
-        if (!settings.enabled)
+        if (!settings.enabled && job_.settings.render.lights.shadows != ShadowMode::Rays)
             return {};
         if (!rayWorld_ || settings.backend != rayBackend_) {
-            GLINT_TRY(world, RayWorld::create(*library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
+            GLINT_TRY(world, RayWorld::create(context_, *library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
                                               renderer_->lights(), settings.backend));
             rayWorld_ = std::make_unique<RayWorld>(std::move(world));
             rayBackend_ = settings.backend;
             GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
             rayWorld_->releaseStaging();
         }
-        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
-        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
+        return renderer_->setRayWorld(rayWorld_.get());
     }
 
     Result<void> makeTargets() {
