@@ -19,6 +19,8 @@ namespace {
 struct CompareOptions {
     RenderOptions scene;
     std::vector<std::string> configs;
+    std::string reference;
+    int referenceFrames = 0; ///< 0: chosen by makeReference
     std::string report;
     std::string json;
 };
@@ -33,6 +35,16 @@ Result<std::vector<ComparedConfig>> makeConfigs(const CompareOptions& options) {
     return configs;
 }
 
+/// One frame, or enough for the samples of preset `reference` to settle where the settings average over frames.
+Result<std::optional<ComparedConfig>> makeReference(const CompareOptions& options) {
+    if (options.reference.empty())
+        return std::optional<ComparedConfig>();
+    GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, options.reference));
+    const bool accumulates = job.settings.reflections.rays.enabled && job.settings.reflections.rays.accumulate;
+    job.frames = static_cast<uint32_t>(options.referenceFrames > 0 ? options.referenceFrames : accumulates ? 16 : 1);
+    return std::optional<ComparedConfig>(ComparedConfig{options.reference, std::move(job)});
+}
+
 Result<void> checkOutputs(const CompareOptions& options) {
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(checkFolder("--json", options.json));
@@ -42,6 +54,8 @@ Result<void> checkOutputs(const CompareOptions& options) {
         return invalidArgument("--report {}: this is a file, not a folder", printable(options.report));
     if (options.scene.frames < 1 || options.scene.frames > 10000)
         return invalidArgument("--frames {}: expected 1 to 10000", options.scene.frames);
+    if (options.referenceFrames < 0 || options.referenceFrames > 100000)
+        return invalidArgument("--reference-frames {}: expected 1 to 100000", options.referenceFrames);
     return {};
 }
 
@@ -53,8 +67,10 @@ void showProgress(const std::string& config) {
 Result<void> compare(const CompareOptions& options) {
     GLINT_CHECK(checkOutputs(options));
     GLINT_TRY(configs, makeConfigs(options));
+    GLINT_TRY(reference, makeReference(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(comparison, compareConfigs(*context, configs, static_cast<uint32_t>(options.scene.frames), showProgress));
+    GLINT_TRY(comparison,
+              compareConfigs(*context, configs, reference, static_cast<uint32_t>(options.scene.frames), showProgress));
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());
@@ -79,6 +95,10 @@ void addCompareCommand(CLI::App& program, Command& chosen) {
     command->add_option("--size", options->scene.size,
                         "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
     command->add_option("--frames", options->scene.frames, "Frames to time for each config")->capture_default_str();
+    command->add_option("--reference", options->reference,
+                        "Hold the pictures against this config's: preset reference, say");
+    command->add_option("--reference-frames", options->referenceFrames,
+                        "Frames of the reference (default: 1, or 16 where it averages over frames)");
     command->add_option("--report", options->report, "Folder for pictures and index.html");
     command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });

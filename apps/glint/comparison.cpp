@@ -2,12 +2,18 @@
 
 #include "hits_report.hpp"
 #include "measure/floor_pass.hpp"
+#include "measure/image_error.hpp"
 #include "measure/ray_oracle.hpp"
 #include "render/run_job.hpp"
 #include "render/views.hpp"
 
+#include <algorithm>
+
 namespace glint::cli {
 namespace {
+
+/// Of mirrors whose reflection is no wider than a pixel or so.
+constexpr float kMirrorRoughness = 0.01f;
 
 /// The truth of a G-buffer, kept while settings leave that as it is.
 class TruthKeeper {
@@ -39,8 +45,8 @@ private:
 class Comparer {
 public:
     Comparer(gpu::Context& context, render::JobSession session, const std::vector<ComparedConfig>& configs,
-             uint32_t frames)
-        : context_(context), session_(std::move(session)), configs_(configs), frames_(frames) {}
+             const std::optional<ComparedConfig>& reference, uint32_t frames)
+        : context_(context), session_(std::move(session)), configs_(configs), reference_(reference), frames_(frames) {}
 
     Result<Comparison> run(const std::function<void(const std::string&)>& progress) {
         result_.scene = configs_.front().job.scene;
@@ -52,6 +58,11 @@ public:
         makeExactPicture();
         GLINT_TRY(floor, measure::FloorPass::create(context_, result_.width, result_.height));
         floor_ = std::move(floor);
+        if (reference_) {
+            if (progress)
+                progress(reference_->name);
+            GLINT_CHECK(drawReference());
+        }
         for (const ComparedConfig& config : configs_) {
             if (progress)
                 progress(config.name);
@@ -82,6 +93,31 @@ private:
             result_.noExact = exact.error().message;
     }
 
+    Result<void> drawReference() {
+        result_.reference = reference_->name;
+        GLINT_CHECK(session_.setSettings(reference_->job.settings));
+        for (uint32_t frame = 0; frame < reference_->job.frames; ++frame)
+            GLINT_CHECK(session_.renderFrame(frame));
+        GLINT_TRY(picture, session_.readView("composite"));
+        GLINT_TRY(roughness, session_.readView("roughness"));
+        GLINT_TRY(reflectivity, session_.readView("reflectivity"));
+        referencePicture_ = std::move(picture.rgba);
+        mirrors_.clear();
+        for (size_t i = 0; i < referencePicture_.size(); i += 4)
+            mirrors_.push_back(reflectivity.rgba[i] > 0 && roughness.rgba[i] <= kMirrorRoughness);
+        return {};
+    }
+
+    ReferenceError errorOf(const std::vector<float>& picture) const {
+        ReferenceError error;
+        error.psnr = measure::psnr(referencePicture_, picture);
+        error.psnrMirrors = measure::psnr(referencePicture_, picture, mirrors_);
+        error.relativeMse = measure::relativeMse(referencePicture_, picture);
+        error.relativeMseMirrors = measure::relativeMse(referencePicture_, picture, mirrors_);
+        error.mirrorPixels = static_cast<uint64_t>(std::ranges::count(mirrors_, uint8_t{1}));
+        return error;
+    }
+
     /// The whole frame once, then the effect alone; last the whole frame again, which is the one to look at.
     Result<void> timeFrames(ConfigFigures& figures) {
         render::FramePlan effect;
@@ -103,6 +139,8 @@ private:
         figures.composite = std::move(composite.rgb8);
         if (exact_)
             figures.exact = measure::compareMirrors(*exact_, composite.rgba);
+        if (reference_)
+            figures.reference = errorOf(composite.rgba);
         GLINT_TRY(outcome, session_.readView("outcome"));
         figures.outcome = render::displayBytes(render::ViewKind::Fraction, outcome.rgba);
         figures.stats = session_.stats();
@@ -128,22 +166,26 @@ private:
     gpu::Context& context_;
     render::JobSession session_;
     const std::vector<ComparedConfig>& configs_;
+    const std::optional<ComparedConfig>& reference_;
     uint32_t frames_;
     measure::FloorPass floor_;
     std::optional<measure::ExactPicture> exact_;
     TruthKeeper truth_;
+    std::vector<float> referencePicture_; ///< linear radiance, four floats a pixel
+    std::vector<uint8_t> mirrors_;        ///< of its pixels
     Comparison result_;
 };
 
 } // namespace
 
-Result<Comparison> compareConfigs(gpu::Context& context, const std::vector<ComparedConfig>& configs, uint32_t frames,
+Result<Comparison> compareConfigs(gpu::Context& context, const std::vector<ComparedConfig>& configs,
+                                  const std::optional<ComparedConfig>& reference, uint32_t frames,
                                   const std::function<void(const std::string&)>& progress) {
     render::RenderJob first = configs.front().job;
     first.display = true;
     first.statistics = true;
     GLINT_TRY(session, render::JobSession::create(context, first));
-    return Comparer(context, std::move(session), configs, frames).run(progress);
+    return Comparer(context, std::move(session), configs, reference, frames).run(progress);
 }
 
 } // namespace glint::cli

@@ -20,11 +20,21 @@ struct ComparedConfig {
     render::RenderJob job;
 };
 
+/// How far a picture is from the reference's.
+struct ReferenceError {
+    double psnr = 0;        ///< dB, of all pixels (measure::psnr)
+    double psnrMirrors = 0; ///< dB, of mirrors: what reflects with perceptual roughness up to 0.01
+    double relativeMse = 0; ///< of all pixels
+    double relativeMseMirrors = 0;
+    uint64_t mirrorPixels = 0;
+};
+
 struct ConfigFigures {
     std::string name;
     render::ProgramSettings settings;
     measure::HitReport hits; ///< with every reflective pixel traced along its mirror direction (hitSettings)
     std::optional<measure::MirrorError> exact;
+    std::optional<ReferenceError> reference;
     measure::EffectTimes times;
     render::RenderStats stats; ///< of the picture itself, thresholds in force
     std::vector<std::string> notes;
@@ -39,15 +49,18 @@ struct Comparison {
     std::string device;
     std::string driver;
     bool software = false;
-    std::string noExact; ///< why there is no exact picture; empty: there is one
+    std::string reference; ///< its name; empty: there is none
+    std::string noExact;   ///< why there is no exact picture; empty: there is one
     std::vector<ConfigFigures> configs;
 };
 
 /// `configs`   at least one; all of them the same scene, view and size
+/// `reference` what their pictures are held against, with its job's number of frames; may be absent
 /// `frames`    of the effect that are timed for each config, >= 1
 /// `progress`  is told what comes next; may be empty
 /// Errors: as the scene's readers and the device give them.
-Result<Comparison> compareConfigs(gpu::Context& context, const std::vector<ComparedConfig>& configs, uint32_t frames,
+Result<Comparison> compareConfigs(gpu::Context& context, const std::vector<ComparedConfig>& configs,
+                                  const std::optional<ComparedConfig>& reference, uint32_t frames,
                                   const std::function<void(const std::string&)>& progress = {});
 
 } // namespace glint::cli

@@ -2,8 +2,11 @@
 
 #include "exact_report.hpp"
 #include "hits_report.hpp"
+#include "render_output.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <cmath>
 
 namespace glint::cli {
 namespace {
@@ -42,6 +45,22 @@ std::string exactText(const measure::MirrorError& exact) {
                        100 * exact.oneBounceShare(), 100 * exact.share());
 }
 
+std::string referenceText(const ReferenceError& error) {
+    return fmt::format(
+        "  from the reference: PSNR {:.1f} dB, {:.1f} on mirrors; relative MSE {:.2e}, {:.2e} on mirrors\n", error.psnr,
+        error.psnrMirrors, error.relativeMse, error.relativeMseMirrors);
+}
+
+std::string sceneRaysText(const Statistics::SceneRays& scene) {
+    return fmt::format("  scene    {} rays for {} pixels, {} of them from the screen's hit; light reused {} times\n",
+                       scene.rays, scene.pixels, scene.fromScreen, scene.reusedLight);
+}
+
+/// JSON has no infinity: equal pictures have no PSNR.
+Json finite(double value) {
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
 Json passesJson(const measure::EffectTimes& times) {
     Json passes = Json::array();
     for (const measure::PassSpread& pass : times.passes())
@@ -56,6 +75,14 @@ Json configJson(const ConfigFigures& config) {
     json["hits"] = hitReportJson(config.hits, config.stats.outcomes);
     if (config.exact)
         json["exact"] = exactJson(*config.exact);
+    if (config.reference)
+        json["reference"] = {{"psnr", finite(config.reference->psnr)},
+                             {"psnrMirrors", finite(config.reference->psnrMirrors)},
+                             {"relativeMse", config.reference->relativeMse},
+                             {"relativeMseMirrors", config.reference->relativeMseMirrors},
+                             {"mirrorPixels", config.reference->mirrorPixels}};
+    if (config.settings.reflections.rays.enabled)
+        json["sceneRays"] = sceneRaysJson(config.stats.scene);
     json["effectMs"] = config.times.total().median;
     json["effectMs95"] = config.times.total().p95;
     json["floorMs"] = config.times.floor().median;
@@ -97,6 +124,10 @@ std::string comparisonText(const Comparison& comparison) {
                             sharesText(all.missedByOutcome, config.stats, all.visibleTruths));
         if (config.exact)
             text += exactText(*config.exact);
+        if (config.reference)
+            text += referenceText(*config.reference);
+        if (config.stats.scene.pixels > 0)
+            text += sceneRaysText(config.stats.scene);
         text += timesText(config.times);
         for (const std::string& note : config.notes)
             text += fmt::format("  note     {}\n", note);
@@ -111,6 +142,8 @@ std::string comparisonJson(const Comparison& comparison) {
     json["height"] = comparison.height;
     json["device"] = {{"name", comparison.device}, {"driver", comparison.driver}, {"software", comparison.software}};
     json["clock"] = clockWords(comparison.software);
+    if (!comparison.reference.empty())
+        json["reference"] = comparison.reference;
     if (!comparison.noExact.empty())
         json["noExact"] = comparison.noExact;
     json["configs"] = Json::array();

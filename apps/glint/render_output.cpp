@@ -72,6 +72,14 @@ Result<void> writePictures(const std::string& path, const render::RenderResult& 
     return kind == PictureKind::Png ? writePngs(path, result) : writeLayers(path, result);
 }
 
+nlohmann::ordered_json sceneRaysJson(const Statistics::SceneRays& scene) {
+    return {{"pixels", scene.pixels},
+            {"rays", scene.rays},
+            {"fromScreen", scene.fromScreen},
+            {"replaced", scene.replaced},
+            {"reusedLight", scene.reusedLight}};
+}
+
 std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured) {
     const render::RenderStats& stats = result.stats;
     Json json;
@@ -95,11 +103,7 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     json["lookupsPerRay"] = stats.lookupsPerRay;
     json["lookups95"] = stats.lookups95;
     if (job.settings.reflections.rays.enabled)
-        json["sceneRays"] = {{"pixels", stats.scene.pixels},
-                             {"rays", stats.scene.rays},
-                             {"fromScreen", stats.scene.fromScreen},
-                             {"replaced", stats.scene.replaced},
-                             {"reusedLight", stats.scene.reusedLight}};
+        json["sceneRays"] = sceneRaysJson(stats.scene);
     Json outcomes = Json::object();
     for (const auto& [name, pixels] : stats.outcomes)
         outcomes[name] = pixels;

@@ -6,6 +6,8 @@
 #include "measure/ray_hits.hpp"
 #include "render/render_job.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,9 +35,12 @@ struct Measured {
     std::optional<measure::HitReport> hits;    ///< measure.hits
 };
 
+/// {"pixels", "rays", "fromScreen", "replaced", "reusedLight"}.
+nlohmann::ordered_json sceneRaysJson(const Statistics::SceneRays& scene);
+
 /// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames", "time", "seed",
 ///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95",
-///  ["sceneRays": {glint::Statistics::SceneRays}], "outcomes": {name: pixels},
+///  ["sceneRays": sceneRaysJson], "outcomes": {name: pixels},
 ///  "exact": exactJson, "hits": hitReportJson, "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the
 ///  device has no timestamps.
 std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured = {});

@@ -60,6 +60,13 @@ Result<void> Renderer::makePasses(const GBufferOptions& options) {
     return {};
 }
 
+/// After the way in which they cast shadows has changed.
+Result<void> Renderer::remakePasses() {
+    GLINT_CHECK(makePasses(gbufferOptions_));
+    GLINT_CHECK(transparent_.resize(*context_, scene_, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height()));
+    return rehearse();
+}
+
 Result<void> Renderer::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(*context_);
     drawOpaque(frame, ViewParameters());
@@ -71,10 +78,8 @@ Result<void> Renderer::rehearse() {
 Result<void> Renderer::setSettings(const RenderSettings& settings) {
     const RayWorld* before = shadowRays();
     settings_ = settings;
-    if (gbuffer_.litRadiance && shadowRays() != before) {
-        GLINT_CHECK(makePasses(gbufferOptions_));
-        GLINT_CHECK(rehearse());
-    }
+    if (gbuffer_.litRadiance && shadowRays() != before)
+        GLINT_CHECK(remakePasses());
     if (gbuffer_.litRadiance)
         GLINT_CHECK(
             display_.resize(*context_, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height(), settings_.display));
@@ -114,10 +119,7 @@ RayWorld* Renderer::shadowRays() const {
 
 Result<void> Renderer::setRayWorld(RayWorld* rayWorld) {
     rayWorld_ = rayWorld;
-    if (!gbuffer_.litRadiance || !shadowRays())
-        return {};
-    GLINT_CHECK(makePasses(gbufferOptions_));
-    return rehearse();
+    return gbuffer_.litRadiance && shadowRays() ? remakePasses() : Result<void>();
 }
 
 View Renderer::view(const ViewParameters& parameters) const {

@@ -69,6 +69,7 @@ private:
     explicit Renderer(gpu::Context& context) : context_(&context) {}
     Result<void> placeLights();
     Result<void> makePasses(const GBufferOptions& options);
+    Result<void> remakePasses();
     Result<void> rehearse();
     void updateView(gpu::Frame& frame, const ViewParameters& parameters);
     LightingInputs lightingInputs();

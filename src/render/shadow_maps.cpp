@@ -116,7 +116,7 @@ void ShadowMaps::draw(gpu::Frame& frame, GpuScene& scene, std::span<const shared
     const auto drawItems = [&](gpu::Draws& draws, SurfaceClass surface) {
         uint32_t tile = 0;
         for (uint32_t light = 0; light < lights.size(); ++light) {
-            if (lights[light].castsShadow == 0)
+            if (lights[light].castsShadow == 0 || tile >= tiles_)
                 continue;
             draws.viewport(tile % columns_ * tileSize_, tile / columns_ * tileSize_, tileSize_, tileSize_);
             ++tile;
