@@ -175,6 +175,9 @@
     SETTING(bool, reuseLight, true, "", "",                                                                            \
         "After the screen source: where the picture shows what a ray has met, its light is taken from there",          \
         "")                                                                                                            \
+    SETTING(float, reuseRoughness, 0.5f, "[0, 1]", "perceptual roughness",                                             \
+        "Smoother surfaces shine differently from elsewhere: rays light them anew, also where the screen source hit them", \
+        "")                                                                                                            \
     SETTING(bool, accumulate, false, "", "",                                                                           \
         "Average over all frames since the view or a setting changed; Reflections::restartAccumulation starts anew",   \
         "")

@@ -7,7 +7,7 @@
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
-#include "rays/shown_edge.glsl"
+#include "rays/shown_pixel.glsl"
 
 layout(set = 0, binding = 23) uniform usampler2D screenRecord;
 
@@ -28,9 +28,10 @@ bool metReflector(RayRecord ray) {
     return met.reflectivity > settings.threshold && met.perceptualRoughness <= settings.maxRoughness;
 }
 
-/// Did it meet what the picture shows, well inside?
+/// Did it meet what the picture shows, well inside, and as it looks from everywhere?
 bool isCertain(RayRecord ray) {
-    return ray.outcome == kOutcomeHit && !isAtEdge(ray.hitUV * frame.constants.size);
+    return ray.outcome == kOutcomeHit && !isAtEdge(ray.hitUV * frame.constants.size) &&
+           looksAlike(unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy));
 }
 
 /// The screen's answer does not count for this pixel: rays know it better.

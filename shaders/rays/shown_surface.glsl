@@ -9,7 +9,7 @@
 #include "rays/hit_lighting.glsl"
 #include "rays/lit_surface.glsl"
 #include "rays/pixel_rays.glsl"
-#include "rays/shown_edge.glsl"
+#include "rays/shown_pixel.glsl"
 
 layout(set = 0, binding = 13) uniform sampler2D material;
 layout(set = 0, binding = 14) uniform sampler2D litRadiance;
@@ -36,9 +36,10 @@ ivec2 pixelThatShows(vec3 hitWS, vec3 faceNormalWS, vec3 directionWS, float cone
     float z = texelFetch(viewZ, px, 0).r;
     if (z >= kBackgroundZ || resolvedMaterial(frame.constants, texelFetch(material, px, 0)).a < 1.0)
         return ivec2(-1);
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     vec3 shownVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
     bool same = abs(dot(normalVS, shownVS - hitVS)) <= samePlaceSlack(z) &&
-                dot(unpackSurface(texelFetch(surface, px, 0).xy).normalVS, normalVS) > kSameNormal && !isAtEdge(at);
+                dot(here.normalVS, normalVS) > kSameNormal && looksAlike(here) && !isAtEdge(at);
     return same ? px : ivec2(-1);
 }
 

@@ -16,6 +16,7 @@ struct RaysConstants {
     uint flags;      ///< kRays...
     uint cullMask;
     uint lightCount;
+    float reuseRoughness;
 };
 
 GLINT_CONSTANT(uint, kRaysAlphaTest, 1);          // texels may let a ray through

@@ -97,6 +97,7 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     constants.tMax = rays.tMax;
     constants.maxRoughness = rays.maxRoughness;
     constants.threshold = traceConstants(settings, false).threshold;
+    constants.reuseRoughness = rays.reuseRoughness;
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
     constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };

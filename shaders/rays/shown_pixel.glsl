@@ -1,7 +1,8 @@
-// Where the picture's pixels do not say for certain what stands between their centres. Include after rays_inputs.glsl,
-// or what list.comp declares in its place.
-#ifndef GLINT_RAYS_SHOWN_EDGE_GLSL
-#define GLINT_RAYS_SHOWN_EDGE_GLSL
+// What a pixel of the picture can tell a ray that meets its surface: not what stands between its centre and the next,
+// and not how a shiny surface looks from elsewhere. Include after rays_inputs.glsl, or what list.comp declares in its
+// place.
+#ifndef GLINT_RAYS_SHOWN_PIXEL_GLSL
+#define GLINT_RAYS_SHOWN_PIXEL_GLSL
 
 #include "lib/camera.glsl"
 #include "lib/surface.glsl"
@@ -34,6 +35,14 @@ bool isAtEdge(vec2 at) {
     ivec2 px = ivec2(at);
     ivec2 side = ivec2(sign(at - vec2(px) - 0.5));
     return !showSame(px, px + ivec2(side.x, 0)) || !showSame(px, px + ivec2(0, side.y));
+}
+
+/// Does this surface look the same from where rays come from as from the eye? What shines does not: its highlights are
+/// the eye's. A perfect mirror's are too small to matter.
+bool looksAlike(Surface here) {
+    const float kPerfect = 0.001;
+    return here.reflectivity <= settings.threshold || here.perceptualRoughness >= settings.reuseRoughness ||
+           here.perceptualRoughness < kPerfect;
 }
 
 #endif
