@@ -6,6 +6,7 @@
 #include "render/job_inputs.hpp"
 #include "render/ray_world.hpp"
 #include "render/renderer.hpp"
+#include "render/view_pass.hpp"
 #include "render/views.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -71,6 +72,12 @@ Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inpu
     return Environment::createNone(context);
 }
 
+/// Do both ask for the same environment, as it is made once and then kept?
+bool sameEnvironment(const RenderSettings& a, const RenderSettings& b) {
+    return a.environment.isProbe == b.environment.isProbe && a.analyticSky.elevation == b.analyticSky.elevation &&
+           a.analyticSky.azimuth == b.analyticSky.azimuth && a.analyticSky.turbidity == b.analyticSky.turbidity;
+}
+
 /// Milliseconds of each pass over the frames, in the order in which they run.
 class PassTimes {
 public:
@@ -78,7 +85,10 @@ public:
     void add(const std::string& name, double milliseconds) {
         if (times_.find(name) == times_.end())
             order_.push_back(name);
-        times_[name].push_back(milliseconds);
+        std::vector<double>& all = times_[name];
+        if (all.size() >= kMostFrames) // a window may stay open for days
+            all.erase(all.begin(), all.begin() + kMostFrames / 2);
+        all.push_back(milliseconds);
     }
     std::vector<std::pair<std::string, double>> medians() {
         std::vector<std::pair<std::string, double>> result;
@@ -91,6 +101,8 @@ public:
     }
 
 private:
+    static constexpr size_t kMostFrames = 4096;
+
     std::vector<std::string> order_;
     std::map<std::string, std::vector<double>> times_;
 };
@@ -115,6 +127,8 @@ struct JobSession::State {
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
         GLINT_CHECK(resizeGBuffer());
         parameters_.camera = inputs_.camera;
+        GLINT_TRY(viewPass, ViewPass::create(context_));
+        viewPass_ = std::move(viewPass);
 
         const gpu::AdoptedDevice handles = context_.handles();
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
@@ -127,8 +141,13 @@ struct JobSession::State {
     }
 
     Result<void> setSettings(const ProgramSettings& settings) {
+        const RenderSettings before = job_.settings.render;
         job_.settings = settings;
         GLINT_CHECK(renderer_->setSettings(settings.render));
+        if (!sameEnvironment(before, settings.render)) {
+            GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings.render));
+            GLINT_CHECK(renderer_->setEnvironment(std::move(environment)));
+        }
         GLINT_CHECK(resizeGBuffer());
         passTimes_.clear();
         return makeReflections();
@@ -223,6 +242,8 @@ struct JobSession::State {
         GLINT_CHECK(inputsSet);
         GLINT_CHECK(inspected);
         drawn_ = true;
+        if (plan.draw)
+            parameters_.prevCamera.reset();
         for (const gpu::PassTime& time : timers_->latest())
             times.hostPasses.emplace_back(time.name, time.milliseconds);
         if (plan.reflect)
@@ -255,6 +276,60 @@ struct JobSession::State {
         EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
         map.diffuse = lend(frame, renderer_->environment().diffuse());
         return map;
+    }
+
+    Result<RayInspection> inspect(uint32_t x, uint32_t y) {
+        Result<void> inspected;
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
+            gpu::Frame frame(context_, commands);
+            lendInputs(frame, renderer_->gbuffer()); // blended surfaces may have left them in other layouts
+            inspected = reflections_->recordInspection(commands, x, y);
+        }));
+        GLINT_CHECK(inspected);
+        return reflections_->inspection();
+    }
+
+    void setCamera(const scene::Camera& camera) {
+        if (!parameters_.prevCamera)
+            parameters_.prevCamera = parameters_.camera;
+        parameters_.camera = camera;
+    }
+
+    Result<void> setTime(double seconds) {
+        GLINT_TRY(pose, scene::pose(*inputs_.scene, seconds));
+        inputs_.pose = std::move(pose);
+        job_.time = seconds;
+        GLINT_CHECK(renderer_->setPose(*inputs_.scene, inputs_.pose));
+        if (!rayWorld_)
+            return {};
+        rayWorld_.reset(); // rays go through the pose that they were made with
+        return makeRayWorld();
+    }
+
+    Result<void> showView(const std::string& name, gpu::Image& target) {
+        GLINT_TRY(info, findView(name));
+        Result<void> done;
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
+            gpu::Frame frame(context_, commands);
+            if (name == "composite" || name == "scene") {
+                renderer_->display(frame, name == "composite" ? composite_ : scene_, target);
+            } else if (name == "albedo") {
+                viewPass_.draw(frame, renderer_->gbuffer().albedo, info->kind, target);
+            } else if (const auto recorded = reflections_->recordView(commands, name); !recorded) {
+                done = recorded.error();
+                return;
+            } else {
+                gpu::Image image = borrow(*recorded, "job/view");
+                if (info->kind == ViewKind::Radiance)
+                    renderer_->display(frame, image, target);
+                else
+                    viewPass_.draw(frame, image, info->kind, target);
+                frame.hand(image, kSampled);
+            }
+            frame.hand(composite_, kSampled); // as the library left it
+            frame.hand(target, kSampled);
+        }));
+        return done;
     }
 
     Result<RenderedView> readView(const std::string& name) {
@@ -328,6 +403,7 @@ struct JobSession::State {
     RayBackend rayBackend_ = RayBackend::Auto;
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;
+    ViewPass viewPass_;
     gpu::Image composite_; ///< the library's, or our litRadiance when nothing reflects
     gpu::Image scene_;
     gpu::Image display_;
@@ -354,6 +430,18 @@ Result<void> JobSession::resize(uint32_t width, uint32_t height) {
     return state_->resize(width, height);
 }
 
+void JobSession::setCamera(const scene::Camera& camera) {
+    state_->setCamera(camera);
+}
+
+Result<void> JobSession::setTime(double seconds) {
+    return state_->setTime(seconds);
+}
+
+Result<void> JobSession::showView(const std::string& name, gpu::Image& target) {
+    return state_->showView(name, target);
+}
+
 Result<FrameTimes> JobSession::renderFrame(uint32_t index, const FramePlan& plan) {
     return state_->renderFrame(index, plan);
 }
@@ -364,6 +452,10 @@ Result<RenderedView> JobSession::readView(const std::string& name) {
 
 RenderStats JobSession::stats() {
     return state_->stats();
+}
+
+Result<RayInspection> JobSession::inspect(uint32_t x, uint32_t y) {
+    return state_->inspect(x, y);
 }
 
 RayInspection JobSession::inspection() const {
