@@ -9,7 +9,7 @@ namespace glint::view {
 /// than kLongestFrame; when it has stood still for kStillSeconds, all of them.
 class FramePace {
 public:
-    static constexpr double kLongestFrame = 66;  ///< milliseconds
+    static constexpr double kLongestFrame = 100; ///< milliseconds
     static constexpr double kStillSeconds = 0.2; ///< long enough to move the hand on
     static constexpr uint32_t kCoarsest = 8;
 

@@ -60,6 +60,10 @@ void keys(const ViewerState& state) {
 
 } // namespace
 
+int placing(const ViewerState& state) {
+    return state.placePanels ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
+}
+
 std::string millisecondsText(double milliseconds) {
     return milliseconds > 0 ? fmt::format("{:.2f} ms", milliseconds) : "-";
 }

@@ -16,6 +16,9 @@ void drawMessage(ViewerState& state);       ///< view_bar.cpp
 /// A slider, a box or a list for one setting; a change goes into the model. One edit of a slider is one step to undo.
 void drawSetting(ViewerState& state, const SettingInfo& info, float width); ///< setting_control.cpp
 
+/// For ImGui::SetNextWindowPos: a panel goes where it belongs when it is new and when the window's size changes.
+int placing(const ViewerState& state);
+
 /// "0.50 ms", or "-" for nothing measured.
 std::string millisecondsText(double milliseconds);
 

@@ -115,7 +115,7 @@ void drawRayPanel(ViewerState& state) {
     const RayInspection& ray = *state.ray;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize(), top = ImGui::GetFrameHeight() + em;
-    ImGui::SetNextWindowPos({window.x, top}, ImGuiCond_FirstUseEver, {1, 0});
+    ImGui::SetNextWindowPos({window.x, top}, placing(state), {1, 0});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x, std::max(window.y - top, em * 4)});
     bool open = true;
     if (ImGui::Begin("Pixel", &open, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing)) {

@@ -45,7 +45,7 @@ Result<void> ScenePicture::makeImages() {
 uint32_t ScenePicture::wanted() const {
     const Settings& settings = job_.settings.reflections;
     if (settings.rays.enabled && settings.rays.accumulate)
-        return kAccumulatedFrames;
+        return job_.frames > 1 ? job_.frames : kAccumulatedFrames;
     return settings.screen.colorSource == ColorSource::Previous ? 2 : 1; // the first frame has no previous one
 }
 

@@ -23,7 +23,7 @@ public:
     Result<void> render();
     /// Frames since something changed; the picture is that of the last one.
     uint32_t frames() const { return frames_; }
-    /// More frames would not change it, or there are enough of them (kAccumulatedFrames).
+    /// More frames would not change it, or there are enough of them: RenderJob::frames, or kAccumulatedFrames for 1.
     bool complete() const { return frames_ >= wanted(); }
     uint64_t version() const { return version_; } ///< another one for every frame
 

@@ -15,7 +15,8 @@ InputEvent keyEvent(const KeyStroke& stroke, bool down) {
     event.kind = InputKind::Key;
     event.key = stroke.key;
     event.down = down;
-    event.modifiers = stroke.modifiers;
+    if (down) // with the key the modifiers are let go
+        event.modifiers = stroke.modifiers;
     return event;
 }
 
@@ -55,7 +56,7 @@ void ScriptPlayer::start(const ScriptStep& step, const ScriptTarget& target) {
     case Kind::Key: frames_ = {{keyEvent(step.stroke, true)}, {keyEvent(step.stroke, false)}}; break;
     case Kind::Press: frames_ = {{keyEvent(step.stroke, true)}}; break;
     case Kind::Release: frames_ = {{keyEvent(step.stroke, false)}}; break;
-    case Kind::Type: frames_ = {textEvents(step.text), {}}; break;
+    case Kind::Type: frames_ = {{}, {}, textEvents(step.text), {}}; break; // a field takes two frames to listen
     case Kind::Move: frames_ = {{moveEvent(n[0], n[1])}, {}}; break;
     case Kind::Click: // a panel under the mouse learns of it a frame before the button
         frames_ = {{moveEvent(n[0], n[1])}, {}, {buttonEvent(0, true)}, {buttonEvent(0, false)}, {}};

@@ -84,8 +84,8 @@ void drawSettingsPanel(ViewerState& state) {
         return;
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize(), top = ImGui::GetFrameHeight() + em;
-    ImGui::SetNextWindowPos({0, top}, ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize({std::min(em * 25, window.x), std::max(window.y - top, em * 4)}, ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowPos({0, top}, placing(state));
+    ImGui::SetNextWindowSize({std::min(em * 25, window.x), std::max(window.y - top, em * 4)}, placing(state));
     if (ImGui::Begin("Settings", &state.showSettings, ImGuiWindowFlags_NoFocusOnAppearing)) {
         presets(state);
         ImGui::SameLine();

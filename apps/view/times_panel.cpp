@@ -54,7 +54,7 @@ void drawTimesPanel(ViewerState& state) {
         return;
     const float em = ImGui::GetFontSize();
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({window.x, window.y}, ImGuiCond_FirstUseEver, {1, 1});
+    ImGui::SetNextWindowPos({window.x, window.y}, placing(state), {1, 1});
     if (ImGui::Begin("GPU times", &state.showTimes,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing) &&
         state.history.frames() > 0) {

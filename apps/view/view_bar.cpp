@@ -9,9 +9,17 @@
 namespace glint::view {
 namespace {
 
-void viewCombo(const char* label, std::string& view) {
+/// Names stand before what they name, as in a sentence.
+void label(const char* text) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(text);
+    ImGui::SameLine();
+}
+
+void viewCombo(std::string& view) {
+    label("view");
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
-    if (!ImGui::BeginCombo(label, view.c_str()))
+    if (!ImGui::BeginCombo("##view", view.c_str()))
         return;
     for (const render::ViewInfo& info : render::viewList()) {
         const std::string name(info.name);
@@ -33,8 +41,9 @@ std::string besideText(const ViewerState& state) {
 }
 
 void besideCombo(ViewerState& state) {
+    label("beside");
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 10);
-    if (!ImGui::BeginCombo("beside", besideText(state).c_str(), ImGuiComboFlags_HeightLarge))
+    if (!ImGui::BeginCombo("##beside", besideText(state).c_str(), ImGuiComboFlags_HeightLarge))
         return;
     if (ImGui::Selectable("nothing", state.beside == Beside::Nothing)) {
         state.beside = Beside::Nothing;
@@ -67,8 +76,9 @@ void cameraCombo(ViewerState& state) {
     const std::string shown =
         own ? "free"
             : fmt::format("{} {}", state.cameraIndex, state.cameras[static_cast<size_t>(state.cameraIndex)].name);
+    label("camera");
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 8);
-    if (!ImGui::BeginCombo("camera", shown.c_str()))
+    if (!ImGui::BeginCombo("##camera", shown.c_str()))
         return;
     for (size_t i = 0; i < state.cameras.size(); ++i)
         if (ImGui::Selectable(fmt::format("{} {}", i, state.cameras[i].name).c_str())) {
@@ -102,14 +112,15 @@ void drawViewBar(ViewerState& state) {
     constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::Begin("##bar", nullptr, kFlags);
-    viewCombo("view", state.view);
+    viewCombo(state.view);
     ImGui::SameLine();
     besideCombo(state);
     if (state.beside == Beside::Settings) {
         int heat = static_cast<int>(state.heat);
         ImGui::SameLine();
+        label("error");
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
-        if (ImGui::Combo("error", &heat, "none\0difference\0FLIP\0"))
+        if (ImGui::Combo("##error", &heat, "none\0difference\0FLIP\0"))
             state.heat = static_cast<Heat>(heat);
     }
     ImGui::SameLine();

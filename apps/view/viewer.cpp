@@ -160,6 +160,7 @@ Result<void> Viewer::openScene(const render::RenderJob& job) {
                 state_.animation.length = std::max(state_.animation.length, static_cast<double>(channel.times.back()));
     state_.asked.reset();
     state_.ray.reset();
+    state_.showSettings = job.width >= 640; // in a smaller window it would be all that is seen
     handler_.setScale(size);
     window_->setTitle("Glint: " + printable(job.scene));
     return {};
@@ -263,6 +264,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
                                      {"view/window", GuiRenderer::kFormat, size.x, size.y, 1, 1, gpu::ImageShape::Flat,
                                       VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
         canvasImage_ = std::move(image);
+        state_.placePanels = true;
     }
     if (pictures_->imagesChanged())
         GLINT_CHECK(renderer_->setPictures(pictures_->images()));
@@ -275,6 +277,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
         drawTimesPanel(state_);
         drawRayPanel(state_);
     }
+    state_.placePanels = false;
     drawPalette(state_);
     drawMessage(state_);
     gui_->end();

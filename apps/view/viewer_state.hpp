@@ -79,6 +79,7 @@ struct ViewerState {
     bool showPalette = false;
     bool paletteOpens = false; ///< in this frame
     bool showPanels = true;
+    bool placePanels = true; ///< where they belong: the window is new, or has another size
     int palettePage = 0;
     std::string paletteText;
     int paletteChoice = 0;

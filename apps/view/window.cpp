@@ -31,6 +31,13 @@ void onKey(GLFWwindow* window, int key, int, int action, int mods) {
     event.down = action != GLFW_RELEASE;
     event.repeated = action == GLFW_REPEAT;
     event.modifiers = modifiers(mods);
+    // Some systems count a modifier's own key among the modifiers that were held, some do not.
+    if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL)
+        event.modifiers.control = event.down;
+    else if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT)
+        event.modifiers.shift = event.down;
+    else if (key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT)
+        event.modifiers.alt = event.down;
     eventsOf(window).push_back(std::move(event));
 }
 
