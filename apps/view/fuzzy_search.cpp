@@ -8,7 +8,7 @@ namespace glint::view {
 namespace {
 
 constexpr int kLetter = 1;
-constexpr int kFollows = 5;     ///< right after the letter before
+constexpr int kFollows = 10;    ///< right after the letter before
 constexpr int kBeginsWord = 8;  ///< also in camelCase
 constexpr int kBeginsText = 12; ///< instead of kBeginsWord
 constexpr int kNone = -1000000;

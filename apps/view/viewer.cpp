@@ -53,14 +53,6 @@ std::string shellWord(const std::string& text) {
     return quoted + "'";
 }
 
-bool nearlySame(const glm::mat4& a, const glm::mat4& b) {
-    float most = 0;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            most = std::max(most, std::abs(a[column][row] - b[column][row]));
-    return most < 1e-4f * std::max(glm::length(glm::vec3(a[3])), 1.0f);
-}
-
 class Viewer {
 public:
     Viewer(const ViewOptions& options, SettingsModel model, render::RenderJob job)
@@ -374,10 +366,11 @@ Result<void> Viewer::saveSettings(const std::string& path) {
     GLINT_CHECK(state_.settings.save(path));
     const std::string camera = std::filesystem::path(path).replace_extension(".camera.json").string();
     GLINT_CHECK(writeFile(camera, state_.camera.json(state_.width, state_.height)));
-    GLINT_TRY(read, scene::readCameraFile(camera));
-    if (nearlySame(read.viewToWorld, state_.camera.camera().viewToWorld)) // a file cannot say that a camera is rolled
+    if (state_.camera.moved()) { // from here on exactly what the file says, whose numbers are rounded
+        GLINT_TRY(read, scene::readCameraFile(camera));
         state_.camera.settle(read);
-    savedCamera_ = camera;
+    }
+    savedCamera_ = camera; // of a camera of the scene that was not moved a copy without its roll
     state_.say(fmt::format("settings {}, camera {}", path, camera));
     return {};
 }

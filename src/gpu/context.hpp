@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -86,6 +87,9 @@ public:
     /// Only for a created context. Errors: DeviceLost.
     Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& recordCommands);
 
+    /// Compute pipelines that somebody still has (gpu/pipeline.hpp), by what they were made from.
+    std::map<std::string, std::weak_ptr<void>>& pipelines() { return pipelines_; }
+
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
     /// Can an image of this format and usage have so many samples a pixel?
     bool supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const;
@@ -127,6 +131,7 @@ private:
     double timestampPeriodNs_ = 0;
     VkSampler samplers_[static_cast<size_t>(SamplerKind::Count)] = {};
     std::vector<std::span<const EmbeddedShader>> shaderSets_;
+    std::map<std::string, std::weak_ptr<void>> pipelines_;
     std::vector<std::string> validationMessages_;
 };
 

@@ -172,8 +172,8 @@ struct JobSession::State {
     Result<void> makeReflections() {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true, job_.inspect.has_value()}));
-        reflections_ = std::make_unique<Reflections>(std::move(reflections));
-        return makeRayWorld();
+        const auto old = std::exchange(reflections_, std::make_unique<Reflections>(std::move(reflections)));
+        return makeRayWorld(); // and only then the old ones go, with the pipelines that both share
     }
 
     /// As soon as the settings ask for rays, and anew for another back end.
