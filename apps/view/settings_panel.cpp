@@ -28,8 +28,10 @@ void files(ViewerState& state) {
     if (ImGui::Button("save"))
         state.ask(Request::Kind::Save, state.fileText);
     ImGui::SameLine();
-    if (ImGui::Button("load"))
-        state.ask(Request::Kind::Load, state.fileText);
+    if (ImGui::Button("open"))
+        state.ask(Request::Kind::Open, state.fileText);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("settings or a camera (.json), a scene (.glb, .gltf), an environment (.hdr, .exr)");
     ImGui::SameLine();
     if (ImGui::Button("copy"))
         state.ask(Request::Kind::CopyCommandLine);

@@ -25,6 +25,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <thread>
 
 namespace glint::view {
 namespace {
@@ -68,6 +69,9 @@ private:
     Result<void> openScene(const render::RenderJob& job);
     std::vector<InputEvent> input();
     void advanceTime(double step);
+    Result<void> drawLoading();
+    Result<void> resizeCanvas(glm::uvec2 size);
+    Result<void> present();
     Result<void> drawWindow(std::span<const InputEvent> events, double step);
     void drawPictures();
     Result<void> serveRequests();
@@ -118,6 +122,7 @@ Result<void> Viewer::open() {
     GLINT_TRY(renderer, GuiRenderer::create(*context_));
     renderer_.emplace(std::move(renderer));
     pictures_.emplace(*context_);
+    GLINT_CHECK(drawLoading());
     return openScene(job_);
 }
 
@@ -244,12 +249,7 @@ void Viewer::drawPictures() {
         drawRayOverlay(*state_.ray, canvas, {state_.width, state_.height});
 }
 
-Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step) {
-    const glm::uvec2 size = window_->size();
-    if (size.x == 0 || size.y == 0) { // minimized
-        window_->poll(kIdle / 2);
-        return {};
-    }
+Result<void> Viewer::resizeCanvas(glm::uvec2 size) {
     if (!canvasImage_ || canvasImage_.width() != size.x || canvasImage_.height() != size.y) {
         GLINT_TRY(image,
                   gpu::Image::create(*context_,
@@ -258,6 +258,36 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
         canvasImage_ = std::move(image);
         state_.placePanels = true;
     }
+    return {};
+}
+
+Result<void> Viewer::present() {
+    GLINT_CHECK(renderer_->draw(*ImGui::GetDrawData(), canvasImage_));
+    GLINT_TRY(presented, swapchain_->present(canvasImage_));
+    return presented == gpu::Presented::SurfaceLost ? makeSwapchain() : Result<void>();
+}
+
+/// Something to see while a scene is read.
+Result<void> Viewer::drawLoading() {
+    const glm::uvec2 size = window_->size();
+    if (size.x == 0 || size.y == 0)
+        return {};
+    GLINT_CHECK(resizeCanvas(size));
+    gui_->begin({}, size, kScriptFrame);
+    const std::string text = "reading " + printable(job_.scene) + " ...";
+    ImGui::GetBackgroundDrawList()->AddText({static_cast<float>(size.x) * 0.4f, static_cast<float>(size.y) * 0.5f},
+                                            IM_COL32_WHITE, text.c_str());
+    gui_->end();
+    return present();
+}
+
+Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step) {
+    const glm::uvec2 size = window_->size();
+    if (size.x == 0 || size.y == 0) { // minimized
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return {};
+    }
+    GLINT_CHECK(resizeCanvas(size));
     if (pictures_->imagesChanged())
         GLINT_CHECK(renderer_->setPictures(pictures_->images()));
     gui_->begin(events, size, step);
@@ -273,10 +303,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
     drawPalette(state_);
     drawMessage(state_);
     gui_->end();
-    GLINT_CHECK(renderer_->draw(*ImGui::GetDrawData(), canvasImage_));
-    GLINT_TRY(presented, swapchain_->present(canvasImage_));
-    if (presented == gpu::Presented::SurfaceLost)
-        return makeSwapchain();
+    GLINT_CHECK(present());
     ++shownFrames_;
     return {};
 }
@@ -304,10 +331,6 @@ Result<void> Viewer::serve(const Request& request) {
     case Request::Kind::Screenshot: return screenshot(request.text);
     case Request::Kind::Picture: return savePicture(request.text);
     case Request::Kind::Save: return saveSettings(request.text);
-    case Request::Kind::Load:
-        GLINT_CHECK(state_.settings.load(request.text));
-        state_.say("settings from " + request.text);
-        return {};
     case Request::Kind::Open: return openFile(request.text);
     case Request::Kind::CopyCommandLine:
         window_->setClipboard(commandLine());
@@ -377,8 +400,16 @@ Result<void> Viewer::saveSettings(const std::string& path) {
 
 Result<void> Viewer::openFile(const std::string& path) {
     const std::string kind = ending(path);
+    if (path.ends_with(".camera.json")) { // a saved view
+        GLINT_TRY(camera, scene::readCameraFile(path));
+        state_.camera.settle(camera);
+        savedCamera_ = path;
+        state_.say("camera " + path);
+        return {};
+    }
     if (kind == ".json") {
-        state_.ask(Request::Kind::Load, path);
+        GLINT_CHECK(state_.settings.load(path));
+        state_.say("settings from " + path);
         return {};
     }
     render::RenderJob job = job_;

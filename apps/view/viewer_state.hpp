@@ -25,8 +25,7 @@ struct Request {
         Screenshot,      ///< of the window, into `text`
         Picture,         ///< of the scene alone, .png or .exr, into `text`
         Save,            ///< settings into `text`, the camera beside them
-        Load,            ///< settings from `text`
-        Open,            ///< a scene, an environment or a settings file: `text`
+        Open,            ///< `text`: a scene, an environment, settings or a camera
         CopyCommandLine, ///< into the clipboard
         CopyRay,         ///< what `glint inspect` would print
         Close,
