@@ -20,7 +20,11 @@ Result<render::ProgramSettings> besideSettings(const ViewerState& state) {
     if (!state.besidePreset.empty()) {
         SettingsModel model = state.settings;
         GLINT_CHECK(model.usePreset(state.besidePreset));
-        return model.settings();
+        render::ProgramSettings settings = model.settings();
+        // What is averaged over frames anyway comes a sample a frame, so that hands are answered between them.
+        if (settings.reflections.rays.accumulate)
+            settings.reflections.rays.samples = 1;
+        return settings;
     }
     render::ProgramSettings settings = state.settings.settings();
     GLINT_CHECK(setSetting(settings.targets(), "screen.march", state.besideMarch, settings.preset));
