@@ -5,6 +5,7 @@
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/ray_hits.hpp"
 #include "glint/ray_scene.hpp"
 #include "glint/settings.hpp"
 #include "glint/surface_table.hpp"
@@ -81,6 +82,11 @@ public:
     /// Errors: InvalidArgument if the scene's back end is not the one that rays.backend asks for; OutOfMemory;
     /// Unsupported.
     Result<void> setRays(RayScene& scene, SurfaceTable& surfaces);
+
+    /// The same for a host that shades hits itself: `shade` is called within each record(), after the rays were traced.
+    /// One ray a pixel in the direction of rays.lobe, every triangle solid; rays.samples, bounces, alphaTest and
+    /// accumulate do not act. What lies beyond the hits is the host's matter, the environment too.
+    Result<void> setRays(RayScene& scene, ShadeHits shade);
 
     /// With rays.accumulate the next frame starts anew, as it does by itself when the view, the settings or the scene
     /// given to setRays change: for what Glint cannot see, as when lights, materials or things have changed.

@@ -209,6 +209,8 @@ void FrameState::traceScene(gpu::Frame& frame) {
     gpu::Image& diffuse = inputs.environmentDiffuse ? inputs.environmentDiffuse : blackCube;
     raysSource->record(frame, desc.settings,
                        {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
+                        traced.rayRecord, resolvesMaterial() ? prepared.material : inputs.material, inputs.litRadiance,
+                        inputs.fallbackSpecular ? inputs.fallbackSpecular : black,
                         static_cast<bool>(inputs.environment), environment,
                         static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
 }
@@ -240,6 +242,7 @@ gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeli
         .read("surface", prepared.surface)
         .read("radianceWeight", *denoised.answer)
         .read("raysAnswer", usesRays() ? raysSource->answer() : black)
+        .read("raysRecord", usesRays() ? raysSource->rayRecord() : traced.rayRecord)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
@@ -449,6 +452,14 @@ void FrameState::restartAccumulation() {
 Result<void> FrameState::setRays(rays::Scene& scene, SurfaceTableState& surfaces) {
     rayScene = &scene;
     raySurfaces = &surfaces;
+    shadeHits = {};
+    return giveScene();
+}
+
+Result<void> FrameState::setRays(rays::Scene& scene, ShadeHits shade) {
+    rayScene = &scene;
+    raySurfaces = nullptr;
+    shadeHits = std::move(shade);
     return giveScene();
 }
 
@@ -456,10 +467,14 @@ Result<void> FrameState::setRays(rays::Scene& scene, SurfaceTableState& surfaces
 Result<void> FrameState::giveScene() {
     if (!raysSource || !rayScene)
         return {};
-    GLINT_CHECK(raysSource->setScene(*rayScene, *raySurfaces));
+    if (raySurfaces)
+        GLINT_CHECK(raysSource->setScene(*rayScene, *raySurfaces));
+    else
+        GLINT_CHECK(raysSource->setScene(*rayScene, shadeHits));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black, false});
+                       {frameConstants, prepared, nullptr, traced.rayRecord, black, black, black, false, blackCube,
+                        false, blackCube, dfg, black, false});
     return frame.firstError();
 }
 

@@ -53,6 +53,7 @@ struct FrameState {
     std::unique_ptr<RaysSource> raysSource; ///< absent until settings ask for it
     rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
     SurfaceTableState* raySurfaces = nullptr;
+    ShadeHits shadeHits; ///< or the host's own shading
     History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
@@ -89,9 +90,10 @@ struct FrameState {
     bool usesRays() const;
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
-    /// Errors: Unsupported, OutOfMemory.
     void restartAccumulation();
+    /// Errors: Unsupported, OutOfMemory.
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
+    Result<void> setRays(rays::Scene& scene, ShadeHits shade);
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);
     /// Makes room for what hosts with several samples a pixel need. Errors: OutOfMemory.
