@@ -4,9 +4,8 @@ namespace glint::view {
 
 void FramePace::rendered(uint32_t divisor, double milliseconds) {
     const double whole = milliseconds * divisor * divisor;
-    if (divisor == 1) // the truth; what coarse frames tell of it is a guess, for they cost more a pixel
-        wholeMs_ = whole;
-    else if (wholeMs_ == 0)
+    // What coarse frames tell of whole ones is a guess, for they cost more a pixel: better than nothing.
+    if (divisor == 1 || wholeMs_ == 0)
         wholeMs_ = whole;
 }
 

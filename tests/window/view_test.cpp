@@ -66,6 +66,12 @@ TEST_F(WindowTest, ScreenshotAfterSomeFramesIsTheSameEachTime) {
     EXPECT_TRUE(same(bytes("a.png"), bytes("b.png")));
 }
 
+TEST_F(WindowTest, TheWindowShowsThePictureItself) {
+    const Ended ended = runScript("key F1\nstill\nframe 1\nscreenshot window.png\npicture picture.png\n");
+    ASSERT_EQ(ended.code, 0) << ended.error;
+    EXPECT_TRUE(same(bytes("window.png"), bytes("picture.png"))); // a pixel of the scene is one of the window's
+}
+
 TEST_F(WindowTest, PaletteChangesWhatItFinds) {
     // Down in the list of what "fresnel" finds, Enter turns the switch.
     const Ended ended =
