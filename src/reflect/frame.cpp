@@ -281,6 +281,8 @@ void FrameState::countOutcomes(gpu::Frame& frame) {
         .read("rayRecord", rayRecord())
         .readWrite("statistics", statistics)
         .dispatch(traced.width, traced.height);
+    if (usesRays())
+        raysSource->count(frame, statistics);
     frame.copyBuffer(statistics, statisticsReadback);
 }
 

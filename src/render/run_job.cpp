@@ -125,7 +125,6 @@ struct JobSession::State {
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
-        GLINT_CHECK(resizeGBuffer());
         parameters_.camera = inputs_.camera;
         GLINT_TRY(viewPass, ViewPass::create(context_));
         viewPass_ = std::move(viewPass);
@@ -134,6 +133,8 @@ struct JobSession::State {
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
                                            handles.queueFamily, handles.getInstanceProcAddr, handles.rayQuery}));
         library_ = std::make_unique<Context>(std::move(library));
+        GLINT_CHECK(makeRayWorld());
+        GLINT_CHECK(resizeGBuffer());
         GLINT_TRY(timers, gpu::Timers::create(context_));
         timers_ = std::move(timers);
         GLINT_CHECK(makeReflections());
@@ -143,6 +144,7 @@ struct JobSession::State {
     Result<void> setSettings(const ProgramSettings& settings) {
         const RenderSettings before = job_.settings.render;
         job_.settings = settings;
+        GLINT_CHECK(makeRayWorld());
         GLINT_CHECK(renderer_->setSettings(settings.render));
         if (!sameEnvironment(before, settings.render)) {
             GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings.render));
@@ -173,24 +175,30 @@ struct JobSession::State {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true, job_.inspect.has_value()}));
         const auto old = std::exchange(reflections_, std::make_unique<Reflections>(std::move(reflections)));
-        return makeRayWorld(); // and only then the old ones go, with the pipelines that both share
+        return giveRays(); // and only then the old ones go, with the pipelines that both share
     }
 
-    /// As soon as the settings ask for rays, and anew for another back end.
+    Result<void> giveRays() {
+        if (!job_.settings.reflections.rays.enabled)
+            return {};
+        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
+        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
+    }
+
+    /// As soon as the settings ask for rays, to reflect or for shadows, and anew for another back end.
     Result<void> makeRayWorld() {
         const RaysSettings& settings = job_.settings.reflections.rays;
-        if (!settings.enabled)
+        if (!settings.enabled && job_.settings.render.lights.shadows != ShadowMode::Rays)
             return {};
         if (!rayWorld_ || settings.backend != rayBackend_) {
-            GLINT_TRY(world, RayWorld::create(*library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
+            GLINT_TRY(world, RayWorld::create(context_, *library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
                                               renderer_->lights(), settings.backend));
             rayWorld_ = std::make_unique<RayWorld>(std::move(world));
             rayBackend_ = settings.backend;
             GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
             rayWorld_->releaseStaging();
         }
-        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
-        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
+        return renderer_->setRayWorld(rayWorld_.get());
     }
 
     Result<void> makeTargets() {
@@ -302,8 +310,11 @@ struct JobSession::State {
         GLINT_CHECK(renderer_->setPose(*inputs_.scene, inputs_.pose));
         if (!rayWorld_)
             return {};
-        rayWorld_.reset(); // rays go through the pose that they were made with
-        return makeRayWorld();
+        const auto old = std::move(rayWorld_); // rays go through the pose that they were made with
+        GLINT_CHECK(makeRayWorld());
+        if (!rayWorld_) // nobody asks for rays any more
+            GLINT_CHECK(renderer_->setRayWorld(nullptr));
+        return giveRays();
     }
 
     Result<void> showView(const std::string& name, gpu::Image& target) {
@@ -388,6 +399,7 @@ struct JobSession::State {
         stats.rays = counted.rays;
         stats.lookupsPerRay = counted.lookupsMean;
         stats.lookups95 = counted.lookups95;
+        stats.scene = counted.scene;
         for (const Statistics::Outcome& outcome : counted.outcomes)
             stats.outcomes.emplace_back(outcome.name, outcome.count);
         return stats;

@@ -17,7 +17,9 @@ static_assert(sizeof(RayHit) == sizeof(shared::RayHitRecord));
 Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, uint32_t width, uint32_t height) {
     std::unique_ptr<RaysSource> source(new RaysSource(context));
     GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", sizeof(shared::RaysConstants), {}}));
+    GLINT_TRY(count, gpu::Pipeline::compute(context, {"rays/statistics", 0, {}}));
     source->list_ = std::move(list);
+    source->count_ = std::move(count);
     const auto makeImage = [&](const char* name, VkFormat format) {
         return gpu::Image::create(context, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
                                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
@@ -159,6 +161,13 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .readWrite("raysWeights", weights_);
     scene_->bind(pass);
     surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+}
+
+void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
+    frame.pass(count_)
+        .read("raysRecord", record_)
+        .readWrite("statistics", statistics)
+        .dispatch(record_.width(), record_.height());
 }
 
 /// Traces, lets the host shade, and takes its answer.

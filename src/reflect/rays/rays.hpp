@@ -48,6 +48,9 @@ public:
 
     void record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs);
 
+    /// Adds what this frame's rays did to a shared::RayStatistics.
+    void count(gpu::Frame& frame, gpu::Buffer& statistics);
+
     gpu::Image& answer() { return radianceWeight_; }
     gpu::Image& rayRecord() { return record_; }
 
@@ -60,6 +63,7 @@ private:
     gpu::Pipeline list_;
     gpu::Pipeline reflect_;
     gpu::Pipeline traceHits_;
+    gpu::Pipeline count_;
     rays::Scene* scene_ = nullptr;
     SurfaceTableState* surfaces_ = nullptr; ///< null: the host shades
     ShadeHits shade_;
@@ -69,7 +73,7 @@ private:
     gpu::Image sum_;            ///< RGBA32F, 1x1 unless rays.accumulate: reflect_main.glsl
     gpu::Image weights_;        ///< R32F, of the same size
     bool framesHeld_ = false;   ///< they hold the frames before
-    gpu::Image record_;         ///< RGBA32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays; kRaysReused...
+    gpu::Image record_; ///< RGBA32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays; kRaysReused...
     gpu::Buffer blueNoise_;
     bool noiseHeld_ = false;
 };
