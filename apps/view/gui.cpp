@@ -11,6 +11,12 @@
 namespace glint::view {
 namespace {
 
+#if IMGUI_VERSION_NUM < 18700
+constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
+#else
+constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
+#endif
+
 /// Those keys that ImGui has a use for.
 constexpr std::array<std::pair<int, ImGuiKey>, 22> kKeys = {{
     {GLFW_KEY_TAB, ImGuiKey_Tab},
@@ -28,7 +34,7 @@ constexpr std::array<std::pair<int, ImGuiKey>, 22> kKeys = {{
     {GLFW_KEY_SPACE, ImGuiKey_Space},
     {GLFW_KEY_ENTER, ImGuiKey_Enter},
     {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
-    {GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter},
+    {GLFW_KEY_KP_ENTER, kKeypadEnter},
     {GLFW_KEY_A, ImGuiKey_A},
     {GLFW_KEY_C, ImGuiKey_C},
     {GLFW_KEY_V, ImGuiKey_V},
