@@ -12,6 +12,7 @@
 namespace glint::cli {
 
 using Command = std::function<Result<void>()>;
+using AddCommand = std::function<void(CLI::App& program, Command& chosen)>;
 
 void addRenderCommand(CLI::App& program, Command& chosen, const render::RenderFunction& render);
 void addInspectCommand(CLI::App& program, Command& chosen, const render::RenderFunction& render);

@@ -17,17 +17,9 @@ constexpr Color kWhite = Color(1);
 constexpr Color kBlack = Color(0);
 constexpr Color kNothing = Color(0.95f, 0.2f, 0.15f);
 
-Color decisionColor(std::string_view decision) {
-    constexpr std::pair<std::string_view, Color> kColors[] = {
-        {"front", {0.35f, 0.75f, 1.0f}},   {"behind", {0.65f, 0.4f, 1.0f}},   {"empty", {0.6f, 0.65f, 0.7f}},
-        {"lookInto", {1.0f, 0.85f, 0.2f}}, {"passes", {1.0f, 0.55f, 0.15f}},  {"hit", {0.2f, 0.95f, 0.3f}},
-        {"side", {0.75f, 0.9f, 0.1f}},     {"backFace", {0.7f, 0.45f, 0.2f}}, {"grazes", {0.85f, 0.75f, 0.6f}},
-        {"nearly", {1.0f, 0.35f, 0.9f}},   {"places", {1.0f, 1.0f, 1.0f}},
-    };
-    for (const auto& [name, color] : kColors)
-        if (name == decision)
-            return color;
-    return kWhite;
+Color colorOf(std::string_view decision) {
+    const Float3 color = decisionColor(decision);
+    return {color[0], color[1], color[2]};
 }
 
 /// Blends shapes with soft edges into a picture.
@@ -122,7 +114,7 @@ void drawCells(Canvas& canvas, const RayInspection& inspection, float unit) {
         if (sample.level > 0) {
             const float side = static_cast<float>(1u << sample.level);
             const glm::vec2 low = glm::floor(toVec2(sample.positionPX) / side) * side;
-            canvas.square(low, side, 1.25f * unit, decisionColor(sample.decision), 0.75f);
+            canvas.square(low, side, 1.25f * unit, colorOf(sample.decision), 0.75f);
         }
 }
 
@@ -133,7 +125,7 @@ void drawSamples(Canvas& canvas, const RayInspection& inspection, float unit) {
     for (const RaySample& sample : inspection.samples)
         canvas.disc(toVec2(sample.positionPX), radius(sample) + 0.8f * unit, kBlack, 0.6f);
     for (const RaySample& sample : inspection.samples)
-        canvas.disc(toVec2(sample.positionPX), radius(sample), decisionColor(sample.decision));
+        canvas.disc(toVec2(sample.positionPX), radius(sample), colorOf(sample.decision));
 }
 
 void drawHit(Canvas& canvas, glm::vec2 at, float unit, Color color) {
@@ -161,6 +153,19 @@ void drawEnd(Canvas& canvas, glm::vec2 at, float unit) {
 
 } // namespace
 
+Float3 decisionColor(std::string_view decision) {
+    constexpr std::pair<std::string_view, Float3> kColors[] = {
+        {"front", {{0.35f, 0.75f, 1.0f}}},   {"behind", {{0.65f, 0.4f, 1.0f}}},   {"empty", {{0.6f, 0.65f, 0.7f}}},
+        {"lookInto", {{1.0f, 0.85f, 0.2f}}}, {"passes", {{1.0f, 0.55f, 0.15f}}},  {"hit", {{0.2f, 0.95f, 0.3f}}},
+        {"side", {{0.75f, 0.9f, 0.1f}}},     {"backFace", {{0.7f, 0.45f, 0.2f}}}, {"grazes", {{0.85f, 0.75f, 0.6f}}},
+        {"nearly", {{1.0f, 0.35f, 0.9f}}},   {"places", {{1.0f, 1.0f, 1.0f}}},
+    };
+    for (const auto& [name, color] : kColors)
+        if (name == decision)
+            return color;
+    return {1, 1, 1};
+}
+
 void drawRay(const RayInspection& inspection, uint32_t width, uint32_t height, std::span<uint8_t> rgb) {
     GLINT_ASSERT(rgb.size() == size_t{width} * height * 3, "{} bytes", rgb.size());
     Canvas canvas(width, height, rgb);
@@ -180,7 +185,7 @@ void drawRay(const RayInspection& inspection, uint32_t width, uint32_t height, s
     canvas.diamond(start, 6 * unit, kBlack);
     canvas.diamond(start, 4 * unit, kWhite);
     if (inspection.answered)
-        drawHit(canvas, end, unit, decisionColor(inspection.outcome));
+        drawHit(canvas, end, unit, colorOf(inspection.outcome));
     else
         drawEnd(canvas, lastInside(start, end, glm::vec2(width, height), 5 * unit), unit);
 }

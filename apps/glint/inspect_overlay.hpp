@@ -4,8 +4,12 @@
 #include "glint/inspection.hpp"
 
 #include <span>
+#include <string_view>
 
 namespace glint::cli {
+
+/// Of what a sample decided (RaySample::decision): RGB as displayed, [0, 1].
+Float3 decisionColor(std::string_view decision);
 
 /// The line on screen from start to end, every sample (pixels as discs, cells of the pyramid as outlined squares, both
 /// in the colour of what they decided), the start as a diamond, an answer as a ring with four ticks, the end of

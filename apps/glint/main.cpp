@@ -1,7 +1,14 @@
 #include "program.hpp"
 #include "render/run_job.hpp"
+#ifdef GLINT_VIEWER
+#include "view_command.hpp"
+#endif
 
 int main(int argc, char** argv) {
-    return glint::cli::runProgram(argc, argv,
-                                  [](const glint::render::RenderJob& job) { return glint::render::runJob(job); });
+    glint::cli::AddCommand view;
+#ifdef GLINT_VIEWER
+    view = glint::view::addViewCommand;
+#endif
+    return glint::cli::runProgram(
+        argc, argv, [](const glint::render::RenderJob& job) { return glint::render::runJob(job); }, view);
 }

@@ -41,7 +41,7 @@ std::string unknownCommand(const CLI::App& program, int argc, const char* const*
     return fmt::format("unknown command '{}'; there are {}", printable(argv[1]), listText(names, " and "));
 }
 
-int run(int argc, const char* const* argv, const render::RenderFunction& render) {
+int run(int argc, const char* const* argv, const render::RenderFunction& render, const AddCommand& view) {
     CLI::App program("Reflections for any Vulkan renderer: renders scenes with them and measures the result.", "glint");
     program.set_help_all_flag("--help-all", "Print the help of every command");
     program.require_subcommand(1);
@@ -50,6 +50,8 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render)
         addRenderCommand(program, chosen, render);
         addInspectCommand(program, chosen, render);
     }
+    if (view)
+        view(program, chosen);
     addCompareCommand(program, chosen);
     addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);
@@ -70,9 +72,9 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render)
 
 } // namespace
 
-int runProgram(int argc, const char* const* argv, const render::RenderFunction& render) {
+int runProgram(int argc, const char* const* argv, const render::RenderFunction& render, const AddCommand& view) {
     try {
-        return run(argc, argv, render);
+        return run(argc, argv, render, view);
     } catch (const std::bad_alloc&) {
         return fail(kFailed, "not enough memory");
     } catch (const std::exception& exception) {

@@ -121,6 +121,12 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON");
 }
 
+render::SettingsRequest settingsRequest(const RenderOptions& options) {
+    render::SettingsRequest request = options.settings;
+    request.defaults = sceneDefaults(options.scene);
+    return request;
+}
+
 Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     render::RenderJob job;
     job.scene = options.scene;
@@ -137,9 +143,7 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     if (options.frames < 1 || options.frames > kMaxFrames)
         return invalidArgument("--frames {}: expected 1 to {}", options.frames, kMaxFrames);
     job.frames = static_cast<uint32_t>(options.frames);
-    render::SettingsRequest request = options.settings;
-    request.defaults = sceneDefaults(options.scene);
-    GLINT_TRY(settings, render::loadSettings(request));
+    GLINT_TRY(settings, render::loadSettings(settingsRequest(options)));
     job.settings = std::move(settings);
     return job;
 }

@@ -43,6 +43,9 @@ Result<void> readSize(std::string_view option, const std::string& text, render::
 /// Errors: NotFound if the folder that `file` is to be written to is not there.
 Result<void> checkFolder(std::string_view option, const std::string& file);
 
+/// The settings that are asked for, with what suits the scene under them.
+render::SettingsRequest settingsRequest(const RenderOptions& options);
+
 /// Without what is written: views, files, figures. Errors: InvalidArgument, InvalidInput or NotFound, each naming its
 /// option.
 Result<render::RenderJob> makePictureJob(const RenderOptions& options);

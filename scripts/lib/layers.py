@@ -4,7 +4,7 @@
     include/glint <- base <- gpu <- rays <- reflect             the library
                           gpu <- scene <- render <- measure <- apps
 Left never includes right; the library never sees scene, render, measure or apps, and render, measure and apps reach
-reflect only through include/glint/. Only src/gpu calls Vulkan; apps/view may too, for its window's swapchain is there.
+reflect only through include/glint/. Only src/gpu calls Vulkan; apps/view alone sees GLFW and Dear ImGui.
 """
 import re
 import subprocess
@@ -26,6 +26,7 @@ ALLOWED = {
 }
 SOURCE = {".hpp", ".cpp", ".h", ".inl"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+WINDOW_INCLUDE = re.compile(r'^\s*#\s*include\s*[<"](?:GLFW/|imgui)')
 VULKAN_CALL = re.compile(r"\bvk(?:Cmd|Create|Destroy|Allocate|Free|Queue|Get|Enumerate|Bind|Map|Wait|Reset|Update)\w+\s*\(")
 
 
@@ -72,7 +73,11 @@ def breaches(path: Path, known: set[Path]):
         target = target_of(path, *found.groups(), known) if found else None
         if target and target != layer and target not in ALLOWED[layer]:
             yield f"{path}:{number}: {layer} includes {found.group(2)} of {target}, which it may not see"
-    if layer not in ("gpu", "include", "examples") and path.parts[:2] != ("apps", "view"):
+    if path.parts[:2] != ("apps", "view"):
+        for number, line in enumerate(text.splitlines(), 1):
+            if WINDOW_INCLUDE.match(line):
+                yield f"{path}:{number}: GLFW and Dear ImGui belong to apps/view"
+    if layer not in ("gpu", "include", "examples"):
         for number, line in enumerate(code_only(text).splitlines(), 1):
             if call := VULKAN_CALL.search(line):
                 yield f"{path}:{number}: {call.group().rstrip('(').rstrip()} outside src/gpu: give src/gpu a function for it"

@@ -6,6 +6,7 @@ void Api::loadInstance(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance
     GetInstanceProcAddr = getInstanceProcAddr;
 #define GLINT_VK_LOAD(name) name = reinterpret_cast<PFN_vk##name>(GetInstanceProcAddr(instance, "vk" #name));
     GLINT_VK_INSTANCE_FUNCTIONS(GLINT_VK_LOAD)
+    GLINT_VK_SURFACE_FUNCTIONS(GLINT_VK_LOAD)
 #undef GLINT_VK_LOAD
 }
 
@@ -14,6 +15,7 @@ void Api::loadDevice(VkDevice device) {
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_LOAD)
     GLINT_VK_DEBUG_FUNCTIONS(GLINT_VK_LOAD)
     GLINT_VK_RAY_FUNCTIONS(GLINT_VK_LOAD)
+    GLINT_VK_SWAPCHAIN_FUNCTIONS(GLINT_VK_LOAD)
 #undef GLINT_VK_LOAD
 }
 
@@ -28,6 +30,12 @@ const char* Api::firstMissing() const {
 
 const char* Api::firstMissingForRays() const {
     GLINT_VK_RAY_FUNCTIONS(GLINT_VK_CHECK)
+    return nullptr;
+}
+
+const char* Api::firstMissingForWindows() const {
+    GLINT_VK_SURFACE_FUNCTIONS(GLINT_VK_CHECK)
+    GLINT_VK_SWAPCHAIN_FUNCTIONS(GLINT_VK_CHECK)
 #undef GLINT_VK_CHECK
     return nullptr;
 }

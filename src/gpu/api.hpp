@@ -39,6 +39,14 @@
 #define GLINT_VK_RAY_FUNCTIONS(X)                                                                                      \
     X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR)      \
     X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR) X(GetBufferDeviceAddress)
+
+/// Present only where a window is (Context::presents); not called otherwise.
+#define GLINT_VK_SURFACE_FUNCTIONS(X)                                                                                  \
+    X(DestroySurfaceKHR) X(GetPhysicalDeviceSurfaceSupportKHR) X(GetPhysicalDeviceSurfaceCapabilitiesKHR)              \
+    X(GetPhysicalDeviceSurfaceFormatsKHR)
+#define GLINT_VK_SWAPCHAIN_FUNCTIONS(X)                                                                                \
+    X(CreateSwapchainKHR) X(DestroySwapchainKHR) X(GetSwapchainImagesKHR) X(AcquireNextImageKHR) X(QueuePresentKHR)    \
+    X(CreateSemaphore) X(DestroySemaphore)
 // clang-format on
 
 namespace glint::gpu {
@@ -50,6 +58,8 @@ struct Api {
     GLINT_VK_DEVICE_FUNCTIONS(GLINT_VK_MEMBER)
     GLINT_VK_DEBUG_FUNCTIONS(GLINT_VK_MEMBER)
     GLINT_VK_RAY_FUNCTIONS(GLINT_VK_MEMBER)
+    GLINT_VK_SURFACE_FUNCTIONS(GLINT_VK_MEMBER)
+    GLINT_VK_SWAPCHAIN_FUNCTIONS(GLINT_VK_MEMBER)
 #undef GLINT_VK_MEMBER
 
     void loadInstance(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance);
@@ -58,6 +68,7 @@ struct Api {
     /// nobody enabled are missing, too.
     const char* firstMissing() const;
     const char* firstMissingForRays() const;
+    const char* firstMissingForWindows() const;
 };
 
 } // namespace glint::gpu

@@ -123,6 +123,7 @@ Result<void> Context::createInstance(const ContextDesc& desc) {
     std::vector<const char*> extensions;
     if (debugUtils)
         extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.insert(extensions.end(), desc.windowExtensions.begin(), desc.windowExtensions.end());
     const VkApplicationInfo application = {
         VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "glint", 1, "glint", 1, VK_API_VERSION_1_3};
     const VkValidationFeatureEnableEXT enable = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
@@ -149,6 +150,9 @@ Result<void> Context::createInstance(const ContextDesc& desc) {
     if (result == VK_ERROR_LAYER_NOT_PRESENT)
         return makeError(ErrorCode::Unsupported, "{} is not installed (package vulkan-validationlayers)",
                          kValidationLayer);
+    if (result == VK_ERROR_EXTENSION_NOT_PRESENT)
+        return makeError(ErrorCode::Unsupported, "the Vulkan driver cannot show windows here ({} is missing)",
+                         joinText(std::vector<std::string>(extensions.begin(), extensions.end()), " or "));
     if (result != VK_SUCCESS)
         return makeError(ErrorCode::Unsupported,
                          "no Vulkan driver answers (vkCreateInstance: VkResult {}); "
@@ -248,6 +252,12 @@ Result<void> Context::createDevice(const ContextDesc& desc) {
         rays.require();
         features.v13.pNext = &rays.accelerationStructure;
     }
+    presents_ = !desc.windowExtensions.empty();
+    if (presents_ && !hasExtension(api_, physicalDevice_, VK_KHR_SWAPCHAIN_EXTENSION_NAME))
+        return makeError(ErrorCode::Unsupported, "{} cannot show pictures in a window (no VK_KHR_swapchain)",
+                         info_.name);
+    if (presents_)
+        extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
     info.ppEnabledExtensionNames = extensions.data();
     if (const VkResult result = api_.CreateDevice(physicalDevice_, &info, nullptr, &device_); result != VK_SUCCESS)
@@ -268,6 +278,8 @@ Result<void> Context::finish() {
                          "the device does not offer {}: it needs Vulkan 1.3 and VK_KHR_push_descriptor enabled",
                          missing);
 
+    if (const char* missing = api_.firstMissingForWindows(); presents_ && missing)
+        return makeError(ErrorCode::Unsupported, "the device does not offer {}", missing);
     if (const char* missing = api_.firstMissingForRays(); rayQuery_ && missing)
         return makeError(ErrorCode::Unsupported, "ray queries are not enabled on the device: it does not offer {}",
                          missing);

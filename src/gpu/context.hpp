@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,6 +34,7 @@ struct ContextDesc {
     std::string device;      ///< part of a name, or an index as `glint devices` prints it; empty: the best usable one
     bool validation = false; ///< the Khronos layer with synchronization checks; an error if it is not installed
     bool rayQuery = true;    ///< enabled where the device offers it; false leaves it off everywhere
+    std::vector<const char*> windowExtensions; ///< of the instance, as the window system needs them; empty: no window
 };
 
 /// A host's device. All handles stay the host's; they must outlive the context.
@@ -68,6 +70,7 @@ public:
     uint32_t scratchAlignment() const { return scratchAlignment_; } ///< bytes; of builds, 1 without ray queries
     VkDeviceSize maxStorageBufferRange() const { return maxStorageBufferRange_; } ///< bytes
     uint32_t queueFamily() const { return queueFamily_; }
+    VkQueue queue() const { return queue_; } ///< of a created context; null of an adopted one
     vma::VmaAllocator_T* allocator() const { return allocator_; }
     double timestampPeriodNs() const { return timestampPeriodNs_; } ///< 0: the queue has no timestamps
     VkSampler sampler(SamplerKind kind) const { return samplers_[static_cast<size_t>(kind)]; }
@@ -84,11 +87,16 @@ public:
     /// Only for a created context. Errors: DeviceLost.
     Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& recordCommands);
 
+    /// Compute pipelines that somebody still has (gpu/pipeline.hpp), by what they were made from.
+    std::map<std::string, std::weak_ptr<void>>& pipelines() { return pipelines_; }
+
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
     /// Can an image of this format and usage have so many samples a pixel?
     bool supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const;
     void nameObject(VkObjectType type, uint64_t handle, const char* name) const;
 
+    /// Made with ContextDesc::windowExtensions: gpu/swapchain.hpp can show pictures.
+    bool presents() const { return presents_; }
     /// Validation messages so far (created contexts with validation on). Tests fail on any.
     const std::vector<std::string>& validationMessages() const { return validationMessages_; }
 
@@ -107,6 +115,7 @@ private:
     void* loader_ = nullptr; ///< dlopen handle, created contexts only
     bool owned_ = false;
     bool rayQuery_ = false;
+    bool presents_ = false;
     uint32_t scratchAlignment_ = 1;
     VkDeviceSize maxStorageBufferRange_ = 0;
     VkInstance instance_ = VK_NULL_HANDLE;
@@ -122,6 +131,7 @@ private:
     double timestampPeriodNs_ = 0;
     VkSampler samplers_[static_cast<size_t>(SamplerKind::Count)] = {};
     std::vector<std::span<const EmbeddedShader>> shaderSets_;
+    std::map<std::string, std::weak_ptr<void>> pipelines_;
     std::vector<std::string> validationMessages_;
 };
 

@@ -287,6 +287,21 @@ void Frame::copy(Image& source, Image& target) {
                                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
 }
 
+void Frame::convert(Image& source, Image& target) {
+    use(source, 0, 1, kTransferReadImage);
+    use(target, 0, 1, kTransferWriteImage);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    const VkOffset3D corner = {static_cast<int32_t>(source.width()), static_cast<int32_t>(source.height()), 1};
+    VkImageBlit blit = {};
+    blit.srcSubresource = {source.aspect(), 0, 0, 1};
+    blit.dstSubresource = {target.aspect(), 0, 0, 1};
+    blit.srcOffsets[1] = blit.dstOffsets[1] = corner;
+    context_.api().CmdBlitImage(commands_, source.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target.handle(),
+                                VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &blit, VK_FILTER_NEAREST);
+}
+
 void Frame::resolve(Image& source, Image& target) {
     use(source, 0, 1, kTransferReadImage);
     use(target, 0, 1, kTransferWriteImage);

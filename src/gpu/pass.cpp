@@ -375,6 +375,12 @@ Draws& Draws::viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height) 
     return *this;
 }
 
+Draws& Draws::scissor(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
+    const VkRect2D scissor = {{static_cast<int32_t>(x), static_cast<int32_t>(y)}, {width, height}};
+    api_.CmdSetScissor(commands_, 0, 1, &scissor);
+    return *this;
+}
+
 void Draws::draw(uint32_t vertexCount, uint32_t instanceCount, uint32_t firstVertex, uint32_t firstInstance) {
     api_.CmdDraw(commands_, vertexCount, instanceCount, firstVertex, firstInstance);
 }

@@ -30,6 +30,7 @@ public:
     }
     /// Counter-clockwise is glTF's front; `mirrored` flips it for transforms with a negative determinant.
     Draws& cull(VkCullModeFlags mode, bool mirrored = false);
+    Draws& scissor(uint32_t x, uint32_t y, uint32_t width, uint32_t height);  ///< pixels; nothing outside is drawn
     Draws& viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height); ///< pixels; +Y of the clip space is up
     void draw(uint32_t vertexCount, uint32_t instanceCount = 1, uint32_t firstVertex = 0, uint32_t firstInstance = 0);
     void drawIndexed(uint32_t indexCount, uint32_t firstIndex = 0, int32_t vertexOffset = 0, uint32_t instanceCount = 1,
@@ -180,6 +181,8 @@ public:
     /// Makes the rest of the mip chain from level 0 by box filtering (linear formats and sRGB alike).
     void makeMips(Image& image);
     void copy(Image& source, Image& target);
+    /// The same between formats, both of one size; colours are converted, as from RGBA to BGRA.
+    void convert(Image& source, Image& target);
     /// The mean of a colour image's samples, into an image with one sample a pixel.
     void resolve(Image& source, Image& target);
     /// Into a readback buffer of the same size, visible to the CPU once the GPU is done.

@@ -56,71 +56,91 @@ struct Specialization {
     Specialization& operator=(const Specialization&) = delete;
 };
 
+/// What tells compute pipelines of one context apart; empty for those that cannot be shared, as a table's layout is
+/// known by its handle alone, which the next table may get.
+std::string cacheKey(const EmbeddedShader& shader, const ComputeDesc& desc) {
+    if (desc.tableLayout)
+        return {};
+    std::string key = fmt::format("{} {} {}", desc.shader, static_cast<const void*>(&shader), desc.pushSize);
+    for (const SpecConstant& constant : desc.constants)
+        key += fmt::format(" {}={}", constant.id, constant.value);
+    return key;
+}
+
 } // namespace
 
-Result<void> Pipeline::makeLayout(std::span<const EmbeddedShader* const> shaders, size_t pushSize,
-                                  VkDescriptorSetLayout tableLayout) {
+Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> shaders, size_t wantedPushSize,
+                                        VkDescriptorSetLayout tableLayout) {
     uint32_t shaderPushSize = 0;
     for (const EmbeddedShader* shader : shaders) {
-        if (shader->usesRayQuery() && !context_->rayQuery())
-            return makeError(ErrorCode::Unsupported, "{} traces by ray queries, which are not enabled on {}", name_,
-                             context_->info().name);
+        if (shader->usesRayQuery() && !context->rayQuery())
+            return makeError(ErrorCode::Unsupported, "{} traces by ray queries, which are not enabled on {}", name,
+                             context->info().name);
         shaderPushSize = std::max(shaderPushSize, shader->pushConstantSize);
         for (const ShaderBinding& binding : shader->bindings) {
             if (binding.set != 0)
                 continue; // a table's
-            const auto same = std::find_if(bindings_.begin(), bindings_.end(), [&](const ShaderBinding& known) {
+            const auto same = std::find_if(bindings.begin(), bindings.end(), [&](const ShaderBinding& known) {
                 return known.binding == binding.binding || known.name == binding.name;
             });
-            if (same == bindings_.end())
-                bindings_.push_back(binding);
+            if (same == bindings.end())
+                bindings.push_back(binding);
             else if (same->binding != binding.binding || same->name != binding.name || same->kind != binding.kind)
-                return invalidArgument("{}: '{}' and '{}' meet at binding {}: both stages must agree", name_,
-                                       same->name, binding.name, binding.binding);
+                return invalidArgument("{}: '{}' and '{}' meet at binding {}: both stages must agree", name, same->name,
+                                       binding.name, binding.binding);
         }
     }
-    if (shaderPushSize != pushSize)
-        return invalidArgument("{}: the shader's push constants have {} bytes, the program's struct has {}", name_,
-                               shaderPushSize, pushSize);
-    if (bindings_.size() > kMaxBindings)
-        return invalidArgument("{}: {} bindings, at most {} are allowed", name_, bindings_.size(), kMaxBindings);
+    if (shaderPushSize != wantedPushSize)
+        return invalidArgument("{}: the shader's push constants have {} bytes, the program's struct has {}", name,
+                               shaderPushSize, wantedPushSize);
+    if (bindings.size() > kMaxBindings)
+        return invalidArgument("{}: {} bindings, at most {} are allowed", name, bindings.size(), kMaxBindings);
 
     std::vector<VkDescriptorSetLayoutBinding> layoutBindings;
-    for (const ShaderBinding& binding : bindings_)
-        layoutBindings.push_back({binding.binding, descriptorType(binding.kind), 1, stages_, nullptr});
+    for (const ShaderBinding& binding : bindings)
+        layoutBindings.push_back({binding.binding, descriptorType(binding.kind), 1, stages, nullptr});
     VkDescriptorSetLayoutCreateInfo setInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
     setInfo.bindingCount = static_cast<uint32_t>(layoutBindings.size());
     setInfo.pBindings = layoutBindings.data();
-    const Api& api = context_->api();
-    VkResult result = api.CreateDescriptorSetLayout(context_->device(), &setInfo, nullptr, &setLayout_);
+    const Api& api = context->api();
+    VkResult result = api.CreateDescriptorSetLayout(context->device(), &setInfo, nullptr, &setLayout);
 
-    const VkPushConstantRange range = {stages_, 0, static_cast<uint32_t>(pushSize)};
-    const std::array<VkDescriptorSetLayout, 2> sets = {setLayout_, tableLayout};
+    const VkPushConstantRange range = {stages, 0, static_cast<uint32_t>(wantedPushSize)};
+    const std::array<VkDescriptorSetLayout, 2> sets = {setLayout, tableLayout};
     VkPipelineLayoutCreateInfo info = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
     info.setLayoutCount = tableLayout ? 2 : 1;
     info.pSetLayouts = sets.data();
-    info.pushConstantRangeCount = pushSize > 0 ? 1 : 0;
+    info.pushConstantRangeCount = wantedPushSize > 0 ? 1 : 0;
     info.pPushConstantRanges = &range;
     if (result == VK_SUCCESS)
-        result = api.CreatePipelineLayout(context_->device(), &info, nullptr, &layout_);
+        result = api.CreatePipelineLayout(context->device(), &info, nullptr, &layout);
     if (result != VK_SUCCESS)
-        return makeError(ErrorCode::OutOfMemory, "{}: its layout cannot be created (VkResult {})", name_,
+        return makeError(ErrorCode::OutOfMemory, "{}: its layout cannot be created (VkResult {})", name,
                          static_cast<int>(result));
-    pushSize_ = pushSize;
-    context_->nameObject(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, reinterpret_cast<uint64_t>(setLayout_), name_.c_str());
-    context_->nameObject(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<uint64_t>(layout_), name_.c_str());
+    pushSize = wantedPushSize;
+    context->nameObject(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, reinterpret_cast<uint64_t>(setLayout), name.c_str());
+    context->nameObject(VK_OBJECT_TYPE_PIPELINE_LAYOUT, reinterpret_cast<uint64_t>(layout), name.c_str());
     return {};
 }
 
 Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
     GLINT_TRY(shader, context.findShader(desc.shader));
-    Pipeline pipeline;
-    pipeline.context_ = &context;
-    pipeline.name_ = desc.shader;
-    pipeline.bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
-    pipeline.stages_ = VK_SHADER_STAGE_COMPUTE_BIT;
-    std::copy(std::begin(shader->localSize), std::end(shader->localSize), pipeline.localSize_);
+    const std::string key = cacheKey(*shader, desc);
+    if (!key.empty())
+        if (const auto made = std::static_pointer_cast<Made>(context.pipelines()[key].lock())) {
+            Pipeline known;
+            known.made_ = made;
+            return known;
+        }
+    Pipeline whole;
+    whole.made_ = std::make_shared<Made>();
+    Made& pipeline = *whole.made_;
+    pipeline.context = &context;
+    pipeline.name = desc.shader;
+    pipeline.bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE;
+    pipeline.stages = VK_SHADER_STAGE_COMPUTE_BIT;
+    std::copy(std::begin(shader->localSize), std::end(shader->localSize), pipeline.localSize);
     GLINT_CHECK(pipeline.makeLayout(std::array{shader}, desc.pushSize, desc.tableLayout));
 
     const Module module(context, *shader);
@@ -133,24 +153,28 @@ Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
                   module.handle(),
                   "main",
                   &specialization.info};
-    info.layout = pipeline.layout_;
+    info.layout = pipeline.layout;
     const VkResult result = module.ok() ? context.api().CreateComputePipelines(context.device(), VK_NULL_HANDLE, 1,
-                                                                               &info, nullptr, &pipeline.pipeline_)
+                                                                               &info, nullptr, &pipeline.pipeline)
                                         : VK_ERROR_OUT_OF_HOST_MEMORY;
     if (result != VK_SUCCESS)
         return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})", desc.shader,
                          static_cast<int>(result));
-    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline_), pipeline.name_.c_str());
-    return pipeline;
+    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline), pipeline.name.c_str());
+    if (!key.empty())
+        context.pipelines()[key] = whole.made_;
+    return whole;
 }
 
 Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
-    Pipeline pipeline;
-    pipeline.context_ = &context;
-    pipeline.name_ = desc.fragmentShader.empty() ? desc.vertexShader : desc.fragmentShader;
-    pipeline.name_.resize(pipeline.name_.rfind('.')); // the pass is "render/surface", whatever its stages
-    pipeline.bindPoint_ = VK_PIPELINE_BIND_POINT_GRAPHICS;
-    pipeline.stages_ = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+    Pipeline whole;
+    whole.made_ = std::make_shared<Made>();
+    Made& pipeline = *whole.made_;
+    pipeline.context = &context;
+    pipeline.name = desc.fragmentShader.empty() ? desc.vertexShader : desc.fragmentShader;
+    pipeline.name.resize(pipeline.name.rfind('.')); // the pass is "render/surface", whatever its stages
+    pipeline.bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
+    pipeline.stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
     std::vector<const EmbeddedShader*> shaders;
     for (std::string_view name : {desc.vertexShader, desc.fragmentShader})
@@ -219,36 +243,28 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
     info.pDepthStencilState = &depth;
     info.pColorBlendState = &blend;
     info.pDynamicState = &dynamic;
-    info.layout = pipeline.layout_;
+    info.layout = pipeline.layout;
     if (const VkResult result = context.api().CreateGraphicsPipelines(context.device(), VK_NULL_HANDLE, 1, &info,
-                                                                      nullptr, &pipeline.pipeline_);
+                                                                      nullptr, &pipeline.pipeline);
         result != VK_SUCCESS)
         return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})",
-                         pipeline.name_, static_cast<int>(result));
-    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline_), pipeline.name_.c_str());
-    return pipeline;
+                         pipeline.name, static_cast<int>(result));
+    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline), pipeline.name.c_str());
+    return whole;
 }
 
-void Pipeline::destroy() {
-    if (!context_)
+Pipeline::Made::~Made() {
+    if (!context)
         return;
-    const Api& api = context_->api();
-    api.DestroyPipeline(context_->device(), pipeline_, nullptr);
-    api.DestroyPipelineLayout(context_->device(), layout_, nullptr);
-    api.DestroyDescriptorSetLayout(context_->device(), setLayout_, nullptr);
+    const Api& api = context->api();
+    api.DestroyPipeline(context->device(), pipeline, nullptr);
+    api.DestroyPipelineLayout(context->device(), layout, nullptr);
+    api.DestroyDescriptorSetLayout(context->device(), setLayout, nullptr);
 }
 
-void Pipeline::swap(Pipeline& other) {
-    std::swap(context_, other.context_);
-    std::swap(name_, other.name_);
-    std::swap(bindings_, other.bindings_);
-    std::swap(setLayout_, other.setLayout_);
-    std::swap(layout_, other.layout_);
-    std::swap(pipeline_, other.pipeline_);
-    std::swap(bindPoint_, other.bindPoint_);
-    std::swap(stages_, other.stages_);
-    std::swap(pushSize_, other.pushSize_);
-    std::swap(localSize_, other.localSize_);
+const Pipeline::Made& Pipeline::it() const {
+    static const Made none;
+    return made_ ? *made_ : none;
 }
 
 } // namespace glint::gpu

@@ -3,6 +3,7 @@
 
 #include "gpu/context.hpp"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,42 +43,48 @@ struct RasterDesc {
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shaders use a TextureTable
 };
 
-/// Cull mode and front face are dynamic (Draws::cull). Movable; destroys its Vulkan objects.
+/// Cull mode and front face are dynamic (Draws::cull). Movable. Compute pipelines of one description are made once a
+/// context, and live as long as one of those who asked for them: making a library's frame anew, as for another size,
+/// compiles nothing while the old one is there.
 class Pipeline {
 public:
-    Pipeline() = default;
     static Result<Pipeline> compute(Context& context, const ComputeDesc& desc);
     static Result<Pipeline> raster(Context& context, const RasterDesc& desc);
-    ~Pipeline() { destroy(); }
-    Pipeline(Pipeline&& other) noexcept { swap(other); }
-    Pipeline& operator=(Pipeline&& other) noexcept { return swap(other), *this; }
 
-    explicit operator bool() const { return pipeline_ != VK_NULL_HANDLE; }
-    const std::string& name() const { return name_; } ///< the shader's path; also the pass's label and timer
-    VkPipeline handle() const { return pipeline_; }
-    VkPipelineLayout layout() const { return layout_; }
-    VkPipelineBindPoint bindPoint() const { return bindPoint_; }
-    VkShaderStageFlags stages() const { return stages_; }
-    size_t pushSize() const { return pushSize_; }
-    const uint32_t* localSize() const { return localSize_; }
-    std::span<const ShaderBinding> bindings() const { return bindings_; } ///< set 0 only, both stages merged
+    explicit operator bool() const { return handle() != VK_NULL_HANDLE; }
+    const std::string& name() const { return it().name; } ///< the shader's path; also the pass's label and timer
+    VkPipeline handle() const { return it().pipeline; }
+    VkPipelineLayout layout() const { return it().layout; }
+    VkPipelineBindPoint bindPoint() const { return it().bindPoint; }
+    VkShaderStageFlags stages() const { return it().stages; }
+    size_t pushSize() const { return it().pushSize; }
+    const uint32_t* localSize() const { return it().localSize; }
+    std::span<const ShaderBinding> bindings() const { return it().bindings; } ///< set 0 only, both stages merged
 
 private:
-    Result<void> makeLayout(std::span<const EmbeddedShader* const> shaders, size_t pushSize,
-                            VkDescriptorSetLayout tableLayout);
-    void destroy();
-    void swap(Pipeline& other);
+    /// What it is, with its Vulkan objects.
+    struct Made {
+        Context* context = nullptr;
+        std::string name;
+        std::vector<ShaderBinding> bindings;
+        VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+        VkPipelineLayout layout = VK_NULL_HANDLE;
+        VkPipeline pipeline = VK_NULL_HANDLE;
+        VkPipelineBindPoint bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE;
+        VkShaderStageFlags stages = 0;
+        size_t pushSize = 0;
+        uint32_t localSize[3] = {1, 1, 1};
 
-    Context* context_ = nullptr;
-    std::string name_;
-    std::vector<ShaderBinding> bindings_;
-    VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
-    VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkPipeline pipeline_ = VK_NULL_HANDLE;
-    VkPipelineBindPoint bindPoint_ = VK_PIPELINE_BIND_POINT_COMPUTE;
-    VkShaderStageFlags stages_ = 0;
-    size_t pushSize_ = 0;
-    uint32_t localSize_[3] = {1, 1, 1};
+        Made() = default;
+        ~Made();
+        Made(const Made&) = delete;
+        Made& operator=(const Made&) = delete;
+        Result<void> makeLayout(std::span<const EmbeddedShader* const> shaders, size_t wantedPushSize,
+                                VkDescriptorSetLayout tableLayout);
+    };
+    const Made& it() const;
+
+    std::shared_ptr<Made> made_; ///< null: none yet
 };
 
 } // namespace glint::gpu

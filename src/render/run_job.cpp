@@ -6,6 +6,7 @@
 #include "render/job_inputs.hpp"
 #include "render/ray_world.hpp"
 #include "render/renderer.hpp"
+#include "render/view_pass.hpp"
 #include "render/views.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -71,6 +72,12 @@ Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inpu
     return Environment::createNone(context);
 }
 
+/// Do both ask for the same environment, as it is made once and then kept?
+bool sameEnvironment(const RenderSettings& a, const RenderSettings& b) {
+    return a.environment.isProbe == b.environment.isProbe && a.analyticSky.elevation == b.analyticSky.elevation &&
+           a.analyticSky.azimuth == b.analyticSky.azimuth && a.analyticSky.turbidity == b.analyticSky.turbidity;
+}
+
 /// Milliseconds of each pass over the frames, in the order in which they run.
 class PassTimes {
 public:
@@ -78,7 +85,10 @@ public:
     void add(const std::string& name, double milliseconds) {
         if (times_.find(name) == times_.end())
             order_.push_back(name);
-        times_[name].push_back(milliseconds);
+        std::vector<double>& all = times_[name];
+        if (all.size() >= kMostFrames) // a window may stay open for days
+            all.erase(all.begin(), all.begin() + kMostFrames / 2);
+        all.push_back(milliseconds);
     }
     std::vector<std::pair<std::string, double>> medians() {
         std::vector<std::pair<std::string, double>> result;
@@ -91,6 +101,8 @@ public:
     }
 
 private:
+    static constexpr size_t kMostFrames = 4096;
+
     std::vector<std::string> order_;
     std::map<std::string, std::vector<double>> times_;
 };
@@ -114,6 +126,8 @@ struct JobSession::State {
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
         parameters_.camera = inputs_.camera;
+        GLINT_TRY(viewPass, ViewPass::create(context_));
+        viewPass_ = std::move(viewPass);
 
         const gpu::AdoptedDevice handles = context_.handles();
         GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
@@ -128,9 +142,14 @@ struct JobSession::State {
     }
 
     Result<void> setSettings(const ProgramSettings& settings) {
+        const RenderSettings before = job_.settings.render;
         job_.settings = settings;
         GLINT_CHECK(makeRayWorld());
         GLINT_CHECK(renderer_->setSettings(settings.render));
+        if (!sameEnvironment(before, settings.render)) {
+            GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings.render));
+            GLINT_CHECK(renderer_->setEnvironment(std::move(environment)));
+        }
         GLINT_CHECK(resizeGBuffer());
         passTimes_.clear();
         return makeReflections();
@@ -155,7 +174,11 @@ struct JobSession::State {
     Result<void> makeReflections() {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true, job_.inspect.has_value()}));
-        reflections_ = std::make_unique<Reflections>(std::move(reflections));
+        const auto old = std::exchange(reflections_, std::make_unique<Reflections>(std::move(reflections)));
+        return giveRays(); // and only then the old ones go, with the pipelines that both share
+    }
+
+    Result<void> giveRays() {
         if (!job_.settings.reflections.rays.enabled)
             return {};
         GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
@@ -227,6 +250,8 @@ struct JobSession::State {
         GLINT_CHECK(inputsSet);
         GLINT_CHECK(inspected);
         drawn_ = true;
+        if (plan.draw)
+            parameters_.prevCamera.reset();
         for (const gpu::PassTime& time : timers_->latest())
             times.hostPasses.emplace_back(time.name, time.milliseconds);
         if (plan.reflect)
@@ -259,6 +284,63 @@ struct JobSession::State {
         EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
         map.diffuse = lend(frame, renderer_->environment().diffuse());
         return map;
+    }
+
+    Result<RayInspection> inspect(uint32_t x, uint32_t y) {
+        Result<void> inspected;
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
+            gpu::Frame frame(context_, commands);
+            lendInputs(frame, renderer_->gbuffer()); // blended surfaces may have left them in other layouts
+            inspected = reflections_->recordInspection(commands, x, y);
+        }));
+        GLINT_CHECK(inspected);
+        return reflections_->inspection();
+    }
+
+    void setCamera(const scene::Camera& camera) {
+        if (!parameters_.prevCamera)
+            parameters_.prevCamera = parameters_.camera;
+        parameters_.camera = camera;
+    }
+
+    Result<void> setTime(double seconds) {
+        GLINT_TRY(pose, scene::pose(*inputs_.scene, seconds));
+        inputs_.pose = std::move(pose);
+        job_.time = seconds;
+        GLINT_CHECK(renderer_->setPose(*inputs_.scene, inputs_.pose));
+        if (!rayWorld_)
+            return {};
+        const auto old = std::move(rayWorld_); // rays go through the pose that they were made with
+        GLINT_CHECK(makeRayWorld());
+        if (!rayWorld_) // nobody asks for rays any more
+            GLINT_CHECK(renderer_->setRayWorld(nullptr));
+        return giveRays();
+    }
+
+    Result<void> showView(const std::string& name, gpu::Image& target) {
+        GLINT_TRY(info, findView(name));
+        Result<void> done;
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
+            gpu::Frame frame(context_, commands);
+            if (name == "composite" || name == "scene") {
+                renderer_->display(frame, name == "composite" ? composite_ : scene_, target);
+            } else if (name == "albedo") {
+                viewPass_.draw(frame, renderer_->gbuffer().albedo, info->kind, target);
+            } else if (const auto recorded = reflections_->recordView(commands, name); !recorded) {
+                done = recorded.error();
+                return;
+            } else {
+                gpu::Image image = borrow(*recorded, "job/view");
+                if (info->kind == ViewKind::Radiance)
+                    renderer_->display(frame, image, target);
+                else
+                    viewPass_.draw(frame, image, info->kind, target);
+                frame.hand(image, kSampled);
+            }
+            frame.hand(composite_, kSampled); // as the library left it
+            frame.hand(target, kSampled);
+        }));
+        return done;
     }
 
     Result<RenderedView> readView(const std::string& name) {
@@ -333,6 +415,7 @@ struct JobSession::State {
     RayBackend rayBackend_ = RayBackend::Auto;
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;
+    ViewPass viewPass_;
     gpu::Image composite_; ///< the library's, or our litRadiance when nothing reflects
     gpu::Image scene_;
     gpu::Image display_;
@@ -359,6 +442,18 @@ Result<void> JobSession::resize(uint32_t width, uint32_t height) {
     return state_->resize(width, height);
 }
 
+void JobSession::setCamera(const scene::Camera& camera) {
+    state_->setCamera(camera);
+}
+
+Result<void> JobSession::setTime(double seconds) {
+    return state_->setTime(seconds);
+}
+
+Result<void> JobSession::showView(const std::string& name, gpu::Image& target) {
+    return state_->showView(name, target);
+}
+
 Result<FrameTimes> JobSession::renderFrame(uint32_t index, const FramePlan& plan) {
     return state_->renderFrame(index, plan);
 }
@@ -369,6 +464,10 @@ Result<RenderedView> JobSession::readView(const std::string& name) {
 
 RenderStats JobSession::stats() {
     return state_->stats();
+}
+
+Result<RayInspection> JobSession::inspect(uint32_t x, uint32_t y) {
+    return state_->inspect(x, y);
 }
 
 RayInspection JobSession::inspection() const {

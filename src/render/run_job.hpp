@@ -40,15 +40,26 @@ public:
     JobSession(JobSession&&) noexcept;
     JobSession& operator=(JobSession&&) noexcept;
 
-    /// Forgets the pass times so far. Of the renderer's settings the sky's (`analyticSky`) stay as they were.
+    /// Forgets the pass times so far.
     Result<void> setSettings(const ProgramSettings& settings);
     Result<void> resize(uint32_t width, uint32_t height);
-    /// The first frame, and the first after either call above, has to be drawn.
+    /// Where the next frames are seen from; that of the frame before counts for motion.
+    void setCamera(const scene::Camera& camera);
+    /// Poses the scene at another moment of its animations. Errors: OutOfMemory, DeviceLost.
+    Result<void> setTime(double seconds);
+    /// Makes a view of the frame rendered last visible in `target` (RGBA8_UNORM with STORAGE and SAMPLED usage, of the
+    /// session's size), as readView's bytes have it, and leaves that ready for sampling. Without a read-back: for
+    /// windows. Errors: InvalidArgument for an unknown view; DeviceLost.
+    Result<void> showView(const std::string& name, gpu::Image& target);
+    /// The first frame, and the first after settings or size changed, has to be drawn.
     Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan = {});
     /// Of the frame rendered last. Errors: InvalidArgument for an unknown view; DeviceLost.
     Result<RenderedView> readView(const std::string& name);
     /// Medians over the frames since the settings or the size changed; counts of the last one.
     RenderStats stats();
+    /// Traces one pixel of the frame rendered last once more; with RenderJob::inspect, and after a frame that reflects.
+    /// Errors: InvalidArgument for a pixel outside; DeviceLost.
+    Result<RayInspection> inspect(uint32_t x, uint32_t y);
     /// Of the pixel inspected last.
     RayInspection inspection() const;
     const std::vector<std::string>& notes() const;

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "shared/display.h"
 
 #include <glm/glm.hpp>
 
@@ -46,12 +47,11 @@ glm::vec3 heat(float t) {
 }
 
 glm::vec3 displayColor(ViewKind kind, const glm::vec3& value) {
-    constexpr float kHalfWhite = 5;   // metres at which a distance is middle grey
-    constexpr float kRedCount = 4096; // screen.maxSteps' upper end
     switch (kind) {
     case ViewKind::Direction: return value * 0.5f + 0.5f;
-    case ViewKind::Distance: return glm::vec3(value.x > 0 ? kHalfWhite / (kHalfWhite + value.x) : 0.0f);
-    case ViewKind::Count: return heat(std::log2(1 + std::max(value.x, 0.0f)) / std::log2(1 + kRedCount));
+    case ViewKind::Distance:
+        return glm::vec3(value.x > 0 ? shared::kViewHalfWhite / (shared::kViewHalfWhite + value.x) : 0.0f);
+    case ViewKind::Count: return heat(std::log2(1 + std::max(value.x, 0.0f)) / std::log2(1 + shared::kViewRedCount));
     case ViewKind::Radiance:
     case ViewKind::Fraction: break;
     }

@@ -1,0 +1,40 @@
+// What keys and the mouse do to the viewer's state, where no panel wants them.
+#pragma once
+
+#include "gui.hpp"
+#include "viewer_state.hpp"
+
+#include <set>
+
+namespace glint::view {
+
+class InputHandler {
+public:
+    /// `metres`  the scene's size: how fast to fly
+    void setScale(float metres) { scale_ = metres; }
+    void handle(std::span<const InputEvent> events, ViewerState& state, const Gui& gui, glm::uvec2 window,
+                double seconds);
+    /// Keys or buttons are held that move things.
+    bool holding() const { return !held_.empty() || drag_ != Drag::Nothing; }
+
+private:
+    enum class Drag { Nothing, Line, Orbit, Pan, Look };
+
+    void key(const InputEvent& event, ViewerState& state, bool typing);
+    void button(const InputEvent& event, ViewerState& state, bool overPanel, glm::uvec2 window);
+    void move(glm::vec2 to, ViewerState& state, glm::uvec2 window);
+    void click(ViewerState& state, glm::uvec2 window);
+    void scroll(float notches, ViewerState& state, glm::uvec2 window);
+    void fly(ViewerState& state, double seconds);
+
+    std::set<int> held_; ///< keys
+    Modifiers modifiers_;
+    glm::vec2 mouse_ = glm::vec2(-1);
+    glm::vec2 pressedAt_ = glm::vec2(0);
+    Drag drag_ = Drag::Nothing;
+    bool dragged_ = false; ///< since the button went down: no click
+    double lastClick_ = -1;
+    float scale_ = 1;
+};
+
+} // namespace glint::view

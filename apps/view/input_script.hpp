@@ -1,0 +1,46 @@
+// A person on paper: lines that drive the viewer as keys and a mouse do, for tests and for pictures in documents.
+#pragma once
+
+#include "base/result.hpp"
+#include "key_names.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glint::view {
+
+/// One line. docs/viewer.md has the same list.
+struct ScriptStep {
+    enum class Kind {
+        Frame,       ///< frame N: lets N frames pass
+        Still,       ///< still: waits until the picture is complete, in its full size
+        Key,         ///< key Ctrl+P: presses and releases
+        Press,       ///< press W
+        Release,     ///< release W
+        Type,        ///< type some words
+        Move,        ///< move X Y: pixels from the top left
+        Click,       ///< click X Y: with the left button
+        DoubleClick, ///< doubleclick X Y
+        Drag,        ///< drag X Y X2 Y2 [right|middle]
+        Scroll,      ///< scroll N: notches, away from the person
+        Resize,      ///< resize W H
+        Minimize,    ///< minimize
+        Restore,     ///< restore
+        Drop,        ///< drop FILE
+        Screenshot,  ///< screenshot FILE.png: the window with its panels
+        Picture,     ///< picture FILE.png|.exr: the picture alone, as `glint render` writes it
+        Save,        ///< save FILE.json: settings, and beside them FILE.camera.json
+        Close,       ///< close
+    };
+    Kind kind = Kind::Frame;
+    int line = 0;
+    KeyStroke stroke;
+    std::vector<int> numbers;
+    std::string text; ///< what is typed, a file, or a button's name
+};
+
+/// Empty lines and those that begin with # are for people. Errors: InvalidInput, "name:line: ...".
+Result<std::vector<ScriptStep>> readScript(std::string_view text, std::string_view name);
+
+} // namespace glint::view

@@ -1,0 +1,19 @@
+// Keys by their names: "V", "Ctrl+P", "F12", "Home".
+#pragma once
+
+#include "base/result.hpp"
+#include "input_event.hpp"
+
+#include <string_view>
+
+namespace glint::view {
+
+struct KeyStroke {
+    int key = 0; ///< GLFW's number
+    Modifiers modifiers;
+};
+
+/// Errors: InvalidArgument for a name that is none.
+Result<KeyStroke> readKeyStroke(std::string_view text);
+
+} // namespace glint::view

@@ -1,0 +1,489 @@
+#include "viewer.hpp"
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "canvas.hpp"
+#include "frame_pace.hpp"
+#include "gpu/swapchain.hpp"
+#include "gpu/transfer.hpp"
+#include "gui.hpp"
+#include "input_handler.hpp"
+#include "inspect_output.hpp"
+#include "panels.hpp"
+#include "picture_pair.hpp"
+#include "ray_overlay.hpp"
+#include "render/views.hpp"
+#include "render_output.hpp"
+#include "scene/image_file.hpp"
+#include "script_player.hpp"
+#include "window.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+namespace glint::view {
+namespace {
+
+constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, where nobody says
+constexpr double kScriptFrame = 1.0 / 60;        ///< seconds that a frame of a script lasts, however long it took
+constexpr double kIdle = 0.1;                    ///< seconds to sleep where nothing happens
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string ending(const std::string& path) {
+    std::string text = std::filesystem::path(path).extension().string();
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text;
+}
+
+std::string shellWord(const std::string& text) {
+    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-";
+    if (!text.empty() && text.find_first_not_of(kPlain) == text.npos)
+        return text;
+    std::string quoted = "'";
+    for (const char c : text)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+class Viewer {
+public:
+    Viewer(const ViewOptions& options, SettingsModel model, render::RenderJob job)
+        : options_(options), job_(std::move(job)), state_(std::move(model)) {}
+
+    Result<void> open();
+    void setView(std::string view) { state_.view = std::move(view); }
+    Result<void> run();
+    Result<void> validated() const;
+
+private:
+    Result<void> makeSwapchain();
+    Result<void> openScene(const render::RenderJob& job);
+    std::vector<InputEvent> input();
+    void advanceTime(double step);
+    Result<void> drawLoading();
+    Result<void> resizeCanvas(glm::uvec2 size);
+    Result<void> present();
+    Result<void> drawWindow(std::span<const InputEvent> events, double step);
+    void drawPictures();
+    Result<void> serveRequests();
+    Result<void> serve(const Request& request);
+    Result<void> screenshot(const std::string& path);
+    Result<void> savePicture(const std::string& path);
+    Result<void> saveSettings(const std::string& path);
+    Result<void> openFile(const std::string& path);
+    std::string commandLine() const;
+
+    ViewOptions options_;
+    render::RenderJob job_;
+    ViewerState state_;
+    // In the order in which they need each other.
+    std::unique_ptr<Window> window_;
+    std::unique_ptr<gpu::Context> context_;
+    std::unique_ptr<gpu::Swapchain> swapchain_;
+    std::unique_ptr<Gui> gui_;
+    std::optional<GuiRenderer> renderer_;
+    gpu::Image canvasImage_; ///< the window's content
+    std::optional<PicturePair> pictures_;
+    InputHandler handler_;
+    ScriptPlayer script_;
+    std::string savedCamera_;
+    uint32_t shownFrames_ = 0;
+    bool closing_ = false;
+};
+
+Result<void> Viewer::open() {
+    if (!options_.script.empty()) {
+        GLINT_TRY(text, readFile(options_.script, 1 << 20));
+        GLINT_TRY(steps, readScript(text, options_.script));
+        script_ = ScriptPlayer(std::move(steps));
+    }
+    GLINT_TRY(window, Window::create("Glint: " + job_.scene, job_.width, job_.height));
+    window_ = std::move(window);
+    gpu::ContextDesc desc = {job_.device, job_.validate};
+    desc.windowExtensions = window_->vulkanExtensions();
+    if (desc.windowExtensions.empty())
+        return makeError(ErrorCode::Unsupported, "no Vulkan driver here can draw into a window; `glint render` makes "
+                                                 "pictures without one");
+    GLINT_TRY(context, gpu::Context::create(desc));
+    context_ = std::move(context);
+    GLINT_CHECK(makeSwapchain());
+    gui_ = std::make_unique<Gui>(window_->scale(),
+                                 Gui::Clipboard{[this](const std::string& t) { window_->setClipboard(t); },
+                                                [this] { return window_->clipboard(); }});
+    GLINT_TRY(renderer, GuiRenderer::create(*context_));
+    renderer_.emplace(std::move(renderer));
+    pictures_.emplace(*context_);
+    GLINT_CHECK(drawLoading());
+    return openScene(job_);
+}
+
+Result<void> Viewer::makeSwapchain() {
+    swapchain_.reset(); // a window has one surface at a time
+    GLINT_TRY(surface, window_->makeSurface(context_->instance()));
+    GLINT_TRY(swapchain, gpu::Swapchain::create(*context_, surface));
+    swapchain_ = std::move(swapchain);
+    return {};
+}
+
+Result<void> Viewer::openScene(const render::RenderJob& job) {
+    GLINT_CHECK(pictures_->open(job));
+    job_ = job;
+    const render::JobInputs& inputs = pictures_->picture().session().inputs();
+    const scene::Bounds& bounds = inputs.pose.boundsWS;
+    const glm::vec3 center = bounds.empty() ? glm::vec3(0) : (bounds.min + bounds.max) * 0.5f;
+    const float size = bounds.empty() ? 1 : glm::length(bounds.max - bounds.min);
+    const glm::vec3 position(inputs.camera.viewToWorld[3]);
+    const float ahead = glm::dot(center - position, -glm::vec3(inputs.camera.viewToWorld[2]));
+    state_.scene = job.scene;
+    state_.camera = OrbitCamera(inputs.camera, std::max(ahead, size * 0.05f));
+    state_.cameras = inputs.pose.cameras;
+    state_.cameraIndex = -1;
+    for (size_t i = 0; i < state_.cameras.size() && state_.cameraIndex < 0; ++i)
+        if (state_.cameras[i].viewToWorld == inputs.camera.viewToWorld)
+            state_.cameraIndex = static_cast<int>(i);
+    state_.animation = {job.time, 0, false};
+    for (const scene::Animation& animation : inputs.scene->animations)
+        for (const scene::AnimationChannel& channel : animation.channels)
+            if (!channel.times.empty())
+                state_.animation.length = std::max(state_.animation.length, static_cast<double>(channel.times.back()));
+    state_.asked.reset();
+    state_.ray.reset();
+    state_.showSettings = job.width >= 640; // in a smaller window it would be all that is seen
+    handler_.setScale(size);
+    window_->setTitle("Glint: " + printable(job.scene));
+    return {};
+}
+
+std::vector<InputEvent> Viewer::input() {
+    const bool busy = !pictures_->complete() || script_.playing() || handler_.holding() || state_.animation.playing ||
+                      !options_.screenshot.empty() || !state_.requests.empty();
+    std::vector<InputEvent> events = window_->poll(busy ? 0 : kIdle);
+    if (!script_.playing())
+        return events;
+    const ScriptTarget target = {
+        [this](uint32_t width, uint32_t height) { window_->resize(width, height); },
+        [this] { window_->minimize(); },
+        [this] { window_->restore(); },
+        [this](const ScriptStep& step) {
+            state_.ask(step.kind == ScriptStep::Kind::Screenshot ? Request::Kind::Screenshot
+                       : step.kind == ScriptStep::Kind::Picture  ? Request::Kind::Picture
+                                                                 : Request::Kind::Save,
+                       step.text);
+        },
+    };
+    // A script is alone with the window: where the mouse of this machine is must not matter.
+    std::erase_if(events, [](const InputEvent& event) { return event.kind == InputKind::Move; });
+    for (InputEvent& event : script_.frame(target, pictures_->complete(), !state_.requests.empty()))
+        events.push_back(std::move(event));
+    return events;
+}
+
+void Viewer::advanceTime(double step) {
+    Animation& animation = state_.animation;
+    if (animation.playing && animation.length > 0)
+        animation.seconds = std::fmod(animation.seconds + step, animation.length);
+    if (state_.cameraIndex >= 0 && !state_.camera.moved()) { // a scene's camera may move by itself
+        const auto& cameras = pictures_->picture().session().inputs().pose.cameras;
+        if (static_cast<size_t>(state_.cameraIndex) < cameras.size())
+            state_.camera.follow(cameras[static_cast<size_t>(state_.cameraIndex)]);
+    }
+}
+
+Result<void> Viewer::run() {
+    const bool scripted = script_.playing();
+    double last = seconds();
+    while (!closing_) {
+        const std::vector<InputEvent> events = input();
+        const double now = seconds();
+        const double step = scripted ? kScriptFrame : std::clamp(now - last, 1e-4, 0.25);
+        last = now;
+        state_.now += step;
+        handler_.handle(events, state_, *gui_, window_->size(), step);
+        advanceTime(step);
+        GLINT_CHECK(pictures_->update(state_, window_->size()));
+        GLINT_CHECK(drawWindow(events, step));
+        GLINT_CHECK(serveRequests());
+        if (!options_.screenshot.empty() && !script_.playing() && pictures_->complete() &&
+            shownFrames_ >= options_.scene.frames) {
+            GLINT_CHECK(screenshot(options_.screenshot));
+            closing_ = true;
+        }
+        if (scripted && !script_.playing() && state_.requests.empty())
+            closing_ = true;
+    }
+    return {};
+}
+
+/// Left of the line the picture, right of it what stands beside.
+void Viewer::drawPictures() {
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    const Canvas canvas = makeCanvas(state_.zoom, window_->size());
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    // As soon as the window shows a pixel as more than one of its own, pixels are squares.
+    const bool squares =
+        size.x / (canvas.highUV.x - canvas.lowUV.x) > static_cast<float>(state_.width) + 0.5f && state_.zoom.factor > 1;
+    const auto show = [&](uint32_t picture, float left, float right) {
+        const glm::vec2 low = canvas.toUV({left, 0}), high = canvas.toUV({right, size.y});
+        const GuiTexture texture = squares ? GuiRenderer::squares(picture) : GuiRenderer::smooth(picture);
+        list.AddImage(reinterpret_cast<ImTextureID>(uintptr_t{texture}), {left, 0}, {right, size.y}, {low.x, low.y},
+                      {high.x, high.y});
+    };
+    const bool heat = state_.heat != Heat::None && state_.beside == Beside::Settings;
+    const float line = state_.beside == Beside::Nothing ? size.x : std::round(size.x * state_.line);
+    show(heat ? PicturePair::kHeat : PicturePair::kPicture, 0, line);
+    if (state_.beside != Beside::Nothing) {
+        show(state_.beside == Beside::View ? PicturePair::kBesideView : PicturePair::kBesideSettings, line, size.x);
+        list.AddLine({line, 0}, {line, size.y}, IM_COL32(0, 0, 0, 200), 3);
+        list.AddLine({line, 0}, {line, size.y}, IM_COL32(255, 255, 255, 255), 1);
+    }
+    if (state_.asked && state_.ray)
+        drawRayOverlay(*state_.ray, canvas, {state_.width, state_.height});
+}
+
+Result<void> Viewer::resizeCanvas(glm::uvec2 size) {
+    if (!canvasImage_ || canvasImage_.width() != size.x || canvasImage_.height() != size.y) {
+        GLINT_TRY(image,
+                  gpu::Image::create(*context_,
+                                     {"view/window", GuiRenderer::kFormat, size.x, size.y, 1, 1, gpu::ImageShape::Flat,
+                                      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+        canvasImage_ = std::move(image);
+        state_.placePanels = true;
+    }
+    return {};
+}
+
+Result<void> Viewer::present() {
+    GLINT_CHECK(renderer_->draw(*ImGui::GetDrawData(), canvasImage_));
+    GLINT_TRY(presented, swapchain_->present(canvasImage_));
+    return presented == gpu::Presented::SurfaceLost ? makeSwapchain() : Result<void>();
+}
+
+/// Something to see while a scene is read.
+Result<void> Viewer::drawLoading() {
+    const glm::uvec2 size = window_->size();
+    if (size.x == 0 || size.y == 0)
+        return {};
+    GLINT_CHECK(resizeCanvas(size));
+    gui_->begin({}, size, kScriptFrame);
+    const std::string text = "reading " + printable(job_.scene) + " ...";
+    ImGui::GetBackgroundDrawList()->AddText({static_cast<float>(size.x) * 0.4f, static_cast<float>(size.y) * 0.5f},
+                                            IM_COL32_WHITE, text.c_str());
+    gui_->end();
+    return present();
+}
+
+Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step) {
+    const glm::uvec2 size = window_->size();
+    if (size.x == 0 || size.y == 0) { // minimized
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return {};
+    }
+    GLINT_CHECK(resizeCanvas(size));
+    if (pictures_->imagesChanged())
+        GLINT_CHECK(renderer_->setPictures(pictures_->images()));
+    gui_->begin(events, size, step);
+    drawPictures();
+    if (state_.showPanels) {
+        drawViewBar(state_);
+        drawSettingsPanel(state_);
+        drawHelpPanel(state_);
+        drawTimesPanel(state_);
+        drawRayPanel(state_);
+    }
+    state_.placePanels = false;
+    drawPalette(state_);
+    drawMessage(state_);
+    gui_->end();
+    GLINT_CHECK(present());
+    ++shownFrames_;
+    return {};
+}
+
+Result<void> Viewer::serveRequests() {
+    std::vector<Request> later;
+    for (const Request& request : std::exchange(state_.requests, {})) {
+        const bool whole = request.kind == Request::Kind::Picture || request.kind == Request::Kind::Save;
+        if (whole && !pictures_->complete()) { // not of a coarse picture that is just being moved
+            later.push_back(request);
+            continue;
+        }
+        if (auto served = serve(request); !served) {
+            if (served.error().code == ErrorCode::DeviceLost)
+                return served;
+            state_.say(served.error().message, true);
+        }
+    }
+    state_.requests.insert(state_.requests.end(), later.begin(), later.end());
+    return {};
+}
+
+Result<void> Viewer::serve(const Request& request) {
+    switch (request.kind) {
+    case Request::Kind::Screenshot: return screenshot(request.text);
+    case Request::Kind::Picture: return savePicture(request.text);
+    case Request::Kind::Save: return saveSettings(request.text);
+    case Request::Kind::Open: return openFile(request.text);
+    case Request::Kind::CopyCommandLine:
+        window_->setClipboard(commandLine());
+        state_.say("copied: " + commandLine());
+        return {};
+    case Request::Kind::CopyRay: {
+        render::RenderResult result;
+        result.width = state_.width;
+        result.height = state_.height;
+        result.inspection = state_.ray;
+        result.notes = state_.notes;
+        if (result.inspection)
+            window_->setClipboard(cli::inspectionJson(pictures_->picture().job(), result));
+        state_.say(result.inspection ? "copied the ray as JSON" : "no pixel was asked");
+        return {};
+    }
+    case Request::Kind::Close: closing_ = true; return {};
+    }
+    return {};
+}
+
+Result<void> Viewer::screenshot(const std::string& path) {
+    if (ending(path) != ".png")
+        return invalidArgument("{}: a screenshot's name must end in .png", printable(path));
+    GLINT_TRY(raw, gpu::downloadImage(*context_, canvasImage_));
+    std::vector<uint8_t> rgb;
+    rgb.reserve(raw.size() / 4 * 3);
+    for (size_t i = 0; i < raw.size(); ++i)
+        if (i % 4 != 3)
+            rgb.push_back(static_cast<uint8_t>(raw[i]));
+    GLINT_CHECK(scene::writePng(path, canvasImage_.width(), canvasImage_.height(), 3, rgb));
+    state_.say("screenshot " + path);
+    return {};
+}
+
+/// By the same functions as `glint render`: the same bytes.
+Result<void> Viewer::savePicture(const std::string& path) {
+    GLINT_TRY(kind, cli::pictureKind(path));
+    ScenePicture& picture = pictures_->picture();
+    std::vector<std::string> views = {state_.view};
+    if (kind == cli::PictureKind::Exr && state_.view != "composite")
+        views.insert(views.begin(), "composite");
+    render::RenderResult result;
+    result.width = picture.width();
+    result.height = picture.height();
+    for (const std::string& view : views) {
+        GLINT_TRY(read, picture.session().readView(view));
+        result.views.push_back(std::move(read));
+    }
+    GLINT_CHECK(cli::writePictures(path, result));
+    state_.say("picture " + path);
+    return {};
+}
+
+Result<void> Viewer::saveSettings(const std::string& path) {
+    GLINT_CHECK(state_.settings.save(path));
+    const std::string camera = std::filesystem::path(path).replace_extension(".camera.json").string();
+    GLINT_CHECK(writeFile(camera, state_.camera.json(state_.width, state_.height)));
+    if (state_.camera.moved()) { // from here on exactly what the file says, whose numbers are rounded
+        GLINT_TRY(read, scene::readCameraFile(camera));
+        state_.camera.settle(read);
+    }
+    savedCamera_ = camera; // of a camera of the scene that was not moved a copy without its roll
+    state_.say(fmt::format("settings {}, camera {}", path, camera));
+    return {};
+}
+
+Result<void> Viewer::openFile(const std::string& path) {
+    const std::string kind = ending(path);
+    if (path.ends_with(".camera.json")) { // a saved view
+        GLINT_TRY(camera, scene::readCameraFile(path));
+        state_.camera.settle(camera);
+        savedCamera_ = path;
+        state_.say("camera " + path);
+        return {};
+    }
+    if (kind == ".json") {
+        GLINT_CHECK(state_.settings.load(path));
+        state_.say("settings from " + path);
+        return {};
+    }
+    render::RenderJob job = job_;
+    job.settings = state_.settings.settings();
+    if (kind == ".hdr" || kind == ".exr") {
+        job.environment = path;
+        job.time = state_.animation.seconds;
+    } else if (kind == ".glb" || kind == ".gltf" || path.starts_with("builtin:")) {
+        job.scene = path;
+        job.camera.clear();
+        job.environment = options_.scene.environment;
+        job.time = 0;
+    } else {
+        return invalidInput("{}: what is dropped must end in .glb, .gltf, .hdr, .exr or .json", printable(path));
+    }
+    const OrbitCamera camera = state_.camera;
+    GLINT_CHECK(openScene(job));
+    if (kind == ".hdr" || kind == ".exr") // the same scene in another light
+        state_.camera = camera;
+    state_.say("opened " + path);
+    return {};
+}
+
+std::string Viewer::commandLine() const {
+    std::string text = "glint render " + shellWord(state_.scene);
+    if (state_.camera.moved())
+        text += " --camera " + shellWord(savedCamera_.empty() ? "view.camera.json" : savedCamera_);
+    else if (!job_.camera.empty() && state_.cameraIndex < 0)
+        text += " --camera " + shellWord(job_.camera);
+    else if (state_.cameraIndex > 0)
+        text += fmt::format(" --camera {}", state_.cameraIndex);
+    if (!job_.environment.empty())
+        text += " --env " + shellWord(job_.environment);
+    text += fmt::format(" --size {}x{}", state_.width, state_.height);
+    if (state_.animation.seconds != 0)
+        text += fmt::format(" --time {}", state_.animation.seconds);
+    if (state_.frames > 1)
+        text += fmt::format(" --frames {}", state_.frames);
+    if (job_.seed != 0)
+        text += fmt::format(" --seed {}", job_.seed);
+    if (state_.view != "composite")
+        text += " --view " + state_.view;
+    return text + " " + state_.settings.options() + " -o picture.png";
+}
+
+Result<void> Viewer::validated() const {
+    if (!context_ || context_->validationMessages().empty())
+        return {};
+    return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                     context_->validationMessages().size(), context_->validationMessages().front());
+}
+
+} // namespace
+
+Result<void> runViewer(const ViewOptions& options) {
+    ViewOptions checked = options;
+    GLINT_TRY(job, cli::makePictureJob(checked.scene));
+    GLINT_TRY(view, render::findView(checked.view));
+    if (job.width == 0) {
+        job.width = kWidth;
+        job.height = kHeight;
+    }
+    if (!checked.screenshot.empty()) {
+        GLINT_CHECK(cli::checkFolder("--screenshot", checked.screenshot));
+        if (ending(checked.screenshot) != ".png")
+            return invalidArgument("--screenshot {}: the name must end in .png", printable(checked.screenshot));
+    }
+    job.display = job.statistics = true;
+    job.inspect = std::array<uint32_t, 2>{};
+    Viewer viewer(checked, SettingsModel(cli::settingsRequest(checked.scene), job.settings), job);
+    GLINT_CHECK(viewer.open());
+    viewer.setView(std::string(view->name));
+    GLINT_CHECK(viewer.run());
+    return viewer.validated();
+}
+
+} // namespace glint::view
