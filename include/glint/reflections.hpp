@@ -5,6 +5,7 @@
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/probes.hpp"
 #include "glint/ray_scene.hpp"
 #include "glint/settings.hpp"
 #include "glint/surface_table.hpp"
@@ -81,6 +82,11 @@ public:
     /// Errors: InvalidArgument if the scene's back end is not the one that rays.backend asks for; OutOfMemory;
     /// Unsupported.
     Result<void> setRays(RayScene& scene, SurfaceTable& surfaces);
+
+    /// States the probes of the source `probes`, which must outlive the frames that use them; record them
+    /// (Probes::record) before the first of these. None at all cost nothing. When these replace others, the GPU must
+    /// have finished the frames recorded with those. Errors: OutOfMemory.
+    Result<void> setProbes(Probes& probes);
 
     /// With rays.accumulate the next frame starts anew, as it does by itself when the view, the settings or the scene
     /// given to setRays change: for what Glint cannot see, as when lights, materials or things have changed.

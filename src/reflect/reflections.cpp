@@ -257,6 +257,10 @@ Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
     return {};
 }
 
+Result<void> Reflections::setProbes(Probes& probes) {
+    return state_->frame->setProbes(probes.state());
+}
+
 void Reflections::restartAccumulation() {
     state_->frame->restartAccumulation();
 }
