@@ -6,6 +6,7 @@
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
 #include "glint/probes.hpp"
+#include "glint/ray_hits.hpp"
 #include "glint/ray_scene.hpp"
 #include "glint/reflections.hpp"
 #include "glint/settings.hpp"

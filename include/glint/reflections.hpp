@@ -6,6 +6,7 @@
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
 #include "glint/probes.hpp"
+#include "glint/ray_hits.hpp"
 #include "glint/ray_scene.hpp"
 #include "glint/settings.hpp"
 #include "glint/surface_table.hpp"
@@ -82,6 +83,11 @@ public:
     /// Errors: InvalidArgument if the scene's back end is not the one that rays.backend asks for; OutOfMemory;
     /// Unsupported.
     Result<void> setRays(RayScene& scene, SurfaceTable& surfaces);
+
+    /// The same for a host that shades hits itself: `shade` is called within each record(), after the rays were traced.
+    /// One ray a pixel in the direction of rays.lobe, every triangle solid; rays.samples, bounces, alphaTest and
+    /// accumulate do not act. What lies beyond the hits is the host's matter, the environment too.
+    Result<void> setRays(RayScene& scene, ShadeHits shade);
 
     /// States the probes of the source `probes`, which must outlive the frames that use them; record them
     /// (Probes::record) before the first of these. None at all cost nothing. When these replace others, the GPU must

@@ -1,5 +1,6 @@
 // What the triangles of a RayScene look like, so that Glint lights what rays hit by itself: glTF's metallic-roughness
-// materials, textures, vertex data and lights. A host with another light model takes the hits out instead.
+// materials, textures, vertex data and lights. A host with another light model takes the hits out instead
+// (glint/ray_hits.hpp).
 #pragma once
 
 #include "glint/api.hpp"

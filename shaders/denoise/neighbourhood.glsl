@@ -27,8 +27,7 @@ Place placeOf(ivec2 px) {
     place.normalVS = here.normalVS;
     place.perceptualRoughness = here.perceptualRoughness;
     place.reflectivity = here.reflectivity;
-    place.metresPerPixel = abs(frame.constants.uvToView.y) * frame.constants.invSize.y *
-                           (isOrthographic(frame.constants) ? 1.0 : z);
+    place.metresPerPixel = pixelExtent(frame.constants, frame.constants.uvToView, z).y;
     return place;
 }
 

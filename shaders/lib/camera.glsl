@@ -19,6 +19,12 @@ vec3 viewDirection(FrameConstants frame, vec3 positionVS) {
     return isOrthographic(frame) ? vec3(0.0, 0.0, -1.0) : normalize(positionVS);
 }
 
+/// Width and height of a pixel across the line of sight at `viewZ`, metres. `uvToView` is this frame's or the previous
+/// one's.
+vec2 pixelExtent(FrameConstants frame, vec4 uvToView, float viewZ) {
+    return abs(uvToView.xy) * frame.invSize * (isOrthographic(frame) ? 1.0 : viewZ);
+}
+
 /// Device depth as the host stores it -> metres along the view axis, kBackgroundZ where nothing was drawn.
 float viewZFromDepth(FrameConstants frame, float depth) {
     if ((frame.flags & kInputLinearDepth) != 0u)

@@ -1,12 +1,8 @@
 // The source `rays`: what the listed pixels reflect, by rays through the host's triangles. A ray that meets a surface
 // brings its light, and goes on from there while rays.bounces lasts; the last surface reflects the environment, as the
-// host's own pictures of it do. docs/techniques/rays.md.
-#include "lib/camera.glsl"
-#include "lib/color.glsl"
-#include "lib/ray_record.glsl"
-#include "lib/sampling.glsl"
+// host's own pictures of it do. docs/techniques/ray-reflections.md.
 #include "rays/hit_lighting.glsl"
-#include "rays/ray_noise.glsl"
+#include "rays/pixel_rays.glsl"
 
 layout(local_size_x = 64) in; // kRaysPerGroup
 
@@ -18,39 +14,7 @@ layout(set = 0, binding = 12, r32f) uniform image2D raysWeights; // radiance and
 /// Less is no longer followed: half of what an 8-bit picture can show.
 const float kLeastThroughput = 1.0 / 512.0;
 
-/// Below, a lobe is narrower than a pixel.
-const float kMirrorRoughness = 0.001;
-
-// ---------------------------------------------------------------- directions
-
-struct Direction {
-    vec3 ws;      // unit
-    float weight; // share of the light from there that leaves the facets; 0: below the surface
-};
-
-/// One of the directions that reflect to `V`, with the density of visible normals.
-Direction sampleReflection(vec3 N, vec3 V, float perceptualRoughness, vec2 noise) {
-    if (isOn(kRaysMirror) || perceptualRoughness < kMirrorRoughness)
-        return Direction(reflect(-V, N), 1.0);
-    float alpha = square(perceptualRoughness);
-    mat3 frameOfN = orthonormalBasis(N);
-    vec3 wo = V * frameOfN;
-    wo.z = max(wo.z, 1e-3); // a bent normal may look away
-    wo = normalize(wo);
-    vec3 wm = sampleGGXVisibleCap(wo, noise, alpha);
-    vec3 wi = reflect(-wo, wm);
-    if (wi.z <= 1e-4)
-        return Direction(N, 0.0);
-    return Direction(frameOfN * wi, visibleGGXWeight(wo.z, wi.z, alpha));
-}
-
 // ---------------------------------------------------------------- a path
-
-/// A ray as wide as the pixel that it stands for. Akenine-Moller et al. 2021.
-struct Cone {
-    float width;  // metres, at the start
-    float spread; // radians
-};
 
 struct Path {
     vec3 radiance;
@@ -60,10 +24,6 @@ struct Path {
     bool hit;  // its first ray met a surface
     uint rays; // that it took, those for shadows apart
 };
-
-Ray viewRay(vec3 originWS, vec3 directionWS) {
-    return Ray(originWS, settings.tMin, directionWS, settings.tMax, settings.cullMask, viewRayFlags());
-}
 
 Path followPath(vec3 originWS, vec3 directionWS, Cone cone, ivec2 px, uint sampleIndex) {
     Path path = Path(vec3(0.0), 1.0, 0.0, originWS, false, 0u);
@@ -115,80 +75,25 @@ Path followPath(vec3 originWS, vec3 directionWS, Cone cone, ivec2 px, uint sampl
     return path;
 }
 
-// ---------------------------------------------------------------- a pixel
-
-/// Where a pixel's mirror ray goes, unit.
-vec3 mirrorDirectionVS(ivec2 px) {
-    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
-    return reflect(viewDirection(frame.constants, viewPosition(frame.constants, uv, 1.0)), normalVS);
-}
-
-/// How far the neighbours' mirror rays part from this one: as much as the camera's do on a flat mirror, more on a bent
-/// one. The smaller difference of both sides, as across an edge stands another surface. Radians, mean of both ways.
-float reflectedSpread(ivec2 px) {
-    ivec2 last = ivec2(frame.constants.size) - 1;
-    vec3 here = mirrorDirectionVS(px);
-    float sum = 0.0;
-    for (int axis = 0; axis < 2; ++axis) {
-        ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-        ivec2 before = px - step;
-        ivec2 behind = px + step;
-        if (any(lessThan(before, ivec2(0))))
-            before = min(behind, last);
-        if (any(greaterThan(behind, last)))
-            behind = max(before, ivec2(0));
-        sum += min(distance(mirrorDirectionVS(before), here), distance(mirrorDirectionVS(behind), here));
-    }
-    return 0.5 * sum;
-}
-
-Cone pixelCone(ivec2 px, float z) {
-    float pixel = abs(frame.constants.uvToView.y) * frame.constants.invSize.y; // metres, at 1 m in perspective
-    return Cone(isOrthographic(frame.constants) ? pixel : pixel * z, reflectedSpread(px));
-}
-
-vec2 projectedUV(vec3 positionWS) {
-    vec3 positionVS = (frame.constants.worldToView * vec4(positionWS, 1.0)).xyz;
-    vec4 pixelH = frame.constants.viewToPixel * vec4(positionVS, 1.0);
-    return pixelH.w > 0.0 ? clamp(pixelH.xy / pixelH.w * frame.constants.invSize, 0.0, 1.0) : vec2(0.0);
-}
-
 void main() {
-    uint index =
-        gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup + gl_LocalInvocationIndex;
+    uint index = listedRay();
     if (index >= rays.header.rayCount)
         return;
-    ivec2 px = ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16);
-    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-    Surface origin = unpackSurface(texelFetch(surface, px, 0).xy);
-    float z = texelFetch(viewZ, px, 0).r;
-    vec3 positionVS = viewPosition(frame.constants, uv, z);
-    mat3 toWorld = mat3(frame.constants.viewToWorld);
-    vec3 V = -(toWorld * viewDirection(frame.constants, positionVS));
-    vec3 N = toWorld * origin.normalVS;
-    vec3 positionWS = (frame.constants.viewToWorld * vec4(positionVS, 1.0)).xyz;
-    bool halfDepth = (frame.constants.flags & kInputHalfDepth) != 0u;
-    float offset = settings.tMin > 0.0 ? 0.0 : depthUncertainty(positionWS, z, halfDepth);
-    vec3 originWS = positionWS + N * offset;
-    Cone cone = pixelCone(px, z);
-
-    bool mirror = isOn(kRaysMirror) || origin.perceptualRoughness < kMirrorRoughness;
+    PixelRays from = loadPixelRays(index);
+    bool mirror = isOn(kRaysMirror) || from.perceptualRoughness < kMirrorRoughness;
     uint samples = mirror && settings.bounces == 1u ? 1u : settings.samples; // all the same
     vec4 sum = vec4(0.0); // weighted radiance, weight of what is known
     float weights = 0.0;
-    RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeSky);
+    RayRecord record = RayRecord(from.uv, 0.0, 0u, kOutcomeSky);
     float hits = 0.0;
     for (uint i = 0u; i < samples; ++i) {
-        uint sampleIndex = frame.constants.frameIndex * settings.samples + i;
-        vec2 noise = firstBounceNoise(px, sampleIndex, frame.constants.seed);
-        Direction first = sampleReflection(N, V, origin.perceptualRoughness, noise);
+        Direction first = samplePixel(from, i);
         if (first.weight <= 0.0 && i + 1u == samples && weights == 0.0 && !isOn(kRaysAccumulate))
-            first = Direction(reflect(-V, N), 1.0); // every sample went below: the middle of the lobe stands for it
+            first = Direction(reflect(-from.V, from.N), 1.0); // all went below: the middle of the lobe stands for it
         if (first.weight <= 0.0)
             continue;
         weights += first.weight;
-        Path path = followPath(originWS, first.ws, cone, px, sampleIndex);
+        Path path = followPath(from.originWS, first.ws, from.cone, from.px, sampleNumber(i));
         sum += first.weight * path.weight * vec4(path.radiance, 1.0);
         record.lookups += path.rays;
         if (path.hit) {
@@ -201,12 +106,12 @@ void main() {
     }
     record.hitDistance /= max(hits, 1.0);
     if (isOn(kRaysAccumulate)) {
-        sum += imageLoad(raysSum, px);
-        weights += imageLoad(raysWeights, px).r;
-        imageStore(raysSum, px, sum);
-        imageStore(raysWeights, px, vec4(weights));
+        sum += imageLoad(raysSum, from.px);
+        weights += imageLoad(raysWeights, from.px).r;
+        imageStore(raysSum, from.px, sum);
+        imageStore(raysWeights, from.px, vec4(weights));
     }
     vec4 answer = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a / weights) : vec4(0.0);
-    imageStore(raysRadianceWeight, px, vec4(sanitize(answer.rgb), answer.a));
-    imageStore(raysRecord, px, uvec4(packRayRecord(record), 0u, 0u));
+    imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));
+    imageStore(raysRecord, from.px, uvec4(packRayRecord(record), 0u, 0u));
 }

@@ -47,6 +47,11 @@ Before placeBefore(ivec2 px, float z) {
     return before;
 }
 
+/// How far off a plane through a point at `viewZ` a pixel of the same plane may lie, metres.
+float samePlaceSlack(vec4 uvToView, float viewZ) {
+    return kSamePlace * viewZ + 0.25 * pixelExtent(frame.constants, uvToView, viewZ).y;
+}
+
 /// Does the previous frame's texel show the surface of `before`?
 bool showedIt(Before before, ivec2 texel) {
     float z = texelFetch(prevViewZ, texel, 0).r;
@@ -58,9 +63,8 @@ bool showedIt(Before before, ivec2 texel) {
     vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
     vec2 sideways = uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw;
     float spread = isOrthographic(frame.constants) ? 1.0 : z;
-    float metresPerPixel = abs(frame.constants.prevUvToView.y) * frame.constants.invSize.y * spread;
     vec3 between = vec3(sideways * spread, -z) - before.positionVS;
-    return abs(dot(before.normalVS, between)) <= kSamePlace * expectedZ + 0.25 * metresPerPixel;
+    return abs(dot(before.normalVS, between)) <= samePlaceSlack(frame.constants.prevUvToView, expectedZ);
 }
 
 /// Bilinear over those of the four texels that showed the same surface: nothing bleeds in from what stood before it.
@@ -100,10 +104,9 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
 /// For a flat mirror: a hollow one may magnify more.
 bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
     vec3 directionVS = normalize(hitVS - originVS);
-    if (isOrthographic(frame.constants))
-        return abs(dot(normalVS, directionVS)) > abs(normalVS.z);
     float wayOfMirror = length(originVS) + distance(originVS, hitVS);
-    return abs(dot(normalVS, directionVS)) * length(hitVS) > wayOfMirror * abs(dot(normalVS, normalize(hitVS)));
+    float growth = isOrthographic(frame.constants) ? 1.0 : wayOfMirror / length(hitVS); // of a pixel, along the way
+    return abs(dot(normalVS, directionVS)) > growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
 }
 
 /// Of this frame, at `px`: the texel there, or where texels look large, bilinear over those of the four that show the
@@ -119,8 +122,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     ++lookups;
     vec3 texelVS = viewPosition(frame.constants, (vec2(at) + 0.5) * frame.constants.invSize, z);
     const float kLike = 0.9; // 25 degrees
-    float spread = isOrthographic(frame.constants) ? 1.0 : z;
-    float offPlane = kSamePlace * z + 0.25 * abs(frame.constants.uvToView.y) * frame.constants.invSize.y * spread;
+    float offPlane = samePlaceSlack(frame.constants.uvToView, z);
     vec2 corner = floor(px - 0.5);
     vec2 share = px - 0.5 - corner;
     vec4 sum = vec4(0.0);

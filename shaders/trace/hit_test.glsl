@@ -107,15 +107,13 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 norma
 /// So far behind a pixel's plane, in metres, a point may be that lay in front of the depth of a pixel's centre: as far
 /// as the plane rises over half a pixel.
 float planeSlack(vec3 normalVS, float sceneZ) {
-    float spread = isOrthographic(frame.constants) ? 1.0 : sceneZ;
-    vec2 pixel = abs(frame.constants.uvToView.xy) * frame.constants.invSize * spread;
+    vec2 pixel = pixelExtent(frame.constants, frame.constants.uvToView, sceneZ);
     return 0.5 * dot(abs(normalVS.xy), pixel) + kDepthRounding * sceneZ;
 }
 
 /// A surface that the eye sees so nearly along its plane that the plane leaves the thing's depth within one pixel.
 bool isEdgeOn(vec3 normalVS, vec3 surfaceVS) {
-    float toEye = isOrthographic(frame.constants) ? normalVS.z : dot(normalVS, normalize(surfaceVS));
-    return abs(toEye) < kEdgeOn;
+    return abs(dot(normalVS, viewDirection(frame.constants, surfaceVS))) < kEdgeOn;
 }
 
 uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {

@@ -220,6 +220,12 @@ void Frame::hand(Image& image, const Use& wanted) {
         flushBarriers();
 }
 
+void Frame::hand(Buffer& buffer, const Use& wanted) {
+    use(buffer, wanted);
+    if (!rehearsing())
+        flushBarriers();
+}
+
 void Frame::copyToBuffer(Image& image, uint32_t mip, uint32_t layer, Buffer& buffer) {
     use(image, mip, 1, kTransferReadImage);
     use(buffer, kTransferWriteBuffer);

@@ -174,6 +174,7 @@ public:
     void clear(Image& image, const VkClearColorValue& value);
     /// Brings the image into a state that others expect: a host's, or the next tool's.
     void hand(Image& image, const Use& use);
+    void hand(Buffer& buffer, const Use& use);
     void copyToBuffer(Image& image, uint32_t mip, uint32_t layer, Buffer& buffer);
     void copyFromBuffer(Buffer& buffer, size_t offset, Image& image, uint32_t mip, uint32_t layer);
     /// Makes the rest of the mip chain from level 0 by box filtering (linear formats and sRGB alike).

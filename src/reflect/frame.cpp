@@ -467,6 +467,14 @@ void FrameState::restartAccumulation() {
 Result<void> FrameState::setRays(rays::Scene& scene, SurfaceTableState& surfaces) {
     rayScene = &scene;
     raySurfaces = &surfaces;
+    shadeHits = {};
+    return giveScene();
+}
+
+Result<void> FrameState::setRays(rays::Scene& scene, ShadeHits shade) {
+    rayScene = &scene;
+    raySurfaces = nullptr;
+    shadeHits = std::move(shade);
     return giveScene();
 }
 
@@ -474,7 +482,10 @@ Result<void> FrameState::setRays(rays::Scene& scene, SurfaceTableState& surfaces
 Result<void> FrameState::giveScene() {
     if (!raysSource || !rayScene)
         return {};
-    GLINT_CHECK(raysSource->setScene(*rayScene, *raySurfaces));
+    if (raySurfaces)
+        GLINT_CHECK(raysSource->setScene(*rayScene, *raySurfaces));
+    else
+        GLINT_CHECK(raysSource->setScene(*rayScene, shadeHits));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     raysSource->record(frame, desc.settings,
                        {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black, false});

@@ -54,6 +54,7 @@ struct FrameState {
     std::unique_ptr<RaysSource> raysSource; ///< absent until settings ask for it
     rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
     SurfaceTableState* raySurfaces = nullptr;
+    ShadeHits shadeHits; ///< or the host's own shading
     std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
     History history;
     Reflected reflected;
@@ -93,9 +94,10 @@ struct FrameState {
     bool usesProbes() const;
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
-    /// Errors: Unsupported, OutOfMemory.
     void restartAccumulation();
+    /// Errors: Unsupported, OutOfMemory.
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
+    Result<void> setRays(rays::Scene& scene, ShadeHits shade);
     /// Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes);
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.

@@ -257,6 +257,15 @@ Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
     return {};
 }
 
+Result<void> Reflections::setRays(RayScene& scene, ShadeHits shade) {
+    if (!shade)
+        return invalidArgument("setRays needs something that shades hits");
+    GLINT_CHECK(checkBackend(state_->frame->desc.settings, scene.backend()));
+    GLINT_CHECK(state_->frame->setRays(scene.scene(), std::move(shade)));
+    state_->note();
+    return {};
+}
+
 Result<void> Reflections::setProbes(Probes& probes) {
     return state_->frame->setProbes(probes.state());
 }

@@ -2,8 +2,79 @@
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
 
+#include <array>
+
 namespace glint::test {
 namespace {
+
+/// What an engine would bring: a pipeline made without Glint's help, on tests/gpu/shaders/shade_hits.comp.
+class HostShading {
+public:
+    explicit HostShading(gpu::Context& context) : context_(context) {
+        const gpu::Api& api = context.api();
+        const gpu::EmbeddedShader& shader = *must(context.findShader("shade_hits"));
+        VkShaderModuleCreateInfo moduleInfo = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
+        moduleInfo.codeSize = shader.words.size_bytes();
+        moduleInfo.pCode = shader.words.data();
+        api.CreateShaderModule(context.device(), &moduleInfo, nullptr, &module_);
+        const std::array<VkDescriptorSetLayoutBinding, 3> bindings = {
+            {{0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
+             {1, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
+             {2, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr}}};
+        VkDescriptorSetLayoutCreateInfo setInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+        setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+        setInfo.bindingCount = 3;
+        setInfo.pBindings = bindings.data();
+        api.CreateDescriptorSetLayout(context.device(), &setInfo, nullptr, &set_);
+        VkPipelineLayoutCreateInfo layoutInfo = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+        layoutInfo.setLayoutCount = 1;
+        layoutInfo.pSetLayouts = &set_;
+        api.CreatePipelineLayout(context.device(), &layoutInfo, nullptr, &layout_);
+        VkComputePipelineCreateInfo info = {VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+        info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+        info.stage.module = module_;
+        info.stage.pName = "main";
+        info.layout = layout_;
+        api.CreateComputePipelines(context.device(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_);
+    }
+    ~HostShading() {
+        const gpu::Api& api = context_.api();
+        api.DestroyPipeline(context_.device(), pipeline_, nullptr);
+        api.DestroyPipelineLayout(context_.device(), layout_, nullptr);
+        api.DestroyDescriptorSetLayout(context_.device(), set_, nullptr);
+        api.DestroyShaderModule(context_.device(), module_, nullptr);
+    }
+    HostShading(const HostShading&) = delete;
+    HostShading& operator=(const HostShading&) = delete;
+
+    void record(VkCommandBuffer commands, const RayHits& hits) const {
+        const gpu::Api& api = context_.api();
+        const VkDescriptorBufferInfo list = {hits.arguments, 0, 16};
+        const VkDescriptorBufferInfo items = {hits.hits, 0, hits.hitsSize};
+        const VkDescriptorImageInfo answer = {VK_NULL_HANDLE, hits.answer.view, hits.answer.layout};
+        std::array<VkWriteDescriptorSet, 3> writes;
+        for (uint32_t i = 0; i < 3; ++i) {
+            writes[i] = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+            writes[i].dstBinding = i;
+            writes[i].descriptorCount = 1;
+            writes[i].descriptorType = i < 2 ? VK_DESCRIPTOR_TYPE_STORAGE_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+        }
+        writes[0].pBufferInfo = &list;
+        writes[1].pBufferInfo = &items;
+        writes[2].pImageInfo = &answer;
+        api.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+        api.CmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 3, writes.data());
+        api.CmdDispatchIndirect(commands, hits.arguments, 0);
+    }
+
+private:
+    gpu::Context& context_;
+    VkShaderModule module_ = VK_NULL_HANDLE;
+    VkDescriptorSetLayout set_ = VK_NULL_HANDLE;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
 
 class RaysSourceTest : public LibraryTest, public testing::WithParamInterface<RayBackend> {
 protected:
@@ -265,6 +336,44 @@ TEST_P(RaysSourceTest, aLightShinesOnWhatAMirrorShowsUnlessSomethingStandsBetwee
         const double lit = 2 * std::sqrt(0.5) * 0.5 / 3.14159265;
         EXPECT_NEAR(reflected(picture, 33 * 8 + 16).r, shadowed ? 0 : lit, 2e-3);
     }
+}
+
+/// The host's shading: a compute pass of the test's own over the hits.
+TEST_P(RaysSourceTest, hitsAreHandedOutToBeShadedByTheHost) {
+    SurfaceScene scene;
+    scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+    scene.addQuad({20, -20, 6}, {-20, 0, 0}, {0, 40, 0}, blackMatte()); // the right half of what lies behind the camera
+    const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
+    constexpr uint32_t w = 65;
+    constexpr uint32_t h = 33;
+    SurfaceScene::World world = scene.build(gpu(), library(), GetParam());
+    SyntheticGBuffer g = SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene), camera, w, h);
+    Reflections reflections = LibraryTest::reflections(w, h, raySettings());
+    must(reflections.setInputs(g.gbuffer));
+    const HostShading shading(gpu());
+    size_t calls = 0;
+    must(reflections.setRays(world.rays, [&](VkCommandBuffer commands, const RayHits& hits) {
+        ++calls;
+        shading.record(commands, hits);
+    }));
+    run([&](VkCommandBuffer commands) { world.rays.record(commands); });
+    const Picture picture = LibraryTest::trace(reflections, camera.view(w, h));
+    EXPECT_EQ(calls, 1u);
+    size_t met = 0;
+    size_t missed = 0;
+    for (size_t i = 0; i < picture.pixels(); ++i) {
+        if (picture.outcome(i) == shared::kOutcomeHit) { // instance, distance over 100, front
+            ++met;
+            ASSERT_NEAR(reflected(picture, i).r, 1, 1e-3);
+            ASSERT_NEAR(reflected(picture, i).g, picture.hitDistance[i * 4] / 100, 1e-3);
+            ASSERT_NEAR(reflected(picture, i).b, 1, 1e-3);
+        } else if (picture.outcome(i) == shared::kOutcomeSky) {
+            ++missed;
+            ASSERT_EQ(reflected(picture, i), glm::vec3(0)); // weight 0
+        }
+    }
+    EXPECT_GT(met, 100u);
+    EXPECT_GT(missed, 100u);
 }
 
 TEST_P(RaysSourceTest, theOtherBackEndIsRefused) {

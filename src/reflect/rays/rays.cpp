@@ -3,8 +3,11 @@
 #include "base/assert.hpp"
 #include "reflect/rays/blue_noise.hpp"
 #include "reflect/trace/technique.hpp"
+#include "shared/ray_hit.h"
 
 namespace glint::reflect {
+
+static_assert(sizeof(RayHit) == sizeof(shared::RayHitRecord));
 
 Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, uint32_t width, uint32_t height) {
     std::unique_ptr<RaysSource> source(new RaysSource(context));
@@ -56,6 +59,24 @@ Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surface
     reflect_ = std::move(reflect);
     scene_ = &scene;
     surfaces_ = &surfaces;
+    shade_ = {};
+    framesHeld_ = false;
+    return {};
+}
+
+Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
+    const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/hits_query" : "rays/hits_bvh";
+    GLINT_TRY(traceHits, gpu::Pipeline::compute(context_, {shader, sizeof(shared::RaysConstants), {}}));
+    if (!hits_) {
+        const size_t pixels = size_t{radianceWeight_.width()} * radianceWeight_.height();
+        GLINT_TRY(hits, gpu::Buffer::create(context_, {"glint/rayHits", pixels * sizeof(shared::RayHitRecord),
+                                                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Device}));
+        hits_ = std::move(hits);
+    }
+    traceHits_ = std::move(traceHits);
+    scene_ = &scene;
+    surfaces_ = nullptr;
+    shade_ = std::move(shade);
     framesHeld_ = false;
     return {};
 }
@@ -70,7 +91,7 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     constants.maxRoughness = rays.maxRoughness;
     constants.threshold = traceConstants(settings, false).threshold;
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
-    constants.lightCount = surfaces_->lightCount();
+    constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(rays.alphaTest, shared::kRaysAlphaTest);
     flag(rays.lobe == RayLobe::Mirror || (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1), shared::kRaysMirror);
@@ -82,9 +103,9 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
 }
 
 void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs) {
-    GLINT_ASSERT(frame.rehearsing() || scene_->instanceCount() == surfaces_->instanceCount(),
+    GLINT_ASSERT(frame.rehearsing() || !surfaces_ || scene_->instanceCount() == surfaces_->instanceCount(),
                  "the RayScene has {} instances, its surface table {}", scene_->instanceCount(),
-                 surfaces_->instanceCount());
+                 surfaces_ ? surfaces_->instanceCount() : 0);
     if (!noiseHeld_ && !frame.rehearsing()) {
         frame.update(blueNoise_, blueNoiseMask().data(), blueNoise_.size());
         noiseHeld_ = true;
@@ -108,6 +129,10 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .push(constants)
         .dispatch(radianceWeight_.width(), radianceWeight_.height());
 
+    if (!surfaces_) {
+        recordHits(frame, inputs, constants);
+        return;
+    }
     gpu::Pass pass = frame.pass(reflect_);
     pass.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
@@ -123,6 +148,35 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .readWrite("raysWeights", weights_);
     scene_->bind(pass);
     surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+}
+
+/// Traces, lets the host shade, and takes its answer.
+void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
+    gpu::Pass pass = frame.pass(traceHits_);
+    pass.read("frame", inputs.frameConstants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("rays", rays_.list)
+        .read("blueNoise", blueNoise_)
+        .write("raysRecord", record_, 0, true)
+        .write("hits", hits_);
+    scene_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+    if (frame.rehearsing())
+        return;
+    constexpr VkPipelineStageFlags2 kAnywhere = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    const gpu::Use read = {kAnywhere, VK_ACCESS_2_MEMORY_READ_BIT};
+    frame.hand(rays_.list, read);
+    frame.hand(hits_, read);
+    frame.hand(radianceWeight_, {kAnywhere, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+                                 VK_IMAGE_LAYOUT_GENERAL, true});
+    static_assert(offsetof(shared::RayListHeader, rayGroups) == 0 && offsetof(shared::RayListHeader, rayCount) == 12);
+    RayHits given;
+    given.arguments = rays_.list.handle();
+    given.hits = hits_.handle();
+    given.hitsSize = hits_.size();
+    given.answer = {radianceWeight_.handle(), radianceWeight_.view(),   radianceWeight_.desc().format,
+                    radianceWeight_.width(),  radianceWeight_.height(), VK_IMAGE_LAYOUT_GENERAL};
+    frame.scope("rays/host", [&] { shade_(frame.commands(), given); });
 }
 
 } // namespace glint::reflect

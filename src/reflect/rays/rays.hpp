@@ -1,6 +1,7 @@
 // The source `rays`: the pixels that need it, listed, and what rays through the host's triangles find for them.
 #pragma once
 
+#include "glint/ray_hits.hpp"
 #include "glint/settings.hpp"
 #include "rays/scene.hpp"
 #include "reflect/rays/surface_table.hpp"
@@ -31,6 +32,8 @@ public:
 
     /// Makes the pipeline for this scene and table, which are kept. Errors: Unsupported, OutOfMemory.
     Result<void> setScene(rays::Scene& scene, SurfaceTableState& surfaces);
+    /// The same for a host that shades hits itself. Makes the buffer for them.
+    Result<void> setScene(rays::Scene& scene, ShadeHits shade);
     bool hasScene() const { return scene_ != nullptr; }
     RayBackend backend() const { return scene_->backend(); }
 
@@ -46,13 +49,17 @@ public:
 
 private:
     explicit RaysSource(gpu::Context& context) : context_(context) {}
+    void recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants);
     shared::RaysConstants constants(const Settings& settings, const RaysInputs& inputs) const;
 
     gpu::Context& context_;
     gpu::Pipeline list_;
     gpu::Pipeline reflect_;
+    gpu::Pipeline traceHits_;
     rays::Scene* scene_ = nullptr;
-    SurfaceTableState* surfaces_ = nullptr;
+    SurfaceTableState* surfaces_ = nullptr; ///< null: the host shades
+    ShadeHits shade_;
+    gpu::Buffer hits_; ///< shared::RayHitRecord; absent until a host shades
     Rays rays_;
     gpu::Image radianceWeight_; ///< RGBA16F: radiance, weight [0, 1]
     gpu::Image sum_;            ///< RGBA32F, 1x1 unless rays.accumulate: reflect_main.glsl

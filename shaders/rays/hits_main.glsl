@@ -1,0 +1,31 @@
+// What rays meet, written down for a host that shades it: one ray a listed pixel. docs/techniques/ray-reflections.md.
+#include "rays/pixel_rays.glsl"
+#include "shared/ray_hit.h"
+
+layout(local_size_x = 64) in; // kRaysPerGroup
+
+layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D raysRecord;
+layout(scalar, set = 0, binding = 9) writeonly buffer HitsBlock {
+    RayHitRecord item[];
+}
+hits;
+
+void main() {
+    uint index = listedRay();
+    if (index >= rays.header.rayCount)
+        return;
+    PixelRays from = loadPixelRays(index);
+    Direction direction = samplePixel(from, 0u);
+    if (direction.weight <= 0.0)
+        direction.ws = reflect(-from.V, from.N);
+    Ray ray = viewRay(from.originWS, direction.ws);
+    Hit hit = traceRay(ray);
+    bool met = isHit(hit);
+    hits.item[index] =
+        RayHitRecord(uint(from.px.x) | (uint(from.px.y) << 16), hit.distance, hit.instance, hit.primitive,
+                     hit.barycentrics, hit.frontFace ? 1u : 0u,
+                     from.cone.width + from.cone.spread * (met ? hit.distance : 0.0), ray.originWS, ray.directionWS);
+    RayRecord record = RayRecord(met ? projectedUV(ray.originWS + ray.directionWS * hit.distance) : from.uv,
+                                 met ? hit.distance : 0.0, 1u, met ? kOutcomeHit : kOutcomeSky);
+    imageStore(raysRecord, from.px, uvec4(packRayRecord(record), 0u, 0u));
+}

@@ -1,0 +1,22 @@
+// A ray and what it met, as it is handed out to hosts that shade hits themselves: glint::RayHit.
+#ifndef GLINT_SHARED_RAY_HIT_H
+#define GLINT_SHARED_RAY_HIT_H
+
+#include "shared/types.h"
+
+GLINT_SHARED_BEGIN
+
+struct RayHitRecord {
+    uint pixel; ///< x in the low half, y in the high one
+    float distance;
+    uint instance; ///< kNoInstance: nothing was met
+    uint primitive;
+    float2 barycentrics;
+    uint frontFace;
+    float coneWidth; ///< metres, where it met
+    float3 originWS;
+    float3 directionWS;
+};
+
+GLINT_SHARED_END
+#endif
