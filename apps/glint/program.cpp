@@ -51,6 +51,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render)
         addInspectCommand(program, chosen, render);
     }
     addCompareCommand(program, chosen);
+    addBakeCommand(program, chosen);
     addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);

@@ -1,0 +1,18 @@
+#include "render/bake_job.hpp"
+
+#include "render/job_environment.hpp"
+#include "render/lending.hpp"
+
+namespace glint::render {
+
+Result<ProbeSet> runBakeJob(gpu::Context& context, const RenderJob& job, const BakeOptions& options) {
+    GLINT_TRY(inputs, loadJobInputs(job));
+    const RenderSettings& settings = job.settings.render;
+    context.addShaders(gpu::shaders::render());
+    GLINT_TRY(environment, makeEnvironment(context, inputs, settings));
+    GLINT_TRY(renderer, Renderer::create(context, *inputs.scene, inputs.pose, std::move(environment), settings));
+    GLINT_TRY(library, adoptDevice(context));
+    return bakeProbes(context, library, renderer, inputs, settings, job.scene, options);
+}
+
+} // namespace glint::render
