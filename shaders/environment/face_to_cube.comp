@@ -20,6 +20,11 @@ void main() {
     ivec2 size = imageSize(cube).xy;
     if (any(greaterThanEqual(texel, size)))
         return;
-    vec3 color = sanitize(texelFetch(picture, ivec2(size.x - 1 - texel.x, texel.y), 0).rgb);
-    imageStore(cube, ivec3(texel, constants.face), vec4(color, 1.0));
+    int samples = textureSize(picture, 0).x / size.x; // along a texel's side
+    ivec2 first = ivec2(size.x - 1 - texel.x, texel.y) * samples;
+    vec3 sum = vec3(0.0);
+    for (int y = 0; y < samples; ++y)
+        for (int x = 0; x < samples; ++x)
+            sum += sanitize(texelFetch(picture, first + ivec2(x, y), 0).rgb);
+    imageStore(cube, ivec3(texel, constants.face), vec4(sum / float(samples * samples), 1.0));
 }

@@ -21,6 +21,7 @@ constexpr size_t kMostCameras = 8;
 constexpr size_t kMostNeeds = 400;
 constexpr uint32_t kSpaceCells = 64;
 constexpr uint32_t kSeenFace = 32; ///< directions along a face's side that the proxy is fitted to
+constexpr uint32_t kSamples = 2;   ///< along a texel's side: thin bright things would else come and go
 
 /// Vulkan 1.3, "Cube Map Face Selection": the axis of a face, and which way its rows run up.
 struct FaceAxes {
@@ -130,12 +131,15 @@ private:
                 const float NoV = std::clamp(glm::dot(need.normalWS, toEye), 0.0f, 1.0f);
                 const float fresnel = f0 + (1 - f0) * std::pow(1 - NoV, 5.0f); // Schlick 1994
                 need.weight = fresnel * (1 - 0.8f * material[i + 3]);          // of rough ones nobody sees the parallax
+                need.reflectedWS = glm::reflect(-toEye, need.normalWS);
                 needs_.push_back(need);
             }
         return {};
     }
 
     // ------------------------------------------------------------ pictures
+
+    uint32_t pictureSize() const { return options_.faceSize * kSamples; }
 
     Result<void> makeCubes() {
         GLINT_TRY(toCube,
@@ -149,7 +153,7 @@ private:
             cubes_.push_back(std::move(cube));
         }
         seen_.resize(placed_.size());
-        return renderer_.resize(face, face);
+        return renderer_.resize(pictureSize(), pictureSize());
     }
 
     /// Every face of every probe; with reflections once probes are there to look up.
@@ -167,6 +171,7 @@ private:
     Result<void> drawFace(size_t probe, uint32_t face, Reflections* reflections) {
         ViewParameters parameters;
         parameters.camera = faceCamera(placed_[probe].positionWS, face, cellSize_ * 0.02f);
+        parameters.sunDisc = false;
         Result<void> status;
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands);
@@ -202,22 +207,21 @@ private:
     Result<void> measureFace(size_t probe, uint32_t face) {
         GLINT_TRY(depth, gpu::downloadImageAsFloats(context_, renderer_.gbuffer().deviceDepth));
         const scene::Camera camera = faceCamera(placed_[probe].positionWS, face, cellSize_ * 0.02f);
-        const uint32_t samples = std::min(kSeenFace, options_.faceSize);
-        const uint32_t step = options_.faceSize / samples;
+        const uint32_t size = pictureSize();
+        const uint32_t samples = std::min(kSeenFace, size);
+        const uint32_t step = size / samples;
         for (uint32_t y = 0; y < samples; ++y)
             for (uint32_t x = 0; x < samples; ++x) {
-                const uint32_t px = x * step + step / 2;
-                const uint32_t py = y * step + step / 2;
-                const float size = static_cast<float>(options_.faceSize);
-                const glm::vec3 throughVS((static_cast<float>(px) + 0.5f) / size * 2 - 1,
-                                          1 - (static_cast<float>(py) + 0.5f) / size * 2, -1);
+                const glm::uvec2 px(x * step + step / 2, y * step + step / 2);
+                const glm::vec2 uv = (glm::vec2(px) + 0.5f) / static_cast<float>(size);
+                const glm::vec3 throughVS(uv.x * 2 - 1, 1 - uv.y * 2, -1);
                 const float length = glm::length(throughVS);
-                const float device = depth[(size_t{py} * options_.faceSize + px) * 4];
+                const float device = depth[(size_t{px.y} * size + px.x) * 4];
                 SeenDistance ray;
                 ray.directionWS = glm::normalize(glm::mat3(camera.viewToWorld) * throughVS);
                 ray.distance = device > 0 ? camera.near / device * length // render/view.hpp: depth = near / viewZ
                                           : std::numeric_limits<float>::infinity();
-                ray.solidAngle = 4 / (static_cast<float>(samples * samples) * length * length * length);
+                ray.weight = 4 / (static_cast<float>(samples * samples) * length * length * length);
                 seen_[probe].push_back(ray);
             }
         return {};
@@ -247,6 +251,7 @@ private:
         }
         influence.min -= blend + cellSize_;
         influence.max += blend + cellSize_;
+        weighByNeeds(seen_[i], placed.needs);
         Probe probe;
         probe.capturePositionWS = {placed.positionWS.x, placed.positionWS.y, placed.positionWS.z};
         probe.influence = boxOf(influence);
@@ -282,7 +287,7 @@ private:
     /// Draws the faces again, this time with what the probes so far show in the mirrors.
     Result<void> bounce(Probes& probes) {
         ReflectionsDesc desc;
-        desc.width = desc.height = options_.faceSize;
+        desc.width = desc.height = pictureSize();
         desc.settings.screen.enabled = false;
         GLINT_TRY(reflections, Reflections::create(library_, desc));
         GLINT_CHECK(reflections.setProbes(probes));

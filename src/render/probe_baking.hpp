@@ -12,7 +12,7 @@ namespace glint::render {
 
 struct BakeOptions {
     uint32_t most = 8;       ///< probes, [1, 256]
-    uint32_t faceSize = 128; ///< texels, a power of two, [16, 1024]
+    uint32_t faceSize = 256; ///< texels, a power of two, [16, 1024]
     uint32_t bounces = 2;    ///< mirrors that a path of light meets at most, itself among them, [1, 4]
     std::function<void(const char* what, size_t done, size_t of)> progress; ///< may be empty
 };

@@ -12,6 +12,7 @@ namespace {
 constexpr float kTrimmed = 0.02f;   ///< share of the needs at each end of an axis that does not stretch the domain
 constexpr float kLeastGain = 0.02f; ///< a probe has to be worth its memory
 constexpr size_t kMostCandidates = 3000;
+constexpr size_t kQuantiles = 24;
 
 float diagonal(const scene::Bounds& bounds) {
     return glm::length(bounds.max - bounds.min);
@@ -89,13 +90,18 @@ std::vector<ReflectiveNeed> gatherNeeds(std::span<const ReflectiveNeed> needs, f
         sum.positionWS =
             sum.weight == 0 ? need.positionWS * need.weight : sum.positionWS + need.positionWS * need.weight;
         sum.normalWS = sum.weight == 0 ? need.normalWS * need.weight : sum.normalWS + need.normalWS * need.weight;
+        sum.reflectedWS =
+            sum.weight == 0 ? need.reflectedWS * need.weight : sum.reflectedWS + need.reflectedWS * need.weight;
         sum.weight += need.weight;
     }
     std::vector<ReflectiveNeed> gathered;
     for (auto& [key, sum] : cells) {
         if (!(sum.weight > 0) || !(glm::length(sum.normalWS) > 0))
             continue;
-        gathered.push_back({sum.positionWS / sum.weight, glm::normalize(sum.normalWS), sum.weight});
+        const glm::vec3 normal = glm::normalize(sum.normalWS);
+        const bool looks = glm::length(sum.reflectedWS) > 1e-6f;
+        gathered.push_back(
+            {sum.positionWS / sum.weight, normal, looks ? glm::normalize(sum.reflectedWS) : normal, sum.weight});
     }
     std::ranges::stable_sort(gathered, std::greater<>(), &ReflectiveNeed::weight);
     gathered.resize(std::min(gathered.size(), most));
@@ -149,33 +155,49 @@ std::vector<PlacedProbe> placeProbes(const FreeSpace& space, std::span<const Ref
             scene::Bounds& around = probes[owner].needsWS;
             around.min = glm::min(around.min, needs[n].positionWS);
             around.max = glm::max(around.max, needs[n].positionWS);
+            probes[owner].needs.push_back(needs[n]);
         }
     }
     std::erase_if(probes, [](const PlacedProbe& probe) { return probe.needsWS.empty(); }); // others serve all it could
     return probes;
 }
 
+void weighByNeeds(std::span<SeenDistance> seen, std::span<const ReflectiveNeed> needs) {
+    double total = 0;
+    for (const ReflectiveNeed& need : needs)
+        total += need.weight;
+    if (total <= 0)
+        return;
+    for (SeenDistance& ray : seen) {
+        double looks = 0;
+        for (const ReflectiveNeed& need : needs) {
+            const float cosine = std::max(glm::dot(ray.directionWS, need.reflectedWS), 0.0f);
+            const float c4 = cosine * cosine * cosine * cosine;
+            looks += need.weight * c4 * c4;
+        }
+        ray.weight *= static_cast<float>(0.1 + looks / total);
+    }
+}
+
 scene::Bounds fitProxyBox(const glm::vec3& positionWS, std::span<const SeenDistance> seen, float farthest) {
     // Sides as distances from the position: +X, -X, +Y, ... Each starts at the median of what is seen through its face.
     std::array<float, 6> sides = {};
+    // Each may then move to where rays meet something: within 60 degrees of its axis, and, as a far wall is seen by few
+    // of those, once more within 25.
     std::array<std::vector<float>, 6> choices;
-    for (const SeenDistance& ray : seen)
-        for (int axis = 0; axis < 3; ++axis) {
-            const float along = std::abs(ray.directionWS[axis]);
-            if (along > 0.5f)
-                choices[static_cast<size_t>(axis) * 2 + (ray.directionWS[axis] < 0 ? 1 : 0)].push_back(
-                    std::min(ray.distance * along, farthest));
+    for (size_t side = 0; side < 6; ++side)
+        for (const float cone : {0.9f, 0.5f}) {
+            std::vector<float> met = {farthest};
+            for (const SeenDistance& ray : seen) {
+                const float along = ray.directionWS[static_cast<int>(side / 2)] * (side % 2 == 0 ? 1.0f : -1.0f);
+                if (along > cone)
+                    met.push_back(std::clamp(ray.distance * along, farthest * 1e-5f, farthest));
+            }
+            std::ranges::sort(met);
+            sides[side] = met[met.size() / 2];
+            for (size_t q = 0; q <= kQuantiles; ++q)
+                choices[side].push_back(met[q * (met.size() - 1) / kQuantiles]);
         }
-    for (size_t side = 0; side < 6; ++side) {
-        std::vector<float>& all = choices[side];
-        all.push_back(farthest);
-        std::ranges::sort(all);
-        sides[side] = all[all.size() / 2];
-        std::vector<float> quantiles;
-        for (size_t q = 0; q <= 24; ++q)
-            quantiles.push_back(std::max(all[q * (all.size() - 1) / 24], farthest * 1e-5f));
-        all = std::move(quantiles);
-    }
     const auto error = [&] {
         double sum = 0;
         for (const SeenDistance& ray : seen) {
@@ -183,7 +205,8 @@ scene::Bounds fitProxyBox(const glm::vec3& positionWS, std::span<const SeenDista
             for (int axis = 0; axis < 3; ++axis)
                 if (const float d = ray.directionWS[axis]; std::abs(d) > 1e-6f)
                     distance = std::min(distance, sides[static_cast<size_t>(axis) * 2 + (d < 0 ? 1 : 0)] / std::abs(d));
-            sum += double(ray.solidAngle) * std::abs(1 / distance - 1 / std::max(ray.distance, farthest * 1e-5f));
+            const double misplaced = std::abs(1 / distance - 1 / std::max(ray.distance, farthest * 1e-5f));
+            sum += ray.weight * std::sqrt(misplaced); // a wall that some rays meet, not a mean of two walls
         }
         return sum;
     };

@@ -14,7 +14,8 @@ namespace glint::render {
 struct ReflectiveNeed {
     glm::vec3 positionWS = glm::vec3(0);
     glm::vec3 normalWS = glm::vec3(0, 1, 0);
-    float weight = 0; ///< pixels times their reflectance
+    glm::vec3 reflectedWS = glm::vec3(0, 1, 0); ///< unit: where it looks
+    float weight = 0;                           ///< pixels times their reflectance
 };
 
 /// The part of the scene in which probes may stand: around most of the needs, within the scene. Empty without needs.
@@ -25,8 +26,9 @@ std::vector<ReflectiveNeed> gatherNeeds(std::span<const ReflectiveNeed> needs, f
 
 struct PlacedProbe {
     glm::vec3 positionWS = glm::vec3(0);
-    scene::Bounds needsWS; ///< around the needs that it serves best
-    float gain = 0;        ///< share of all needs that it serves better than those before it
+    scene::Bounds needsWS;             ///< around the needs that it serves best, which are
+    std::vector<ReflectiveNeed> needs; ///< these
+    float gain = 0;                    ///< share of all needs that it serves better than those before it
 };
 
 /// Greedily: each next probe stands where it serves best what those before it serve badly; ends at `most`, or when one
@@ -37,8 +39,12 @@ std::vector<PlacedProbe> placeProbes(const FreeSpace& space, std::span<const Ref
 struct SeenDistance {
     glm::vec3 directionWS = glm::vec3(0, 0, -1); ///< unit
     float distance = 0;
-    float solidAngle = 0;
+    float weight = 0; ///< solid angle times how much the probe's needs look that way
 };
+
+/// Weighs solid angles by how many needs look there, through lobes about 35 degrees wide; a tenth is left to all
+/// directions alike.
+void weighByNeeds(std::span<SeenDistance> seen, std::span<const ReflectiveNeed> needs);
 
 /// The axis-aligned box around `positionWS` on which the probe's picture is least misplaced for surfaces off the
 /// capture position: that error is, to first order, the difference of inverse distances (docs/techniques/probes.md).

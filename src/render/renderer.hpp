@@ -18,6 +18,7 @@ struct ViewParameters {
     std::optional<scene::Camera> prevCamera; ///< of the frame before, for motion; none: the camera stands still
     glm::vec2 jitterPX = glm::vec2(0);       ///< pixels, [-0.5, 0.5]
     glm::vec2 prevJitterPX = glm::vec2(0);
+    bool sunDisc = true; ///< draw the sun in the background; pictures that light others leave it out: it is a light
 };
 
 /// A frame:
