@@ -171,7 +171,7 @@ private:
     Result<void> drawFace(size_t probe, uint32_t face, Reflections* reflections) {
         ViewParameters parameters;
         parameters.camera = faceCamera(placed_[probe].positionWS, face, cellSize_ * 0.02f);
-        parameters.sunDisc = false;
+        parameters.highlights = false;
         Result<void> status;
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands);
