@@ -29,7 +29,7 @@ Result<ProbeSet> readOrBake(gpu::Context& context, Context& library, Renderer& r
         Result<ProbeSet> read = readFitting(beside, inputs, job);
         if (read)
             return read;
-        log::warning("{} For this picture they are baked now.", read.error().message);
+        log::warning("{}; for this picture they are baked now", read.error().message);
     }
     return bakeProbes(context, library, renderer, inputs, job.settings.render, job.scene, {});
 }
