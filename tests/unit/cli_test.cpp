@@ -348,5 +348,29 @@ TEST_F(CliTest, SettingsPrintsEveryKeyInThreeForms) {
     expectError(run({"settings", "--json", "--markdown"}), kBadInput, "--json");
 }
 
+TEST_F(CliTest, ProbesAreHandedToTheRenderer) {
+    const test::TempFolder folder;
+    EXPECT_EQ(runRender({"--probes", "hall.probes", "-o", folder + "a.png"}).code, kDone);
+    EXPECT_EQ(job_->probes, "hall.probes");
+    EXPECT_EQ(runRender({"-o", folder + "a.png"}).code, kDone);
+    EXPECT_EQ(job_->probes, "");
+}
+
+TEST_F(CliTest, BakeSaysWhatItCannotDo) {
+    const auto errorOf = [&](const std::string& option, const std::string& value) {
+        const Ended ended = run({"bake", "builtin:mirror", option, value});
+        EXPECT_EQ(ended.code, kBadInput) << option;
+        EXPECT_NE(ended.error.find(option + " " + value), std::string::npos) << ended.error;
+    };
+    errorOf("--count", "0");
+    errorOf("--count", "257");
+    errorOf("--face", "48");
+    errorOf("--face", "8");
+    errorOf("--bounces", "0");
+    errorOf("--probes", "here");
+    errorOf("-o", "/no/such/folder/x.probes");
+    EXPECT_EQ(run({"bake", "no_such_scene.glb"}).code, kBadInput);
+}
+
 } // namespace
 } // namespace glint::cli
