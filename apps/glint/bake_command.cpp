@@ -33,8 +33,10 @@ void showProgress(const char* what, size_t done, size_t of) {
 
 Result<render::BakeOptions> makeBakeOptions(const BakeCommandOptions& options) {
     render::BakeOptions bake;
-    if (options.placing != "auto")
-        return invalidArgument("--probes {}: probes are placed by auto alone", options.placing);
+    if (options.placing != "auto") {
+        GLINT_TRY(places, render::readProbePlaces(options.placing));
+        bake.places = std::move(places);
+    }
     if (options.most < 1 || options.most > 256)
         return invalidArgument("--count {}: expected 1 to 256", options.most);
     if (options.faceSize < 16 || options.faceSize > 1024 ||
@@ -82,7 +84,8 @@ void addBakeCommand(CLI::App& program, Command& chosen) {
     command->add_option("--size", options->scene.size, "Picture size whose shape the camera has, WIDTHxHEIGHT");
     command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE; may be repeated (glint settings)")
         ->allow_extra_args(false);
-    command->add_option("--probes", options->placing, "How probes are placed: auto")->capture_default_str();
+    command->add_option("--probes", options->placing, "How probes are placed: auto, or a JSON file of places")
+        ->capture_default_str();
     command->add_option("--count", options->most, "Probes at most; fewer where more are of no use")
         ->capture_default_str();
     command->add_option("--face", options->faceSize, "Texels along a cube's face, a power of two")

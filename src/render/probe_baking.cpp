@@ -60,21 +60,13 @@ public:
           options_(options) {}
 
     Result<std::vector<BakedProbe>> run() {
-        GLINT_CHECK(findNeeds());
-        const scene::Bounds domain = probeDomain(needs_, renderer_.boundsWS());
-        if (domain.empty())
-            return std::vector<BakedProbe>();
-        const FreeSpace space = FreeSpace::build(inputs_.pose, domain, kSpaceCells);
-        cellSize_ = space.cellSize();
-        const std::vector<ReflectiveNeed> gathered = gatherNeeds(needs_, 2 * cellSize_, kMostNeeds);
-        tell("placing probes", 0, 1);
-        placed_ = placeProbes(space, gathered, options_.most);
+        GLINT_CHECK(options_.places.empty() ? findPlaces() : takePlaces());
         if (placed_.empty())
             return std::vector<BakedProbe>();
         GLINT_CHECK(makeCubes());
         GLINT_CHECK(drawAll(nullptr));
         for (size_t i = 0; i < placed_.size(); ++i)
-            GLINT_CHECK(makeVolumes(i));
+            options_.places.empty() ? makeVolumes(i) : takeVolumes(i);
         return finish();
     }
 
@@ -85,6 +77,31 @@ private:
     }
 
     // ------------------------------------------------------------ where
+
+    Result<void> takePlaces() {
+        const scene::Bounds& all = renderer_.boundsWS();
+        cellSize_ = all.empty() ? 1 : std::max(glm::length(all.max - all.min), 1e-6f) / kSpaceCells;
+        for (const ProbePlace& place : options_.places) {
+            const auto& at = place.probe.capturePositionWS;
+            PlacedProbe placed;
+            placed.positionWS = {at[0], at[1], at[2]};
+            placed_.push_back(placed);
+        }
+        return {};
+    }
+
+    Result<void> findPlaces() {
+        GLINT_CHECK(findNeeds());
+        const scene::Bounds domain = probeDomain(needs_, renderer_.boundsWS());
+        if (domain.empty())
+            return {};
+        const FreeSpace space = FreeSpace::build(inputs_.pose, domain, kSpaceCells);
+        cellSize_ = space.cellSize();
+        const std::vector<ReflectiveNeed> gathered = gatherNeeds(needs_, 2 * cellSize_, kMostNeeds);
+        tell("placing probes", 0, 1);
+        placed_ = placeProbes(space, gathered, options_.most);
+        return {};
+    }
 
     Result<void> findNeeds() {
         std::vector<scene::Camera> cameras = {inputs_.camera};
@@ -238,11 +255,22 @@ private:
         return box;
     }
 
+    float farthest() const {
+        const scene::Bounds& all = renderer_.boundsWS();
+        return all.empty() ? 1 : 10 * std::max(glm::length(all.max - all.min), 1e-6f);
+    }
+
+    void takeVolumes(size_t i) {
+        Probe probe = options_.places[i].probe;
+        if (options_.places[i].fitsProxy)
+            probe.proxyVolume = boxOf(fitProxyBox(placed_[i].positionWS, seen_[i], farthest()));
+        baked_.push_back({probe, options_.faceSize, {}});
+    }
+
     /// The best placed probe answers everywhere, for what no other one does; the others around what they serve best.
-    Result<void> makeVolumes(size_t i) {
+    void makeVolumes(size_t i) {
         const PlacedProbe& placed = placed_[i];
         const scene::Bounds& all = renderer_.boundsWS();
-        const float reach = glm::length(all.max - all.min);
         scene::Bounds influence = placed.needsWS;
         const float blend = std::max(2 * cellSize_, 0.1f * glm::length(influence.max - influence.min));
         if (i == 0) {
@@ -256,9 +284,8 @@ private:
         probe.capturePositionWS = {placed.positionWS.x, placed.positionWS.y, placed.positionWS.z};
         probe.influence = boxOf(influence);
         probe.blendDistance.fill(blend);
-        probe.proxyVolume = boxOf(fitProxyBox(placed.positionWS, seen_[i], 10 * reach));
+        probe.proxyVolume = boxOf(fitProxyBox(placed.positionWS, seen_[i], farthest()));
         baked_.push_back({probe, options_.faceSize, {}});
-        return {};
     }
 
     // ------------------------------------------------------------ filtering

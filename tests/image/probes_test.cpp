@@ -208,6 +208,45 @@ TEST_F(BakedProbesTest, everyFaceShowsItsOwnSide) {
     EXPECT_NEAR(proxy.centerWS[2] + proxy.halfExtents[2], 3, 0.1);
 }
 
+TEST_F(BakedProbesTest, placesAreTakenAsTheyAreGiven) {
+    const TempFolder folder;
+    const std::string scene = colouredRoom(folder + "room.glb");
+    const render::RenderJob job = lookInto(folder, makeJob(scene, {"screen.enabled=false"}));
+    render::BakeOptions options;
+    options.faceSize = 16;
+    options.bounces = 1;
+    options.places = must(render::parseProbePlaces(
+        R"({"probes": [{"position": [0.5, 1, 1], "influence": {"center": [0, 1, 0], "halfExtents": [3, 3, 4]}},
+                       {"position": [0, 2, 0], "influence": {"shape": "sphere", "center": [0, 1, 0], "radius": 2},
+                        "proxy": {"shape": "none"}}]})",
+        "places"));
+    const render::ProbeSet set = must(render::runBakeJob(device(), job, options));
+    ASSERT_EQ(set.probes.size(), 2u);
+    EXPECT_EQ(set.probes[0].probe.capturePositionWS, (std::array<float, 3>{0.5f, 1, 1}));
+    const ProbeVolume& proxy = set.probes[0].probe.proxyVolume; // fitted to the room
+    EXPECT_NEAR(proxy.centerWS[0] + proxy.halfExtents[0], 2, 0.1);
+    EXPECT_NEAR(proxy.centerWS[1] - proxy.halfExtents[1], 0, 0.1);
+    EXPECT_EQ(set.probes[1].probe.shape, ProbeShape::Sphere);
+    EXPECT_EQ(set.probes[1].probe.proxy, ProbeProxy::None);
+    options.places[1].probe.influence.rotation = {1, 1, 1, 1};
+    const auto wrong = render::runBakeJob(device(), job, options);
+    ASSERT_FALSE(wrong);
+    EXPECT_THAT(wrong.error().message, testing::HasSubstr("probe 1"));
+}
+
+TEST_F(BakedProbesTest, aSceneThatReflectsNothingGetsNone) {
+    const TempFolder folder;
+    render::RenderJob job = lookInto(folder, makeJob(colouredRoom(folder + "room.glb"), {}));
+    ASSERT_TRUE(
+        writeFile(job.camera, R"({"position": [0, 2, -6], "target": [0, 2, -20], "fovY": 40})")); // away from it
+    const render::ProbeSet set = must(render::runBakeJob(device(), job, {}));
+    EXPECT_TRUE(set.probes.empty());
+    const render::RenderResult without = must(render::runJob(device(), job));
+    job.probes = folder + "none.probes";
+    ASSERT_TRUE(writeFile(job.probes, render::encodeProbes(set)));
+    EXPECT_EQ(must(render::runJob(device(), job)).views[0].rgba, without.views[0].rgba);
+}
+
 TEST_F(BakedProbesTest, autoTakesTheFileBesideTheSceneOrBakes) {
     const TempFolder folder;
     const std::string scene = colouredRoom(folder + "room.glb");

@@ -367,9 +367,9 @@ TEST_F(CliTest, BakeSaysWhatItCannotDo) {
     errorOf("--face", "48");
     errorOf("--face", "8");
     errorOf("--bounces", "0");
-    errorOf("--probes", "here");
     errorOf("-o", "/no/such/folder/x.probes");
     EXPECT_EQ(run({"bake", "no_such_scene.glb"}).code, kBadInput);
+    EXPECT_EQ(run({"bake", "builtin:mirror", "--probes", "no_such_places.json"}).code, kBadInput);
 }
 
 } // namespace
