@@ -20,12 +20,17 @@ Result<measure::MirrorError> measureExact(const render::RenderJob& job, const re
 }
 
 nlohmann::ordered_json exactJson(const measure::MirrorError& error) {
+    nlohmann::ordered_json byBounces = nlohmann::ordered_json::array();
+    for (size_t i = 0; i < error.byBounces.size(); ++i)
+        byBounces.push_back(
+            {{"bounces", i + 1}, {"pixels", error.byBounces[i].pixels}, {"wrong", error.byBounces[i].wrong}});
     return {{"mirrorPixels", error.mirrorPixels},
             {"wrongPixels", error.wrongPixels},
             {"wrongShare", error.share()},
             {"oneBouncePixels", error.oneBouncePixels},
             {"oneBounceWrong", error.oneBounceWrong},
-            {"oneBounceWrongShare", error.oneBounceShare()}};
+            {"oneBounceWrongShare", error.oneBounceShare()},
+            {"byBounces", byBounces}};
 }
 
 } // namespace glint::cli

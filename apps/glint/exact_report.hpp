@@ -12,7 +12,8 @@ namespace glint::cli {
 /// Errors: InvalidInput where the scene has none, see measure::exactPicture.
 Result<measure::MirrorError> measureExact(const render::RenderJob& job, const render::RenderResult& result);
 
-/// {"mirrorPixels", "wrongPixels", "wrongShare", "oneBouncePixels", "oneBounceWrong", "oneBounceWrongShare"}
+/// {"mirrorPixels", "wrongPixels", "wrongShare", "oneBouncePixels", "oneBounceWrong", "oneBounceWrongShare",
+/// "byBounces": [{"bounces", "pixels", "wrong"}]}
 nlohmann::ordered_json exactJson(const measure::MirrorError& error);
 
 } // namespace glint::cli

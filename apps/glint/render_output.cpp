@@ -94,6 +94,12 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     json["rays"] = stats.rays;
     json["lookupsPerRay"] = stats.lookupsPerRay;
     json["lookups95"] = stats.lookups95;
+    if (job.settings.reflections.rays.enabled)
+        json["sceneRays"] = {{"pixels", stats.scene.pixels},
+                             {"rays", stats.scene.rays},
+                             {"fromScreen", stats.scene.fromScreen},
+                             {"replaced", stats.scene.replaced},
+                             {"reusedLight", stats.scene.reusedLight}};
     Json outcomes = Json::object();
     for (const auto& [name, pixels] : stats.outcomes)
         outcomes[name] = pixels;

@@ -34,7 +34,8 @@ struct Measured {
 };
 
 /// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames", "time", "seed",
-///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95", "outcomes": {name: pixels},
+///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95",
+///  ["sceneRays": {glint::Statistics::SceneRays}], "outcomes": {name: pixels},
 ///  "exact": exactJson, "hits": hitReportJson, "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the
 ///  device has no timestamps.
 std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured = {});

@@ -56,6 +56,15 @@ struct Statistics {
     uint64_t rays = 0;
     double lookupsMean = 0; ///< depth reads a traced ray
     uint32_t lookups95 = 0; ///< 95th percentile
+
+    /// What the source `rays` did; zeros without it.
+    struct SceneRays {
+        uint64_t pixels = 0;      ///< that it was asked for
+        uint64_t rays = 0;        ///< through the host's triangles, those for shadows apart
+        uint64_t fromScreen = 0;  ///< of the pixels: the first hit was the screen source's, and took no ray
+        uint64_t replaced = 0;    ///< of the pixels: the screen source had an answer, and rays knew better
+        uint64_t reusedLight = 0; ///< hits whose light was taken from the picture
+    } scene;
 };
 
 /// One picture size, one set of settings, any number of views in turn. Not thread-safe.

@@ -172,6 +172,9 @@
     SETTING(int, cullMask, 255, "[0, 255]", "",                                                                        \
         "Instances are met whose own mask shares a bit with this",                                                     \
         "")                                                                                                            \
+    SETTING(bool, reuseLight, true, "", "",                                                                            \
+        "After the screen source: where the picture shows what a ray has met, its light is taken from there",          \
+        "")                                                                                                            \
     SETTING(bool, accumulate, false, "", "",                                                                           \
         "Average over all frames since the view or a setting changed; Reflections::restartAccumulation starts anew",   \
         "")

@@ -5,13 +5,15 @@
 #include "lib/camera.glsl"
 #include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
+#include "shared/rays_constants.h"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(scalar, set = 0, binding = 0) uniform FrameBlock {
     FrameConstants constants;
-} frame;
+}
+frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D radianceWeight;
@@ -19,7 +21,8 @@ layout(set = 0, binding = 4) uniform samplerCube environment;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reflected; // sum of weight * radiance; total weight
 layout(set = 0, binding = 6, rgba8) uniform writeonly image2D weights;     // screen, sky, rays, probes
 layout(set = 0, binding = 7) uniform sampler2D raysAnswer;
-layout(set = 0, binding = 8) uniform sampler2D probesAnswer;
+layout(set = 0, binding = 8) uniform usampler2D raysRecord;
+layout(set = 0, binding = 9) uniform sampler2D probesAnswer;
 layout(push_constant, scalar) uniform PushBlock {
     HierarchyConstants settings;
 };
@@ -45,7 +48,8 @@ void main() {
     float total = 0.0;
     vec4 shares = vec4(0.0);
     if (z < kBackgroundZ) {
-        if (settings.screen != 0u) {
+        bool replaced = settings.rays != 0u && (texelFetch(raysRecord, px, 0).z & kRaysReplaceScreen) != 0u;
+        if (settings.screen != 0u && !replaced) {
             vec4 answer = texelFetch(radianceWeight, px, 0);
             shares.x = takeRest(answer.a, total);
             sum += shares.x * answer.rgb;

@@ -9,6 +9,7 @@
 #include "lib/probe.glsl"
 #include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
+#include "shared/rays_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -29,6 +30,7 @@ layout(scalar, set = 0, binding = 7) readonly buffer ListsBlock {
     uint probe[];
 } probeLists;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D probesAnswer; // mean radiance, weight
+layout(set = 0, binding = 9) uniform usampler2D raysRecord;
 layout(set = 1, binding = 0) uniform samplerCube cubes[];
 layout(push_constant, scalar) uniform PushBlock {
     ProbesConstants constants;
@@ -37,7 +39,9 @@ layout(push_constant, scalar) uniform PushBlock {
 /// What the sources before this one have taken of a pixel's weight.
 float takenBefore(ivec2 px) {
     float taken = 0.0;
-    if ((constants.flags & kProbesScreen) != 0u)
+    bool replaced =
+        (constants.flags & kProbesRays) != 0u && (texelFetch(raysRecord, px, 0).z & kRaysReplaceScreen) != 0u;
+    if ((constants.flags & kProbesScreen) != 0u && !replaced)
         taken += saturate(texelFetch(screenAnswer, px, 0).a);
     if ((constants.flags & kProbesRays) != 0u)
         taken += saturate(texelFetch(raysAnswer, px, 0).a);

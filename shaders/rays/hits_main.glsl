@@ -2,9 +2,11 @@
 #include "rays/pixel_rays.glsl"
 #include "shared/ray_hit.h"
 
+#include "rays/after_screen.glsl"
+
 layout(local_size_x = 64) in; // kRaysPerGroup
 
-layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D raysRecord;
+layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(scalar, set = 0, binding = 9) writeonly buffer HitsBlock {
     RayHitRecord item[];
 }
@@ -27,5 +29,6 @@ void main() {
                      from.cone.width + from.cone.spread * (met ? hit.distance : 0.0), ray.originWS, ray.directionWS);
     RayRecord record = RayRecord(met ? projectedUV(ray.originWS + ray.directionWS * hit.distance) : from.uv,
                                  met ? hit.distance : 0.0, 1u, met ? kOutcomeHit : kOutcomeSky);
-    imageStore(raysRecord, from.px, uvec4(packRayRecord(record), 0u, 0u));
+    imageStore(raysRecord, from.px,
+               uvec4(packRayRecord(record), takesBack(screenRay(from.px)) ? kRaysReplaceScreen : 0u, 0u));
 }

@@ -19,10 +19,12 @@ layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D screenAnswer;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D raysRadianceWeight;
-layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D raysRecord;
+layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(push_constant, scalar) uniform PushBlock {
     RaysConstants settings;
 };
+
+#include "rays/after_screen.glsl"
 
 void listBegins() {}
 
@@ -33,9 +35,10 @@ uint whyNoRay(Surface here) {
     return here.perceptualRoughness > settings.maxRoughness ? kOutcomeTooRough : kOutcomeNone;
 }
 
-/// Less than a ray could add.
 bool isAnsweredOnScreen(ivec2 px) {
-    return (settings.flags & kRaysAfterScreen) != 0u && texelFetch(screenAnswer, px, 0).a >= 1.0 - 1.0 / 512.0;
+    const float kAll = 1.0 - 1.0 / 512.0; // the rest is less than a ray could add
+    return (settings.flags & kRaysAfterScreen) != 0u && texelFetch(screenAnswer, px, 0).a >= kAll &&
+           !takesBack(screenRay(px));
 }
 
 void main() {

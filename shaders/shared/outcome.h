@@ -25,10 +25,15 @@ GLINT_CONSTANT(uint, kOutcomeCount, 14);
 
 GLINT_CONSTANT(uint, kMaxLookups, 4095); // as a ray record stores them: more reads count as this many
 
-// What statistics.comp fills in: outcomes, then a histogram of lookups a ray.
+// What composite/statistics.comp fills in: outcomes, then a histogram of lookups a ray; and rays/statistics.comp.
 struct RayStatistics {
     uint outcomes[16];
     uint lookups[4096];
+    uint scenePixels;    ///< that got rays through the host's triangles
+    uint sceneRays[2];   ///< those rays, low word first
+    uint fromScreen;     ///< of the pixels: their first hit was the screen's
+    uint replaced;       ///< of the pixels: the screen had an answer, which was taken back
+    uint reusedLight[2]; ///< hits whose light was the picture's, low word first
 };
 
 GLINT_SHARED_END

@@ -100,6 +100,11 @@ MirrorError compareMirrors(const ExactPicture& exact, std::span<const float> rgb
         const bool wrong = srgbDifference(exact.radiance[i], drawn) > kWrong;
         ++error.mirrorPixels;
         error.wrongPixels += wrong;
+        if (error.byBounces.size() < exact.bounces[i])
+            error.byBounces.resize(exact.bounces[i]);
+        MirrorError::ByBounces& alike = error.byBounces[exact.bounces[i] - 1u];
+        ++alike.pixels;
+        alike.wrong += wrong;
         if (exact.bounces[i] == 1) {
             ++error.oneBouncePixels;
             error.oneBounceWrong += wrong;

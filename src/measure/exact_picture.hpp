@@ -29,6 +29,12 @@ struct MirrorError {
     uint64_t wrongPixels = 0;     ///< of these; a channel of the sRGB value is off by more than 24/255
     uint64_t oneBouncePixels = 0; ///< of mirrorPixels: one bounce shows all
     uint64_t oneBounceWrong = 0;
+    /// By the bounces that a path takes to its end, from one on.
+    struct ByBounces {
+        uint64_t pixels = 0;
+        uint64_t wrong = 0;
+    };
+    std::vector<ByBounces> byBounces;
     double share() const { return mirrorPixels ? double(wrongPixels) / double(mirrorPixels) : 0; }
     double oneBounceShare() const { return oneBouncePixels ? double(oneBounceWrong) / double(oneBouncePixels) : 0; }
 };

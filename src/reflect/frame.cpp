@@ -215,6 +215,8 @@ void FrameState::traceScene(gpu::Frame& frame) {
     gpu::Image& diffuse = inputs.environmentDiffuse ? inputs.environmentDiffuse : blackCube;
     raysSource->record(frame, desc.settings,
                        {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
+                        traced.rayRecord, resolvesMaterial() ? prepared.material : inputs.material, inputs.litRadiance,
+                        inputs.fallbackSpecular ? inputs.fallbackSpecular : black,
                         static_cast<bool>(inputs.environment), environment,
                         static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
 }
@@ -223,7 +225,8 @@ void FrameState::traceScene(gpu::Frame& frame) {
 void FrameState::lookUpProbes(gpu::Frame& frame) {
     probesSource->record(frame, desc.settings,
                          {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
-                          usesRays() ? &raysSource->answer() : nullptr, black});
+                          usesRays() ? &raysSource->answer() : nullptr,
+                          usesRays() ? raysSource->rayRecord() : traced.rayRecord, black});
 }
 
 /// How the pixels' rays ended: the screen's, or those through the scene where there are no others.
@@ -254,6 +257,7 @@ gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeli
         .read("surface", prepared.surface)
         .read("radianceWeight", *denoised.answer)
         .read("raysAnswer", usesRays() ? raysSource->answer() : black)
+        .read("raysRecord", usesRays() ? raysSource->rayRecord() : traced.rayRecord)
         .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
@@ -293,6 +297,8 @@ void FrameState::countOutcomes(gpu::Frame& frame) {
         .read("rayRecord", rayRecord())
         .readWrite("statistics", statistics)
         .dispatch(traced.width, traced.height);
+    if (usesRays())
+        raysSource->count(frame, statistics);
     frame.copyBuffer(statistics, statisticsReadback);
 }
 
@@ -488,7 +494,8 @@ Result<void> FrameState::giveScene() {
         GLINT_CHECK(raysSource->setScene(*rayScene, shadeHits));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, nullptr, false, blackCube, false, blackCube, dfg, black, false});
+                       {frameConstants, prepared, nullptr, traced.rayRecord, black, black, black, false, blackCube,
+                        false, blackCube, dfg, black, false});
     return frame.firstError();
 }
 
@@ -499,7 +506,7 @@ Result<void> FrameState::setProbes(ProbesState& probes) {
     }
     GLINT_CHECK(probesSource->setProbes(probes));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
-    probesSource->record(frame, desc.settings, {frameConstants, prepared, nullptr, nullptr, black});
+    probesSource->record(frame, desc.settings, {frameConstants, prepared, nullptr, nullptr, traced.rayRecord, black});
     return frame.firstError();
 }
 

@@ -54,7 +54,7 @@ struct FrameState {
     std::unique_ptr<RaysSource> raysSource; ///< absent until settings ask for it
     rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
     SurfaceTableState* raySurfaces = nullptr;
-    ShadeHits shadeHits; ///< or the host's own shading
+    ShadeHits shadeHits;                        ///< or the host's own shading
     std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
     History history;
     Reflected reflected;

@@ -370,6 +370,9 @@ Statistics Reflections::statistics() {
         below += counts.lookups[bin];
         result.lookups95 = bin;
     }
+    const auto wide = [](const uint32_t words[2]) { return words[0] | uint64_t{words[1]} << 32; };
+    result.scene = {counts.scenePixels, wide(counts.sceneRays), counts.fromScreen, counts.replaced,
+                    wide(counts.reusedLight)};
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glint/inspection.hpp"
+#include "glint/reflections.hpp"
 #include "render/program_settings.hpp"
 
 #include <array>
@@ -48,6 +49,7 @@ struct RenderStats {
     uint64_t rays = 0;                                      ///< traced in the last frame
     double lookupsPerRay = 0;                               ///< mean
     uint32_t lookups95 = 0;                                 ///< 95th percentile
+    Statistics::SceneRays scene;                            ///< of the last frame
     std::vector<std::pair<std::string, uint64_t>> outcomes; ///< pixels; every name, also those with 0
 };
 

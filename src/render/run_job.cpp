@@ -253,6 +253,7 @@ struct JobSession::State {
         stats.rays = counted.rays;
         stats.lookupsPerRay = counted.lookupsMean;
         stats.lookups95 = counted.lookups95;
+        stats.scene = counted.scene;
         for (const Statistics::Outcome& outcome : counted.outcomes)
             stats.outcomes.emplace_back(outcome.name, outcome.count);
         return stats;

@@ -424,6 +424,8 @@ protected:
         gpu::Image screenImage = upload("test/screen", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(answers));
         gpu::Image raysImage =
             upload("test/rays", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(rays.empty() ? answers : rays));
+        gpu::Image recordImage = upload("test/raysRecord", VK_FORMAT_R32G32B32A32_UINT,
+                                        bytesOf(std::vector<glm::uvec4>(pixels.size(), glm::uvec4(0))));
         gpu::Image probesImage =
             upload("test/probes", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(probes.empty() ? answers : probes));
         gpu::Image reflected = output("test/reflected", VK_FORMAT_R16G16B16A16_SFLOAT);
@@ -438,6 +440,7 @@ protected:
                 .read("surface", surface)
                 .read("radianceWeight", screenImage)
                 .read("raysAnswer", raysImage)
+                .read("raysRecord", recordImage)
                 .read("probesAnswer", probesImage)
                 .read("environment", environment.cube)
                 .write("reflected", reflected)

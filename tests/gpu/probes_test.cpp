@@ -1,6 +1,7 @@
 // The source `probes`: where it puts reflections, how much of a pixel it takes, and that it never takes too much.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/probe_oracle.hpp"
+#include "gpu/support/surface_scene.hpp"
 
 #include <gmock/gmock.h>
 
@@ -302,6 +303,52 @@ TEST_F(ProbesTest, aWhiteFurnaceIsNeverAboveOne) {
             const double middle = reflected(picture, size_t{30} * 48 + 24).r;
             EXPECT_NEAR(middle, 1, 2e-3); // and the sky fills what probes leave
         }
+}
+
+/// A white metal floor before a white wall that shines, in white surroundings.
+TEST_F(ProbesTest, everyCombinationOfSourcesStaysAtOne) {
+    SurfaceScene scene;
+    scene.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.1f));
+    scene.addQuad({-4, 0, -3}, {8, 0, 0}, {0, 2, 0}, emitting(glm::vec3(1)));
+    SurfaceScene::World world = scene.build(gpu(), library(), RayBackend::Bvh);
+    run([&](VkCommandBuffer commands) {
+        world.rays.record(commands);
+        world.surfaces.record(commands);
+    });
+    const SyntheticCamera camera = {.position = {0, 1.2, 4}, .target = {0, 0.3, 0}};
+    SyntheticGBuffer g = SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene), camera, 48, 36);
+    const TestEnvironment white = constantCube(gpu(), glm::vec3(1), 5);
+    std::vector<Probe> list(3, probeOf(white));
+    for (size_t i = 0; i < list.size(); ++i) {
+        list[i].influence = {{static_cast<float>(i) * 1.5f - 1.5f, 0, 0}, {0, 0, 0, 1}, {2, 2, 3}};
+        list[i].blendDistance.fill(1);
+        list[i].proxyVolume = {{0, 2, 0}, {0, 0, 0, 1}, {6, 3, 6}};
+    }
+    Probes probes = must(Probes::create(library(), {list}));
+    run([&](VkCommandBuffer commands) { probes.record(commands); });
+    Settings settings = plainSettings();
+    settings.rays.enabled = true;
+    Reflections reflections = LibraryTest::reflections(48, 36, settings);
+    must(reflections.setInputs(g.gbuffer, white.map));
+    must(reflections.setRays(world.rays, world.surfaces));
+    must(reflections.setProbes(probes));
+    for (uint32_t on = 0; on < 16; ++on) {
+        settings.screen.enabled = (on & 1) != 0;
+        settings.rays.enabled = (on & 2) != 0;
+        settings.rays.lobe = RayLobe::Mirror;
+        settings.probes.enabled = (on & 4) != 0;
+        settings.sky.enabled = (on & 8) != 0;
+        must(reflections.setSettings(settings));
+        const Picture picture = trace(reflections, camera.view(48, 36));
+        for (size_t i = 0; i < picture.pixels(); ++i) {
+            ASSERT_LE(reflected(picture, i).r, 1.002) << "sources " << on << ", pixel " << i;
+            if ((on & 8) != 0 && picture.composite[i * 4 + 3] > 0 && reflected(picture, i).r > 0) {
+                ASSERT_NEAR(reflected(picture, i).r, 1, 2e-3)
+                    << "sources " << on << ", pixel " << i; // the sky fills up
+            }
+        }
+        EXPECT_EQ(ran(picture, "probes/reflect"), (on & 4) != 0);
+    }
 }
 
 TEST_F(ProbesTest, noProbesCostNothing) {

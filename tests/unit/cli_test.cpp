@@ -57,8 +57,15 @@ protected:
             const float value = 0.25f * static_cast<float>(result.views.size() + 1);
             result.views.push_back({name, std::vector<float>(16, value), std::vector<uint8_t>(12, 100)});
         }
-        result.stats = {"device", "driver 1", true, {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
-                        3,        12.5,       40,   {{"hit", 2}, {"sky", 0}}};
+        result.stats = {"device",
+                        "driver 1",
+                        true,
+                        {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
+                        3,
+                        12.5,
+                        40,
+                        {},
+                        {{"hit", 2}, {"sky", 0}}};
         if (job.inspect)
             result.inspection = inspection_;
         return result;

@@ -32,6 +32,7 @@ void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const Pro
         .read("surface", inputs.prepared.surface)
         .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : inputs.black)
         .read("raysAnswer", inputs.raysAnswer ? *inputs.raysAnswer : inputs.black)
+        .read("raysRecord", inputs.raysRecord)
         .write("probesAnswer", answer_);
     probes_->bind(pass).push(constants).dispatch(answer_.width(), answer_.height());
 }

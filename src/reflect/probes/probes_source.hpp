@@ -13,6 +13,7 @@ struct ProbesInputs {
     Prepared& prepared;
     gpu::Image* screenAnswer; ///< null: the screen source was not asked
     gpu::Image* raysAnswer;   ///< null: neither were rays
+    gpu::Image& raysRecord;   ///< which of the screen's answers rays replaced; of no matter without rays
     gpu::Image& black;        ///< stands in for what is absent
 };
 

@@ -6,19 +6,26 @@
 #include "shared/ray_hit.h"
 
 namespace glint::reflect {
+namespace {
+
+constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
+
+} // namespace
 
 static_assert(sizeof(RayHit) == sizeof(shared::RayHitRecord));
 
 Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, uint32_t width, uint32_t height) {
     std::unique_ptr<RaysSource> source(new RaysSource(context));
     GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", sizeof(shared::RaysConstants), {}}));
+    GLINT_TRY(count, gpu::Pipeline::compute(context, {"rays/statistics", 0, {}}));
     source->list_ = std::move(list);
+    source->count_ = std::move(count);
     const auto makeImage = [&](const char* name, VkFormat format) {
         return gpu::Image::create(context, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
                                             VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
     };
     GLINT_TRY(radianceWeight, makeImage("glint/raysRadianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT));
-    GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32_UINT));
+    GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32B32A32_UINT));
     GLINT_TRY(rays, gpu::Buffer::create(context,
                                         {"glint/raysList", sizeof(shared::RayListHeader) + size_t{4} * width * height,
                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
@@ -85,7 +92,7 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     const RaysSettings& rays = settings.rays;
     shared::RaysConstants constants = {};
     constants.samples = static_cast<uint32_t>(rays.samples);
-    constants.bounces = static_cast<uint32_t>(rays.bounces);
+    constants.bounces = surfaces_ ? static_cast<uint32_t>(rays.bounces) : 1; // the host's shading takes no others
     constants.tMin = rays.tMin;
     constants.tMax = rays.tMax;
     constants.maxRoughness = rays.maxRoughness;
@@ -99,6 +106,7 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     flag(inputs.hasEnvironmentDiffuse, shared::kRaysEnvironmentDiffuse);
     flag(inputs.screenAnswer != nullptr, shared::kRaysAfterScreen);
     flag(rays.accumulate, shared::kRaysAccumulate);
+    flag(rays.reuseLight && inputs.screenAnswer, shared::kRaysReuseLight);
     return constants;
 }
 
@@ -123,6 +131,7 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : inputs.black)
+        .read("screenRecord", inputs.screenRecord)
         .readWrite("rays", rays_.list)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_)
@@ -138,6 +147,10 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)
+        .read("screenRecord", inputs.screenRecord)
+        .read("material", inputs.material, kTexels)
+        .read("litRadiance", inputs.litRadiance, kTexels)
+        .read("fallbackSpecular", inputs.fallbackSpecular, kTexels)
         .read("environment", inputs.environment)
         .read("environmentDiffuse", inputs.environmentDiffuse)
         .read("dfg", inputs.dfg)
@@ -150,6 +163,13 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
     surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
 }
 
+void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
+    frame.pass(count_)
+        .read("raysRecord", record_)
+        .readWrite("statistics", statistics)
+        .dispatch(record_.width(), record_.height());
+}
+
 /// Traces, lets the host shade, and takes its answer.
 void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
     gpu::Pass pass = frame.pass(traceHits_);
@@ -157,6 +177,7 @@ void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const s
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)
+        .read("screenRecord", inputs.screenRecord)
         .read("blueNoise", blueNoise_)
         .write("raysRecord", record_, 0, true)
         .write("hits", hits_);

@@ -15,6 +15,10 @@ struct RaysInputs {
     gpu::Buffer& frameConstants;
     Prepared& prepared;
     gpu::Image* screenAnswer; ///< null: no source stands before
+    gpu::Image& screenRecord; ///< how its rays ended
+    gpu::Image& material;     ///< F0: lib/resolved_material.glsl
+    gpu::Image& litRadiance;
+    gpu::Image& fallbackSpecular; ///< or black
     bool hasEnvironment;
     gpu::Image& environment; ///< or a black cube
     bool hasEnvironmentDiffuse;
@@ -44,6 +48,9 @@ public:
 
     void record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs);
 
+    /// Adds what this frame's rays did to a shared::RayStatistics.
+    void count(gpu::Frame& frame, gpu::Buffer& statistics);
+
     gpu::Image& answer() { return radianceWeight_; }
     gpu::Image& rayRecord() { return record_; }
 
@@ -56,6 +63,7 @@ private:
     gpu::Pipeline list_;
     gpu::Pipeline reflect_;
     gpu::Pipeline traceHits_;
+    gpu::Pipeline count_;
     rays::Scene* scene_ = nullptr;
     SurfaceTableState* surfaces_ = nullptr; ///< null: the host shades
     ShadeHits shade_;
@@ -65,7 +73,7 @@ private:
     gpu::Image sum_;            ///< RGBA32F, 1x1 unless rays.accumulate: reflect_main.glsl
     gpu::Image weights_;        ///< R32F, of the same size
     bool framesHeld_ = false;   ///< they hold the frames before
-    gpu::Image record_;         ///< RG32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays
+    gpu::Image record_; ///< RGBA32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays; kRaysReused...
     gpu::Buffer blueNoise_;
     bool noiseHeld_ = false;
 };

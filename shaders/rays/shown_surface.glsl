@@ -1,0 +1,71 @@
+// Surfaces that the host's picture shows, for rays that have met one: their light need not be computed anew.
+#ifndef GLINT_RAYS_SHOWN_SURFACE_GLSL
+#define GLINT_RAYS_SHOWN_SURFACE_GLSL
+
+#include "lib/brdf.glsl"
+#include "lib/input_color.glsl"
+#include "lib/ray_start.glsl"
+#include "lib/resolved_material.glsl"
+#include "rays/hit_lighting.glsl"
+#include "rays/lit_surface.glsl"
+#include "rays/pixel_rays.glsl"
+#include "rays/shown_edge.glsl"
+
+layout(set = 0, binding = 13) uniform sampler2D material;
+layout(set = 0, binding = 14) uniform sampler2D litRadiance;
+layout(set = 0, binding = 15) uniform sampler2D fallbackSpecular;
+
+/// Cosine between the normals of a hit and of the pixel that shows it, from which on they may be one surface: normal
+/// maps bend by less, the two sides of an edge by more.
+const float kSameNormal = 0.7;
+
+/// The pixel of the picture that shows the point `hitWS` of a surface, with `faceNormalWS` towards the ray that met it.
+/// (-1, -1): none does, or one that the ray sees larger than the eye.
+ivec2 pixelThatShows(vec3 hitWS, vec3 faceNormalWS, vec3 directionWS, float coneWidthWS) {
+    vec3 hitVS = (frame.constants.worldToView * vec4(hitWS, 1.0)).xyz;
+    vec4 pixelH = frame.constants.viewToPixel * vec4(hitVS, 1.0);
+    vec2 at = pixelH.xy / pixelH.w;
+    if (pixelH.w <= 0.0 || any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, frame.constants.size)))
+        return ivec2(-1);
+    vec3 normalVS = mat3(frame.constants.worldToView) * faceNormalWS;
+    float toEye = dot(normalVS, -viewDirection(frame.constants, hitVS));
+    float extent = pixelExtent(frame.constants, frame.constants.uvToView, -hitVS.z).y;
+    if (toEye <= 0.0 || coneWidthWS * toEye < extent * -dot(faceNormalWS, directionWS))
+        return ivec2(-1);
+    ivec2 px = ivec2(at);
+    float z = texelFetch(viewZ, px, 0).r;
+    if (z >= kBackgroundZ || resolvedMaterial(frame.constants, texelFetch(material, px, 0)).a < 1.0)
+        return ivec2(-1);
+    vec3 shownVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+    bool same = abs(dot(normalVS, shownVS - hitVS)) <= samePlaceSlack(z) &&
+                dot(unpackSurface(texelFetch(surface, px, 0).xy).normalVS, normalVS) > kSameNormal && !isAtEdge(at);
+    return same ? px : ivec2(-1);
+}
+
+/// What the picture says of the surface at `px`, for a ray that came along `directionWS`. Highlights are those that the
+/// eye sees.
+LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 directionWS) {
+    bool encoded = (frame.constants.flags & kInputGamma) != 0u;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    vec3 f0 = here.reflectivity > 0.0 ? resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb : vec3(0.0);
+    LitSurface shown;
+    shown.positionWS = positionWS;
+    shown.faceNormalWS = faceNormalWS;
+    shown.normalWS = mat3(frame.constants.viewToWorld) * here.normalVS;
+    shown.perceptualRoughness = here.perceptualRoughness;
+    shown.response = vec3(0.0);
+    if (maxComponent(f0) > 0.0)
+        shown.response =
+            specularResponse(f0, 1.0, loadDfg(clampedNoV(shown.normalWS, -directionWS), here.perceptualRoughness));
+    shown.own = linearColor(texelFetch(litRadiance, px, 0).rgb, encoded);
+    shown.environmentSpecular = vec3(0.0);
+    if ((frame.constants.flags & kInputFallback) != 0u) {
+        vec3 reflected = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, encoded);
+        shown.own = max(shown.own - reflected, vec3(0.0));
+        shown.environmentSpecular =
+            shown.response * loadEnvironmentRadiance(reflect(directionWS, shown.normalWS), here.perceptualRoughness);
+    }
+    return shown;
+}
+
+#endif
