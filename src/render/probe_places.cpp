@@ -59,7 +59,7 @@ private:
             return fail(under.empty() ? "probes" : under, "must hold objects, {...}");
         for (const auto& [key, value] : json.items())
             if (std::ranges::find(keys, key) == keys.end())
-                fail(under.empty() ? key : under + "." + key, "is unknown");
+                fail(under.empty() ? key : fmt::format("{}.{}", under, key), "is unknown");
     }
 
     void number(const Json& json, const char* key, float& target) {
