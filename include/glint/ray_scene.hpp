@@ -15,6 +15,9 @@ namespace glint {
 namespace rays {
 class Scene;
 }
+namespace gpu {
+class Pass;
+}
 
 /// Triangles in their own space. Read during RayScene::create alone.
 struct RayMesh {
@@ -81,6 +84,8 @@ public:
     RaySceneTimes times();
 
     rays::Scene& scene() { return *scene_; } ///< for Glint's own classes
+    /// The same: gives a pass the scene, as the ray seam of this back end declares it.
+    void bind(gpu::Pass& pass);
 
 private:
     explicit RayScene(std::unique_ptr<rays::Scene> scene);

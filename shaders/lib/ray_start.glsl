@@ -12,6 +12,11 @@ float hitUncertainty(vec3 positionWS) {
     return maxComponent(abs(positionWS)) * exp2(-18.0);
 }
 
+/// A point that the rasterizer interpolated: a few roundings more.
+float rasterUncertainty(vec3 positionWS) {
+    return maxComponent(abs(positionWS)) * exp2(-16.0);
+}
+
 /// A point that was made from depth: rasterizers interpolate depth with roundings of the nearest vertex's, and a host's
 /// halfs keep eleven bits of it.
 float depthUncertainty(vec3 positionWS, float viewZ, bool halfDepth) {

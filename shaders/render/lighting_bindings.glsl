@@ -4,16 +4,21 @@
 
 #include "lib/environment.glsl"
 #include "lib/lighting.glsl"
-#include "lib/shadow.glsl"
 #include "render/surface_bindings.glsl"
 
 layout(scalar, set = 0, binding = 5) readonly buffer LightBlock {
     Light list[];
-} lights;
+}
+lights;
 layout(set = 0, binding = 6) uniform samplerCube environmentRadiance;
 layout(set = 0, binding = 7) uniform samplerCube environmentDiffuse;
 layout(set = 0, binding = 8) uniform sampler2D dfg;
-layout(set = 0, binding = 9) uniform sampler2DShadow shadowAtlas;
+
+#ifdef GLINT_SHADOW_RAYS
+#include "render/shadow_rays.glsl"
+#else
+#include "render/shadow_maps.glsl"
+#endif
 
 uint loadLightCount() {
     return view.constants.lightCount;
@@ -21,14 +26,6 @@ uint loadLightCount() {
 
 Light loadLight(uint index) {
     return lights.list[index];
-}
-
-float loadLightVisibility(Light light, vec3 position, vec3 geometricNormal, vec3 L) {
-    if (light.castsShadow == 0u)
-        return 1.0;
-    vec2 texel = 1.0 / vec2(textureSize(shadowAtlas, 0));
-    ShadowLookup at = shadowLookup(light, position, geometricNormal, L, texel);
-    return at.covered ? filterShadow(shadowAtlas, at, texel) : 1.0;
 }
 
 vec3 loadEnvironmentRadiance(vec3 direction, float perceptualRoughness) {

@@ -10,13 +10,22 @@
 
 layout(scalar, set = 0, binding = 4) uniform ViewBlock {
     RenderView constants;
-} view;
+}
+view;
 layout(set = 1, binding = 0) uniform sampler2D textures[];
 
 #define VARYING in
 #include "render/surface_varyings.glsl"
 
+#ifdef GLINT_SHADOW_RAYS
+bool sharpestTexels = false; // while a shadow ray asks: it has no neighbours to tell a mip from
+#endif
+
 vec4 sampleTexture(TextureRef ref, vec2 uv) {
+#ifdef GLINT_SHADOW_RAYS
+    if (sharpestTexels)
+        return textureLod(textures[nonuniformEXT(ref.index)], uv, 0.0);
+#endif
     return texture(textures[ref.index], uv); // one draw has one material, so the index is uniform
 }
 

@@ -153,6 +153,10 @@ void RayScene::releaseStaging() {
     scene_->releaseStaging();
 }
 
+void RayScene::bind(gpu::Pass& pass) {
+    scene_->bind(pass);
+}
+
 RaySceneTimes RayScene::times() {
     return scene_->times();
 }

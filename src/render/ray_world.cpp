@@ -1,5 +1,7 @@
 #include "render/ray_world.hpp"
 
+#include "gpu/transfer.hpp"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -103,12 +105,14 @@ SurfaceMesh surfaceMesh(GpuScene& gpuScene, const GpuItem& item) {
 
 } // namespace
 
-Result<RayWorld> RayWorld::create(Context& library, GpuScene& gpuScene, const scene::Scene& scene,
-                                  const scene::Pose& pose, std::span<const shared::Light> lights, RayBackend backend) {
+Result<RayWorld> RayWorld::create(gpu::Context& context, Context& library, GpuScene& gpuScene,
+                                  const scene::Scene& scene, const scene::Pose& pose,
+                                  std::span<const shared::Light> lights, RayBackend backend) {
     std::vector<RayMesh> rayMeshes;
     std::vector<RayInstance> rayInstances;
     std::vector<SurfaceMesh> meshes;
     std::vector<SurfaceInstance> instances;
+    std::vector<uint32_t> items;
     std::unordered_map<const scene::Geometry*, uint32_t> numbers;
     const scene::Material defaultMaterial;
     for (size_t i = 0; i < pose.items.size(); ++i) {
@@ -134,6 +138,7 @@ Result<RayWorld> RayWorld::create(Context& library, GpuScene& gpuScene, const sc
         rayInstances.push_back(placed);
         const size_t material = drawn.material < 0 ? scene.materials.size() : static_cast<size_t>(drawn.material);
         instances.push_back({placed.mesh, static_cast<uint32_t>(material), placed.localToWorld});
+        items.push_back(static_cast<uint32_t>(i));
     }
     std::vector<SurfaceMaterial> materials;
     for (const scene::Material& material : scene.materials)
@@ -157,7 +162,14 @@ Result<RayWorld> RayWorld::create(Context& library, GpuScene& gpuScene, const sc
     const std::vector<SurfaceLight> shining = surfaceLights(lights);
     desc.lights = shining;
     GLINT_TRY(surfaces, SurfaceTable::create(library, desc));
-    return RayWorld(std::move(rays), std::move(surfaces));
+    if (items.empty())
+        items.push_back(0); // no buffer is empty; nobody asks for it
+    GLINT_TRY(itemBuffer, gpu::uploadBuffer(context, "rays/items", items, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    return RayWorld(std::move(rays), std::move(surfaces), std::move(itemBuffer));
+}
+
+void RayWorld::bindForShadows(gpu::Pass& pass) {
+    rays_.bind(pass.read("rayItems", items_));
 }
 
 Result<void> RayWorld::setLights(std::span<const shared::Light> lights) {

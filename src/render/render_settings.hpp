@@ -34,7 +34,7 @@
 
 #define GLINT_LIGHTS_SETTINGS(SETTING)                                                                                 \
     SETTING(ShadowMode, shadows, ShadowMode::Maps, "", "",                                                             \
-        "How lights cast shadows: none, or maps drawn from each light",                                                \
+        "How lights cast shadows: none, maps drawn from each light, or rays, which are exact (rays.backend traces them)", \
         "")
 
 #define GLINT_SHADOWS_SETTINGS(SETTING)                                                                                \
@@ -65,7 +65,7 @@
 
 namespace glint::render {
 
-GLINT_SETTING_ENUM(ShadowMode, None, Maps)
+GLINT_SETTING_ENUM(ShadowMode, None, Maps, Rays)
 GLINT_SETTING_ENUM(Tonemap, None, Neutral, Agx)
 GLINT_SETTING_ENUM(Antialias, None, Fxaa, Msaa4)
 

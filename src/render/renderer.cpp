@@ -1,5 +1,6 @@
 #include "render/renderer.hpp"
 
+#include "base/assert.hpp"
 #include "render/dfg_table.hpp"
 #include "shared/render_view.h"
 
@@ -50,8 +51,8 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOpti
 }
 
 Result<void> Renderer::makePasses(const GBufferOptions& options) {
-    GLINT_TRY(surfaces, SurfacePass::create(*context_, scene_, options));
-    GLINT_TRY(transparent, TransparentPass::create(*context_, scene_, options));
+    GLINT_TRY(surfaces, SurfacePass::create(*context_, scene_, options, shadowRays()));
+    GLINT_TRY(transparent, TransparentPass::create(*context_, scene_, options, shadowRays()));
     GLINT_TRY(background, BackgroundPass::create(*context_, options));
     surfaces_ = std::move(surfaces);
     transparent_ = std::move(transparent);
@@ -68,7 +69,12 @@ Result<void> Renderer::rehearse() {
 }
 
 Result<void> Renderer::setSettings(const RenderSettings& settings) {
+    const RayWorld* before = shadowRays();
     settings_ = settings;
+    if (gbuffer_.litRadiance && shadowRays() != before) {
+        GLINT_CHECK(makePasses(gbufferOptions_));
+        GLINT_CHECK(rehearse());
+    }
     if (gbuffer_.litRadiance)
         GLINT_CHECK(
             display_.resize(*context_, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height(), settings_.display));
@@ -94,8 +100,24 @@ Result<void> Renderer::placeLights() {
     GLINT_CHECK(shadows_.resize(*context_, maps ? ShadowMaps::casters(lights_) : 0,
                                 static_cast<uint32_t>(settings_.shadows.resolution)));
     shadows_.place(lights_, scene_.boundsWS());
+    for (shared::Light& light : lights_)
+        light.castsShadow |= settings_.lights.shadows == ShadowMode::Rays;
     lightsChanged_ = true;
     return {};
+}
+
+/// Null: shadows are not by rays.
+RayWorld* Renderer::shadowRays() const {
+    GLINT_ASSERT(settings_.lights.shadows != ShadowMode::Rays || rayWorld_, "lights.shadows rays need a RayWorld");
+    return settings_.lights.shadows == ShadowMode::Rays ? rayWorld_ : nullptr;
+}
+
+Result<void> Renderer::setRayWorld(RayWorld* rayWorld) {
+    rayWorld_ = rayWorld;
+    if (!gbuffer_.litRadiance || !shadowRays())
+        return {};
+    GLINT_CHECK(makePasses(gbufferOptions_));
+    return rehearse();
 }
 
 View Renderer::view(const ViewParameters& parameters) const {
@@ -135,7 +157,7 @@ void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters) {
 }
 
 LightingInputs Renderer::lightingInputs() {
-    return {viewBuffer_, lightBuffer_, environment_, dfg_, shadows_.atlas()};
+    return {viewBuffer_, lightBuffer_, environment_, dfg_, shadows_.atlas(), shadowRays()};
 }
 
 GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameters) {

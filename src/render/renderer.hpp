@@ -45,6 +45,9 @@ public:
     /// see Environment::createSky and setEnvironment; samples a pixel are the G-buffer's: see resize.
     /// Errors: OutOfMemory.
     Result<void> setSettings(const RenderSettings& settings);
+    /// What traces shadows with lights.shadows rays: set it before the first resize or setSettings that finds it so. It
+    /// is kept, and shows this renderer's scene. Errors: OutOfMemory.
+    Result<void> setRayWorld(RayWorld* rayWorld);
     Result<void> setEnvironment(Environment&& environment);
     /// Another moment of the same scene (GpuScene::setPose).
     Result<void> setPose(const scene::Scene& scene, const scene::Pose& pose);
@@ -72,6 +75,7 @@ private:
     Result<void> rehearse();
     void updateView(gpu::Frame& frame, const ViewParameters& parameters);
     LightingInputs lightingInputs();
+    RayWorld* shadowRays() const;
 
     gpu::Context* context_;
     RenderSettings settings_;
@@ -83,6 +87,7 @@ private:
     std::vector<shared::Light> sceneLights_;
     std::vector<shared::Light> lights_; ///< of the frame: the scene's, then the sun's
     ShadowMaps shadows_;
+    RayWorld* rayWorld_ = nullptr;
     bool lightsChanged_ = true;
     SurfacePass surfaces_;
     BackgroundPass background_;

@@ -64,6 +64,7 @@ struct JobSession::State {
 
         GLINT_TRY(library, adoptDevice(context_));
         library_ = std::make_unique<Context>(std::move(library));
+        GLINT_CHECK(makeRayWorld());
         GLINT_CHECK(makeProbes());
         GLINT_CHECK(resizeGBuffer());
         GLINT_TRY(timers, gpu::Timers::create(context_));
@@ -74,6 +75,7 @@ struct JobSession::State {
 
     Result<void> setSettings(const ProgramSettings& settings) {
         job_.settings = settings;
+        GLINT_CHECK(makeRayWorld());
         GLINT_CHECK(renderer_->setSettings(settings.render));
         GLINT_CHECK(resizeGBuffer());
         passTimes_.clear();
@@ -102,7 +104,10 @@ struct JobSession::State {
         reflections_ = std::make_unique<Reflections>(std::move(reflections));
         if (probeWorld_)
             GLINT_CHECK(reflections_->setProbes(probeWorld_->probes()));
-        return makeRayWorld();
+        if (!job_.settings.reflections.rays.enabled)
+            return {};
+        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
+        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
     }
 
     /// Reads or bakes what the job asks for; once, as baking draws with the renderer.
@@ -114,21 +119,20 @@ struct JobSession::State {
         return {};
     }
 
-    /// As soon as the settings ask for rays, and anew for another back end.
+    /// As soon as the settings ask for rays, to reflect or for shadows, and anew for another back end.
     Result<void> makeRayWorld() {
         const RaysSettings& settings = job_.settings.reflections.rays;
-        if (!settings.enabled)
+        if (!settings.enabled && job_.settings.render.lights.shadows != ShadowMode::Rays)
             return {};
         if (!rayWorld_ || settings.backend != rayBackend_) {
-            GLINT_TRY(world, RayWorld::create(*library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
+            GLINT_TRY(world, RayWorld::create(context_, *library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
                                               renderer_->lights(), settings.backend));
             rayWorld_ = std::make_unique<RayWorld>(std::move(world));
             rayBackend_ = settings.backend;
             GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
             rayWorld_->releaseStaging();
         }
-        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
-        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
+        return renderer_->setRayWorld(rayWorld_.get());
     }
 
     Result<void> makeTargets() {

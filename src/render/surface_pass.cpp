@@ -1,5 +1,7 @@
 #include "render/surface_pass.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace glint::render {
@@ -21,9 +23,17 @@ gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene
     pass.read("lights", inputs.lights)
         .read("environmentRadiance", inputs.environment.radiance())
         .read("environmentDiffuse", inputs.environment.diffuse())
-        .read("dfg", inputs.dfg)
-        .read("shadowAtlas", inputs.shadowAtlas, gpu::SamplerKind::ShadowCompare);
+        .read("dfg", inputs.dfg);
+    if (inputs.rayWorld)
+        inputs.rayWorld->bindForShadows(pass.read("indices", scene.indices()));
+    else
+        pass.read("shadowAtlas", inputs.shadowAtlas, gpu::SamplerKind::ShadowCompare);
     return pass;
+}
+
+std::string litShader(std::string_view name, const RayWorld* rayWorld) {
+    const char* suffix = !rayWorld ? "" : rayWorld->backend() == RayBackend::Query ? "_query" : "_bvh";
+    return fmt::format("{}{}.frag", name, suffix);
 }
 
 void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullModeFlags cull) {
@@ -50,13 +60,15 @@ Result<SurfacePipelines> SurfacePipelines::create(gpu::Context& context, const G
     return result;
 }
 
-Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options) {
+Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
+                                        const RayWorld* rayWorld) {
     SurfacePass result;
     result.options_ = options;
     const std::vector<VkFormat> formats = GBuffer::colorFormats(context);
     gpu::RasterDesc desc;
     if (options.mode == GBufferMode::Prepass) {
-        desc.fragmentShader = "render/surface.frag";
+        const std::string surface = litShader("render/surface", rayWorld);
+        desc.fragmentShader = surface;
         desc.colorFormats = formats;
         desc.samples = options.samples;
         GLINT_TRY(whole, SurfacePipelines::create(context, scene, desc));
@@ -66,16 +78,17 @@ Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& s
     desc.fragmentShader = "render/geometry.frag";
     desc.colorFormats = {formats.begin(), formats.begin() + 3};
     GLINT_TRY(geometry, SurfacePipelines::create(context, scene, desc));
-    desc.fragmentShader = "render/shading.frag";
+    const std::string shading = litShader("render/shading", rayWorld);
+    desc.fragmentShader = shading;
     desc.colorFormats = {formats.begin() + 3, formats.end()};
     desc.samples = options.samples;
     if (options.samples == 1) { // the depth is there already: only what is seen is lit
         desc.depthCompare = VK_COMPARE_OP_EQUAL;
         desc.depthWrite = false;
     }
-    GLINT_TRY(shading, SurfacePipelines::create(context, scene, desc));
+    GLINT_TRY(shadingPasses, SurfacePipelines::create(context, scene, desc));
     result.geometry_ = std::move(geometry);
-    result.shading_ = std::move(shading);
+    result.shading_ = std::move(shadingPasses);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include "render/environment.hpp"
 #include "render/gbuffer.hpp"
 #include "render/gpu_scene.hpp"
+#include "render/ray_world.hpp"
 #include "render/view.hpp"
 
 #include <array>
@@ -18,7 +19,11 @@ struct LightingInputs {
     Environment& environment;
     gpu::Image& dfg;
     gpu::Image& shadowAtlas;
+    RayWorld* rayWorld; ///< in the atlas's place, for pipelines that were made with rays for shadows
 };
+
+/// The name of a lit surface's fragment shader, "render/surface" say, for shadows by maps or by rays of this back end.
+std::string litShader(std::string_view name, const RayWorld* rayWorld);
 
 /// A pass with the scene and its light bound, as shaders/render/surface_bindings.glsl asks.
 gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs);
@@ -42,7 +47,9 @@ struct SurfacePipelines {
 
 class SurfacePass {
 public:
-    static Result<SurfacePass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options);
+    /// `rayWorld`: absent, unless shadows are by rays.
+    static Result<SurfacePass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
+                                      const RayWorld* rayWorld);
 
     /// Clears the G-buffer and draws every opaque and masked item, the nearest first.
     void draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs, GBuffer& gbuffer);

@@ -6,7 +6,7 @@
 namespace glint::render {
 
 Result<TransparentPass> TransparentPass::create(gpu::Context& context, const GpuScene& scene,
-                                                const GBufferOptions& options) {
+                                                const GBufferOptions& options, const RayWorld* rayWorld) {
     TransparentPass result;
     gpu::RasterDesc desc;
     desc.samples = options.samples;
@@ -18,7 +18,8 @@ Result<TransparentPass> TransparentPass::create(gpu::Context& context, const Gpu
         result.spread_ = std::move(spread);
     }
     desc.vertexShader = "render/surface.vert";
-    desc.fragmentShader = "render/transparent.frag";
+    const std::string transparent = litShader("render/transparent", rayWorld);
+    desc.fragmentShader = transparent;
     desc.pushSize = sizeof(shared::DrawConstants);
     desc.colorFormats = {kRadianceFormat};
     desc.depthFormat = kDepthFormat;

@@ -7,7 +7,8 @@ namespace glint::render {
 
 class TransparentPass {
 public:
-    static Result<TransparentPass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options);
+    static Result<TransparentPass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
+                                          const RayWorld* rayWorld);
     /// Errors: OutOfMemory.
     Result<void> resize(gpu::Context& context, const GpuScene& scene, uint32_t width, uint32_t height);
 

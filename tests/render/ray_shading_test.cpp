@@ -76,8 +76,8 @@ protected:
         const render::View view = renderer.view(parameters);
         SyntheticGBuffer mirrors = passOn(view);
 
-        render::RayWorld world =
-            must(render::RayWorld::create(library(), renderer.scene(), scene, pose, renderer.lights(), GetParam()));
+        render::RayWorld world = must(
+            render::RayWorld::create(gpu(), library(), renderer.scene(), scene, pose, renderer.lights(), GetParam()));
         Reflections reflections = must(Reflections::create(library(), {320, 180, raySettings(), true, true}));
         gpu::Image& cube = renderer.environment().radiance();
         EnvironmentMap environment = {asHostImage(cube), cube.desc().mips};

@@ -1,0 +1,29 @@
+// An opaque or masked surface, lit, and the G-buffer that reflections start from (src/render/gbuffer.hpp), in one pass:
+// gbuffer.mode prepass. geometry.frag and shading.frag are its two halves.
+#include "lib/octahedral.glsl"
+#include "render/lighting_bindings.glsl"
+#include "render/surface_visible.glsl"
+
+layout(location = 0) out vec2 outNormal;
+layout(location = 1) out vec4 outMaterial;
+layout(location = 2) out vec2 outMotion;
+layout(location = 3) out vec4 outLitRadiance;
+layout(location = 4) out vec4 outFallbackSpecular;
+layout(location = 5) out vec4 outAlbedo;
+
+void main() {
+    SurfacePoint point = interpolatedPoint();
+    MaterialSample surface = visibleSurface(point);
+    vec3 V = viewVector();
+    Lighting lighting = lightSurface(surface, point, V);
+    if (view.constants.highlights == 0u)
+        lighting.directSpecular = vec3(0.0);
+
+    outNormal = encodeOctahedral(surface.normalWS);
+    outMaterial = vec4(reflectionF0(surface, V), surface.perceptualRoughness);
+    outMotion = motion();
+    // Half floats end at 65504: an infinity would spread through every blur that comes after.
+    outLitRadiance = vec4(min(totalRadiance(lighting), vec3(65000.0)), 1.0);
+    outFallbackSpecular = vec4(min(lighting.environmentSpecular, vec3(65000.0)), 1.0);
+    outAlbedo = vec4(surface.baseColor, 1.0);
+}
