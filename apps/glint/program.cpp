@@ -53,6 +53,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     if (view)
         view(program, chosen);
     addCompareCommand(program, chosen);
+    addBakeCommand(program, chosen);
     addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);

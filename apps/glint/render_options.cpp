@@ -103,6 +103,8 @@ std::string sceneHelp() {
 void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("SCENE", options.scene, sceneHelp())->required();
     addSceneOptions(command, options);
+    command.add_option("--probes", options.probes,
+                       "Reflection probes: a file of glint bake, or auto: the file beside the scene, else baked now");
     command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
     command.add_option("--frames", options.frames, "Frames to render; the last one counts")->capture_default_str();
     command.add_option("--preset", options.settings.preset, "Settings to start from: " + presetList());
@@ -132,6 +134,7 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     job.scene = options.scene;
     job.camera = options.camera;
     job.environment = options.environment;
+    job.probes = options.probes;
     job.device = options.device;
     job.validate = options.validate;
     job.seed = options.seed;

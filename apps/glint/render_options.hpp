@@ -18,6 +18,7 @@ struct RenderOptions {
     std::string output = "out.png";
     std::string camera;
     std::string environment;
+    std::string probes;
     std::string size;
     double time = 0;
     int64_t frames = 1;

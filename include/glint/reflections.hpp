@@ -5,6 +5,7 @@
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/probes.hpp"
 #include "glint/ray_hits.hpp"
 #include "glint/ray_scene.hpp"
 #include "glint/settings.hpp"
@@ -96,6 +97,11 @@ public:
     /// One ray a pixel in the direction of rays.lobe, every triangle solid; rays.samples, bounces, alphaTest and
     /// accumulate do not act. What lies beyond the hits is the host's matter, the environment too.
     Result<void> setRays(RayScene& scene, ShadeHits shade);
+
+    /// States the probes of the source `probes`, which must outlive the frames that use them; record them
+    /// (Probes::record) before the first of these. None at all cost nothing. When these replace others, the GPU must
+    /// have finished the frames recorded with those. Errors: OutOfMemory.
+    Result<void> setProbes(Probes& probes);
 
     /// With rays.accumulate the next frame starts anew, as it does by itself when the view, the settings or the scene
     /// given to setRays change: for what Glint cannot see, as when lights, materials or things have changed.

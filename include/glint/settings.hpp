@@ -50,6 +50,9 @@ struct FadeSettings {
 struct RaysSettings {
     GLINT_RAYS_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct ProbesSettings {
+    GLINT_PROBES_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct SkySettings {
     GLINT_SKY_SETTINGS(GLINT_SETTING_MEMBER)
 };
@@ -79,6 +82,7 @@ struct Settings {
     BlurSettings blur;
     FadeSettings fade;
     RaysSettings rays;
+    ProbesSettings probes;
     SkySettings sky;
     CompositeSettings composite;
     GBufferSettings gbuffer;

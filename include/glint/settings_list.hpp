@@ -182,6 +182,17 @@
         "Average over all frames since the view or a setting changed; Reflections::restartAccumulation starts anew",   \
         "")
 
+#define GLINT_PROBES_SETTINGS(SETTING)                                                                                 \
+    SETTING(bool, enabled, true, "", "",                                                                               \
+        "The host's probes answer for what screen and rays left; without any they cost nothing",                       \
+        "")                                                                                                            \
+    SETTING(bool, parallax, true, "", "",                                                                              \
+        "Reflections lie on the probes' proxy volumes; off: infinitely far away",                                      \
+        "")                                                                                                            \
+    SETTING(bool, distanceRoughness, true, "", "",                                                                     \
+        "What is near its reflection is sharper than its roughness says at the probe; off: as rough everywhere",       \
+        "")
+
 #define GLINT_SKY_SETTINGS(SETTING)                                                                                    \
     SETTING(bool, enabled, true, "", "",                                                                               \
         "The environment answers for what the sources before it left; without one it adds nothing",                    \

@@ -24,14 +24,17 @@ layout(set = 0, binding = 5) uniform sampler2D reflected;
 layout(set = 0, binding = 6) uniform sampler2D weights;
 layout(set = 0, binding = 7, rgba32f) uniform writeonly image2D view;
 layout(set = 0, binding = 8) uniform sampler2D material;
+layout(set = 0, binding = 9) uniform sampler2D probesAnswer;
 layout(push_constant, scalar) uniform PushBlock {
     ViewConstants settings;
 };
 
 /// A colour a source; black where none answered.
 vec3 sourceColor(vec4 shares) {
-    if (maxComponent(shares.xyz) <= 0.0)
+    if (max(maxComponent(shares.xyz), shares.w) <= 0.0)
         return vec3(0.0);
+    if (shares.w > maxComponent(shares.xyz))
+        return vec3(0.7, 0.4, 0.9);
     if (shares.z > max(shares.x, shares.y))
         return vec3(0.9, 0.5, 0.15);
     return shares.x >= shares.y ? vec3(0.1, 0.8, 0.2) : vec3(0.25, 0.6, 0.9);
@@ -80,7 +83,7 @@ void main() {
         value.rgb = vec3(texelFetch(radianceWeight, px, 0).a);
         break;
     case kViewWeights:
-        value.rgb = texelFetch(weights, px, 0).rgb;
+        value = texelFetch(weights, px, 0);
         break;
     case kViewSource:
         value.rgb = sourceColor(texelFetch(weights, px, 0));
@@ -120,6 +123,18 @@ void main() {
         break;
     case kViewHitSuccess:
         value.rgb = successColor(ray.outcome);
+        break;
+    case kViewProbes:
+        value.rgb = texelFetch(weights, px, 0).w > 0.0 ? texelFetch(probesAnswer, px, 0).rgb : vec3(0.0);
+        break;
+    case kViewWeightRays:
+        value.rgb = texelFetch(weights, px, 0).zzz;
+        break;
+    case kViewWeightProbes:
+        value.rgb = texelFetch(weights, px, 0).www;
+        break;
+    case kViewWeightSky:
+        value.rgb = texelFetch(weights, px, 0).yyy;
         break;
     case kViewRay:
         value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));

@@ -1,6 +1,6 @@
 // The one rule: sources are asked front to back, each gets only what those before it left, and the walk ends at 1.
-// Replace, never add twice. Here: the screen, rays through the host's triangles, then the environment ("sky") for the
-// rest.
+// Replace, never add twice. Here: the screen, rays through the host's triangles, its probes, then the environment
+// ("sky") for the rest.
 #include "hierarchy/source_log.glsl"
 #include "lib/camera.glsl"
 #include "lib/sanitize.glsl"
@@ -19,9 +19,10 @@ layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D radianceWeight;
 layout(set = 0, binding = 4) uniform samplerCube environment;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reflected; // sum of weight * radiance; total weight
-layout(set = 0, binding = 6, rgba8) uniform writeonly image2D weights;     // one channel a source: screen, sky, rays
+layout(set = 0, binding = 6, rgba8) uniform writeonly image2D weights;     // screen, sky, rays, probes
 layout(set = 0, binding = 7) uniform sampler2D raysAnswer;
 layout(set = 0, binding = 8) uniform usampler2D raysRecord;
+layout(set = 0, binding = 9) uniform sampler2D probesAnswer;
 layout(push_constant, scalar) uniform PushBlock {
     HierarchyConstants settings;
 };
@@ -61,6 +62,13 @@ void main() {
             sum += shares.z * answer.rgb;
             logSource(px, kLoggedRays, shares.z, answer.rgb);
             total += shares.z;
+        }
+        if (settings.probes != 0u && total < 1.0) {
+            vec4 answer = texelFetch(probesAnswer, px, 0);
+            shares.w = takeRest(answer.a, total);
+            sum += shares.w * answer.rgb;
+            logSource(px, kLoggedProbes, shares.w, answer.rgb);
+            total += shares.w;
         }
         if (settings.sky != 0u && (frame.constants.flags & kInputEnvironment) != 0u && total < 1.0) {
             Surface here = unpackSurface(texelFetch(surface, px, 0).xy);

@@ -10,6 +10,8 @@ void main() {
     SurfacePoint point = interpolatedPoint();
     MaterialSample surface = visibleSurface(point);
     Lighting lighting = lightSurface(surface, point, viewVector());
+    if (view.constants.highlights == 0u)
+        lighting.directSpecular = vec3(0.0);
     // Half floats end at 65504: an infinity would spread through every blur that comes after.
     outLitRadiance = vec4(min(totalRadiance(lighting), vec3(65000.0)), 1.0);
     outFallbackSpecular = vec4(min(lighting.environmentSpecular, vec3(65000.0)), 1.0);

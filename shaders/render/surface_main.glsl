@@ -16,6 +16,8 @@ void main() {
     MaterialSample surface = visibleSurface(point);
     vec3 V = viewVector();
     Lighting lighting = lightSurface(surface, point, V);
+    if (view.constants.highlights == 0u)
+        lighting.directSpecular = vec3(0.0);
 
     outNormal = encodeOctahedral(surface.normalWS);
     outMaterial = vec4(reflectionF0(surface, V), surface.perceptualRoughness);

@@ -31,6 +31,8 @@ void main() {
     MaterialSample surface = sampleMaterial(material, point);
     vec3 V = viewVector();
     Lighting lighting = lightSurface(surface, point, V);
+    if (view.constants.highlights == 0u)
+        lighting.directSpecular = vec3(0.0);
     vec3 body = lighting.diffuse + lighting.emission;
     if (surface.transmission > 0.0)
         body += transmittedRadiance(material, surface, V);

@@ -13,5 +13,9 @@ struct PrefilterConstants {
     float sourceFaceSize;      ///< texels
 };
 
+struct FaceConstants {
+    uint face; ///< of the cube, in Vulkan's order
+};
+
 GLINT_SHARED_END
 #endif

@@ -41,8 +41,9 @@ GLINT_CONSTANT(uint, kLoggedFadeCount, 7);
 
 GLINT_CONSTANT(uint, kLoggedScreen, 0); // a source
 GLINT_CONSTANT(uint, kLoggedRays, 1);
-GLINT_CONSTANT(uint, kLoggedSky, 2);
-GLINT_CONSTANT(uint, kLoggedSourceCount, 3);
+GLINT_CONSTANT(uint, kLoggedProbes, 2);
+GLINT_CONSTANT(uint, kLoggedSky, 3);
+GLINT_CONSTANT(uint, kLoggedSourceCount, 4);
 
 struct LoggedSource {
     uint answered; // 1: the fields below are set

@@ -26,9 +26,10 @@ GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8); // the host's own diffuse ligh
 GLINT_CONSTANT(uint, kRaysAfterScreen, 16);       // only for what the screen source left
 GLINT_CONSTANT(uint, kRaysAccumulate, 32);        // the frames before, of the same view, count as well
 
-GLINT_CONSTANT(uint, kRaysReuseLight, 64);        // of surfaces that the picture shows
+GLINT_CONSTANT(uint, kRaysReuseLight, 64); // of surfaces that the picture shows
 
-// Third word of the source's record, behind those of lib/ray_record.glsl: hits whose light was the picture's (low 12 bits), and
+// Third word of the source's record, behind those of lib/ray_record.glsl: hits whose light was the picture's (low 12
+// bits), and
 GLINT_CONSTANT(uint, kRaysReusedMask, 0xfff);
 GLINT_CONSTANT(uint, kRaysStartOnScreen, 0x40000000);  // the first hit is the screen's
 GLINT_CONSTANT(uint, kRaysReplaceScreen, 0x80000000u); // the answer stands for the screen's too

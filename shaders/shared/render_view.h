@@ -22,11 +22,12 @@ struct RenderView {
     float3 sunDirWS;         ///< towards the sun, unit
     float sunCosRadius;      ///< cosine of the disc's angular radius; 2: no sun
     float3 sunRadiance;      ///< of the disc
+    uint highlights;         ///< 1: lights show in what is smooth
 };
 
 GLINT_SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 23);
+static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 24);
 #endif
 #endif

@@ -66,6 +66,7 @@ struct HierarchyConstants {
     uint screen; // 1: the screen source takes part
     uint sky;    // 1: so does the environment
     uint rays;   // 1: so do rays through the host's triangles
+    uint probes; // 1: so do the host's probes
 };
 
 struct CompositeConstants {
@@ -100,7 +101,11 @@ GLINT_CONSTANT(uint, kViewRay, 13); // for programs: hitUV, outcome, lookups
 GLINT_CONSTANT(uint, kViewColor, 14);
 GLINT_CONSTANT(uint, kViewHitDepth, 15);
 GLINT_CONSTANT(uint, kViewHitSuccess, 16);
-GLINT_CONSTANT(uint, kViewCount, 17);
+GLINT_CONSTANT(uint, kViewProbes, 17);
+GLINT_CONSTANT(uint, kViewWeightRays, 18);
+GLINT_CONSTANT(uint, kViewWeightProbes, 19);
+GLINT_CONSTANT(uint, kViewWeightSky, 20);
+GLINT_CONSTANT(uint, kViewCount, 21);
 
 GLINT_SHARED_END
 

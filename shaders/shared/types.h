@@ -21,6 +21,7 @@ using int2 = glm::ivec2;
 using int4 = glm::ivec4;
 using uint = uint32_t;
 using uint2 = glm::uvec2;
+using uint3 = glm::uvec3;
 using uint4 = glm::uvec4;
 } // namespace glint::shared
 
@@ -38,6 +39,7 @@ using uint4 = glm::uvec4;
 #define int2 ivec2
 #define int4 ivec4
 #define uint2 uvec2
+#define uint3 uvec3
 #define uint4 uvec4
 
 #define GLINT_CONSTANT(type, name, value) const type name = value

@@ -42,6 +42,8 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     }
     if (usesRays())
         traceScene(frame);
+    if (usesProbes())
+        lookUpProbes(frame);
     combine(frame);
     compose(frame);
     if (desc.statistics && tracesRays())
@@ -50,11 +52,15 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
 
 bool FrameState::anySource() const {
     const bool sky = desc.settings.sky.enabled && inputs.environment;
-    return desc.settings.reflect.strength > 0 && (desc.settings.screen.enabled || sky || usesRays());
+    return desc.settings.reflect.strength > 0 && (desc.settings.screen.enabled || sky || usesRays() || usesProbes());
 }
 
 bool FrameState::usesRays() const {
     return desc.settings.rays.enabled && raysSource && raysSource->hasScene();
+}
+
+bool FrameState::usesProbes() const {
+    return desc.settings.probes.enabled && probesSource && probesSource->hasProbes();
 }
 
 void FrameState::makeTables(gpu::Frame& frame) {
@@ -215,6 +221,14 @@ void FrameState::traceScene(gpu::Frame& frame) {
                         static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
 }
 
+/// The source `probes`, for what screen and rays left.
+void FrameState::lookUpProbes(gpu::Frame& frame) {
+    probesSource->record(frame, desc.settings,
+                         {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
+                          usesRays() ? &raysSource->answer() : nullptr,
+                          usesRays() ? raysSource->rayRecord() : traced.rayRecord, black});
+}
+
 /// How the pixels' rays ended: the screen's, or those through the scene where there are no others.
 gpu::Image& FrameState::rayRecord() {
     return usesRays() && !desc.settings.screen.enabled ? raysSource->rayRecord() : traced.rayRecord;
@@ -235,7 +249,8 @@ void FrameState::combine(gpu::Frame& frame) {
 }
 
 gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline) {
-    const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled, usesRays()};
+    const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled, usesRays(),
+                                                  usesProbes()};
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
@@ -243,6 +258,7 @@ gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeli
         .read("radianceWeight", *denoised.answer)
         .read("raysAnswer", usesRays() ? raysSource->answer() : black)
         .read("raysRecord", usesRays() ? raysSource->rayRecord() : traced.rayRecord)
+        .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
         .write("weights", reflected.weights)
@@ -295,6 +311,8 @@ void FrameState::bringUpToDate(gpu::Frame& frame) {
     forgetTrace(frame);
     if (usesRays())
         traceScene(frame);
+    if (usesProbes())
+        lookUpProbes(frame);
     combine(frame);
     upToDate = !frame.rehearsing();
 }
@@ -311,6 +329,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("rayRecord", rayRecord())
         .read("reflected", reflected.reflected)
         .read("weights", reflected.weights)
+        .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
         .write("view", viewImage)
         .push(constants)
         .dispatch(desc.width, desc.height);
@@ -477,6 +496,17 @@ Result<void> FrameState::giveScene() {
     raysSource->record(frame, desc.settings,
                        {frameConstants, prepared, nullptr, traced.rayRecord, black, black, black, false, blackCube,
                         false, blackCube, dfg, black, false});
+    return frame.firstError();
+}
+
+Result<void> FrameState::setProbes(ProbesState& probes) {
+    if (!probesSource) {
+        GLINT_TRY(source, ProbesSource::create(*context, desc.width, desc.height));
+        probesSource = std::move(source);
+    }
+    GLINT_CHECK(probesSource->setProbes(probes));
+    gpu::Frame frame = gpu::Frame::rehearsal(*context);
+    probesSource->record(frame, desc.settings, {frameConstants, prepared, nullptr, nullptr, traced.rayRecord, black});
     return frame.firstError();
 }
 

@@ -6,6 +6,7 @@
 #include "gpu/timers.hpp"
 #include "reflect/denoise.hpp"
 #include "reflect/inspector.hpp"
+#include "reflect/probes/probes_source.hpp"
 #include "reflect/rays/rays.hpp"
 #include "reflect/stages.hpp"
 #include "reflect/trace/technique.hpp"
@@ -53,7 +54,8 @@ struct FrameState {
     std::unique_ptr<RaysSource> raysSource; ///< absent until settings ask for it
     rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
     SurfaceTableState* raySurfaces = nullptr;
-    ShadeHits shadeHits; ///< or the host's own shading
+    ShadeHits shadeHits;                        ///< or the host's own shading
+    std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
     History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
@@ -88,12 +90,16 @@ struct FrameState {
     bool anySource() const;
     /// The source `rays` takes part.
     bool usesRays() const;
+    /// So does the source `probes`.
+    bool usesProbes() const;
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
     void restartAccumulation();
     /// Errors: Unsupported, OutOfMemory.
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     Result<void> setRays(rays::Scene& scene, ShadeHits shade);
+    /// Errors: OutOfMemory.
+    Result<void> setProbes(ProbesState& probes);
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
     Result<void> expectBackFaces(uint32_t width, uint32_t height);
     /// Makes room for what hosts with several samples a pixel need. Errors: OutOfMemory.
@@ -124,6 +130,7 @@ private:
     void denoise(gpu::Frame& frame);
     void traceScene(gpu::Frame& frame);
     Result<void> giveScene();
+    void lookUpProbes(gpu::Frame& frame);
     gpu::Image& rayRecord();
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, shared::kSampleDecisionCount> kDecisionNa
     "front", "behind", "empty", "lookInto", "passes", "hit", "side", "backFace", "grazes", "nearly", "places"};
 constexpr std::array<std::string_view, shared::kLoggedFadeCount> kFadeNames = {
     "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface"};
-constexpr std::array<std::string_view, shared::kLoggedSourceCount> kSourceNames = {"screen", "rays", "sky"};
+constexpr std::array<std::string_view, shared::kLoggedSourceCount> kSourceNames = {"screen", "rays", "probes", "sky"};
 
 constexpr size_t kLogSize = sizeof(shared::RayLogHeader) + shared::kMaxLoggedSamples * sizeof(shared::LoggedSample);
 

@@ -266,6 +266,10 @@ Result<void> Reflections::setRays(RayScene& scene, ShadeHits shade) {
     return {};
 }
 
+Result<void> Reflections::setProbes(Probes& probes) {
+    return state_->frame->setProbes(probes.state());
+}
+
 void Reflections::restartAccumulation() {
     state_->frame->restartAccumulation();
 }

@@ -73,7 +73,7 @@ struct Denoised {
 /// `hierarchy`: all sources under the one rule.
 struct Reflected {
     gpu::Image reflected; ///< RGBA16F: sum of weight * radiance, total weight
-    gpu::Image weights;   ///< RGBA8: each source's own
+    gpu::Image weights;   ///< RGBA8: each source's own: screen, sky, rays, probes
 };
 
 } // namespace glint::reflect

@@ -1,9 +1,8 @@
 #include "render/environment.hpp"
 
-#include "gpu/pass.hpp"
+#include "gpu/cube_prefilter.hpp"
 #include "gpu/transfer.hpp"
 #include "render/sky.hpp"
-#include "shared/environment.h"
 
 #include <glm/gtc/packing.hpp>
 
@@ -16,17 +15,11 @@ namespace {
 constexpr VkFormat kCubeFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr uint32_t kSmallestFace = 32;
 constexpr uint32_t kLargestFace = 1024;
-constexpr uint32_t kLastMipFace = 8; // texels that a lobe of roughness 1 needs
 constexpr uint32_t kDiffuseFace = 16;
 
 /// About one texel of a face for one texel of the picture's equator, so that mip 0 is as sharp as the picture.
 uint32_t faceSize(const scene::HdrImage& equirect) {
     return std::clamp(std::bit_ceil(equirect.width / 4), kSmallestFace, kLargestFace);
-}
-
-/// Wide lobes have small faces: the budget of samples a mip stays about the same.
-uint32_t sampleCount(uint32_t mip) {
-    return std::min(64u << (2 * (mip - 1)), 1024u);
 }
 
 Result<gpu::Image> makeCube(gpu::Context& context, const char* name, uint32_t face, uint32_t mips) {
@@ -53,17 +46,13 @@ Result<Environment> Environment::create(gpu::Context& context, const scene::HdrI
     if (equirect.width == 0 || equirect.rgb.size() != size_t{equirect.width} * equirect.height)
         return makeError(ErrorCode::InvalidInput, "the environment's picture is empty");
     GLINT_TRY(toCube, gpu::Pipeline::compute(context, {"environment/equirect_to_cube", 0, {}}));
-    GLINT_TRY(prefilter,
-              gpu::Pipeline::compute(context, {"environment/prefilter", sizeof(shared::PrefilterConstants), {}}));
+    GLINT_TRY(prefilter, gpu::CubePrefilter::create(context));
     GLINT_TRY(integrate, gpu::Pipeline::compute(context, {"environment/diffuse", 0, {}}));
 
     const uint32_t face = faceSize(equirect);
-    const auto mipsDownTo = [&](uint32_t last) {
-        return static_cast<uint32_t>(std::countr_zero(face) - std::countr_zero(last)) + 1;
-    };
-    const uint32_t mips = mipsDownTo(kLastMipFace);
+    const uint32_t mips = gpu::cubeMips(face, gpu::kLastFilteredFace);
     GLINT_TRY(picture, uploadEquirect(context, equirect));
-    GLINT_TRY(source, makeCube(context, "environment/source", face, mipsDownTo(1)));
+    GLINT_TRY(source, makeCube(context, "environment/source", face, gpu::cubeMips(face, 1)));
     Environment result;
     GLINT_TRY(radiance, makeCube(context, "environment/radiance", face, mips));
     GLINT_TRY(diffuse, makeCube(context, "environment/diffuse", kDiffuseFace, 1));
@@ -74,16 +63,7 @@ Result<Environment> Environment::create(gpu::Context& context, const scene::HdrI
         frame.pass(toCube).read("equirect", picture, kWrap).write("cube", source).dispatch(face, face, 6);
         frame.pass(toCube).read("equirect", picture, kWrap).write("cube", radiance).dispatch(face, face, 6);
         frame.makeMips(source);
-        for (uint32_t mip = 1; mip < mips; ++mip) {
-            const shared::PrefilterConstants constants = {face >> mip, sampleCount(mip),
-                                                          static_cast<float>(mip) / static_cast<float>(mips - 1),
-                                                          static_cast<float>(face)};
-            frame.pass(prefilter)
-                .read("source", source)
-                .write("filtered", radiance, mip)
-                .push(constants)
-                .dispatch(constants.faceSize, constants.faceSize, 6);
-        }
+        prefilter.filter(frame, source, radiance);
         frame.pass(integrate).read("source", source).write("diffuse", diffuse).dispatch(kDiffuseFace, kDiffuseFace, 6);
     }));
     result.radiance_ = std::move(radiance);

@@ -28,6 +28,7 @@ struct RenderJob {
     bool display = false;                           ///< also make RenderedView::rgb8
     bool statistics = false;                        ///< also count outcomes and lookups
     std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray once more, in the last frame
+    std::string probes;    ///< a file of glint bake, or "auto": the one beside the scene, else baked now; empty: none
     std::string device;    ///< part of a name, or an index of `glint devices`; empty: the best usable one
     bool validate = false; ///< run under the validation layer; any message of it is an error
     ProgramSettings settings;

@@ -146,8 +146,9 @@ void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters) {
     constants.environmentRotation = {std::cos(rotation), std::sin(rotation)};
     constants.environmentStrength = environment.strength;
     constants.environmentVisible = environment.visible ? 1 : 0;
+    constants.highlights = parameters.highlights ? 1 : 0;
     constants.sunCosRadius = 2;
-    if (const std::optional<Sun>& sun = environment_.sun()) {
+    if (const std::optional<Sun>& sun = environment_.sun(); sun && parameters.highlights) {
         const float sinRadius = std::sin(sun->angularRadius);
         constants.sunDirWS = rotateFromEnvironment(sun->directionToSun, environment.rotation);
         constants.sunCosRadius = std::cos(sun->angularRadius);

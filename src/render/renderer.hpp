@@ -18,6 +18,9 @@ struct ViewParameters {
     std::optional<scene::Camera> prevCamera; ///< of the frame before, for motion; none: the camera stands still
     glm::vec2 jitterPX = glm::vec2(0);       ///< pixels, [-0.5, 0.5]
     glm::vec2 prevJitterPX = glm::vec2(0);
+    /// Draw the sun's disc, and lights' highlights on what is smooth. Pictures that are looked up from elsewhere leave
+    /// them out: lights have highlights of their own there, and these belong to one viewer.
+    bool highlights = true;
 };
 
 /// A frame:

@@ -3,13 +3,14 @@
 #include "base/assert.hpp"
 #include "glint/glint.hpp"
 #include "gpu/transfer.hpp"
+#include "render/job_environment.hpp"
 #include "render/job_inputs.hpp"
+#include "render/lending.hpp"
+#include "render/probe_world.hpp"
 #include "render/ray_world.hpp"
 #include "render/renderer.hpp"
 #include "render/view_pass.hpp"
 #include "render/views.hpp"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -17,60 +18,6 @@
 
 namespace glint::render {
 namespace {
-
-constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                               VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
-                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-
-/// Ours, as the library takes it: brought into the layout that we promise.
-HostImage lend(gpu::Frame& frame, gpu::Image& image) {
-    frame.hand(image, kSampled);
-    HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
-    host.samples = image.desc().samples;
-    return host;
-}
-
-/// The library's, as our own passes take it.
-gpu::Image borrow(const HostImage& image, const char* name) {
-    gpu::ResourceState state;
-    state.writeStages = image.stages;
-    state.writeAccess = image.access;
-    state.layout = image.layout;
-    return gpu::Image::borrow(image.image, image.view,
-                              {name, image.format, image.width, image.height, 1, 1, gpu::ImageShape::Flat, 0}, state);
-}
-
-Matrix4 toMatrix4(const glm::mat4& matrix) {
-    Matrix4 out;
-    std::copy_n(glm::value_ptr(matrix), 16, out.begin());
-    return out;
-}
-
-glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed) {
-    return {toMatrix4(view.worldToView), toMatrix4(view.viewToClip), frameIndex, seed};
-}
-
-/// A picture whose rows ran from the bottom up.
-scene::HdrImage turnedOver(const scene::HdrImage& image) {
-    scene::HdrImage result = {image.width, image.height, {}};
-    for (uint32_t y = image.height; y-- > 0;)
-        result.rgb.insert(result.rgb.end(), image.rgb.begin() + std::ptrdiff_t{y} * image.width,
-                          image.rgb.begin() + std::ptrdiff_t{y + 1} * image.width);
-    return result;
-}
-
-Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings) {
-    switch (inputs.environment) {
-    case EnvironmentKind::Image:
-        return Environment::create(context, settings.environment.isProbe ? turnedOver(inputs.environmentImage)
-                                                                         : inputs.environmentImage);
-    case EnvironmentKind::Sky:
-        return Environment::createSky(context, settings.analyticSky.elevation, settings.analyticSky.azimuth,
-                                      settings.analyticSky.turbidity);
-    case EnvironmentKind::None: break;
-    }
-    return Environment::createNone(context);
-}
 
 /// Do both ask for the same environment, as it is made once and then kept?
 bool sameEnvironment(const RenderSettings& a, const RenderSettings& b) {
@@ -129,11 +76,10 @@ struct JobSession::State {
         GLINT_TRY(viewPass, ViewPass::create(context_));
         viewPass_ = std::move(viewPass);
 
-        const gpu::AdoptedDevice handles = context_.handles();
-        GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device,
-                                           handles.queueFamily, handles.getInstanceProcAddr, handles.rayQuery}));
+        GLINT_TRY(library, adoptDevice(context_));
         library_ = std::make_unique<Context>(std::move(library));
         GLINT_CHECK(makeRayWorld());
+        GLINT_CHECK(makeProbes());
         GLINT_CHECK(resizeGBuffer());
         GLINT_TRY(timers, gpu::Timers::create(context_));
         timers_ = std::move(timers);
@@ -175,6 +121,8 @@ struct JobSession::State {
         GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
                                                                job_.statistics, true, job_.inspect.has_value()}));
         const auto old = std::exchange(reflections_, std::make_unique<Reflections>(std::move(reflections)));
+        if (probeWorld_)
+            GLINT_CHECK(reflections_->setProbes(probeWorld_->probes()));
         return giveRays(); // and only then the old ones go, with the pipelines that both share
     }
 
@@ -183,6 +131,15 @@ struct JobSession::State {
             return {};
         GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
         return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
+    }
+
+    /// Reads or bakes what the job asks for; once, as baking draws with the renderer.
+    Result<void> makeProbes() {
+        if (job_.probes.empty())
+            return {};
+        GLINT_TRY(world, ProbeWorld::create(context_, *library_, *renderer_, inputs_, job_));
+        probeWorld_ = std::make_unique<ProbeWorld>(std::move(world));
+        return {};
     }
 
     /// As soon as the settings ask for rays, to reflect or for shadows, and anew for another back end.
@@ -229,7 +186,7 @@ struct JobSession::State {
                 plan.afterOpaque(frame, g);
             if (!plan.reflect)
                 return;
-            inputsSet = reflections_->setInputs(lendInputs(frame, g), lendEnvironment(frame));
+            inputsSet = reflections_->setInputs(lendGBuffer(frame, g), lendEnvironment(frame));
             if (!inputsSet)
                 return;
             if (rayWorld_)
@@ -263,34 +220,17 @@ struct JobSession::State {
         return times;
     }
 
-    glint::GBuffer lendInputs(gpu::Frame& frame, GBuffer& g) {
-        glint::GBuffer inputs; // our conventions are Glint's own
-        inputs.depth = lend(frame, g.deviceDepth);
-        inputs.normal = lend(frame, g.normal);
-        inputs.material = lend(frame, g.material);
-        inputs.litRadiance = lend(frame, g.litRadiance);
-        inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
-        if (g.backDepth)
-            inputs.backDepth = lend(frame, g.backDepth);
-        inputs.motion = lend(frame, g.motion);
-        return inputs;
-    }
-
     EnvironmentMap lendEnvironment(gpu::Frame& frame) {
         if (inputs_.environment == EnvironmentKind::None)
             return {};
-        gpu::Image& cube = renderer_->environment().radiance();
-        const EnvironmentSettings& settings = job_.settings.render.environment;
-        EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
-        map.diffuse = lend(frame, renderer_->environment().diffuse());
-        return map;
+        return lendEnvironmentMap(frame, renderer_->environment(), job_.settings.render.environment);
     }
 
     Result<RayInspection> inspect(uint32_t x, uint32_t y) {
         Result<void> inspected;
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands);
-            lendInputs(frame, renderer_->gbuffer()); // blended surfaces may have left them in other layouts
+            lendGBuffer(frame, renderer_->gbuffer()); // blended surfaces may have left them in other layouts
             inspected = reflections_->recordInspection(commands, x, y);
         }));
         GLINT_CHECK(inspected);
@@ -411,7 +351,8 @@ struct JobSession::State {
     ViewParameters parameters_;
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<Context> library_;
-    std::unique_ptr<RayWorld> rayWorld_; ///< absent until settings ask for rays
+    std::unique_ptr<ProbeWorld> probeWorld_; ///< absent unless the job asks for probes
+    std::unique_ptr<RayWorld> rayWorld_;     ///< absent until settings ask for rays
     RayBackend rayBackend_ = RayBackend::Auto;
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;

@@ -19,8 +19,9 @@ constexpr std::array kViews = {
     ViewInfo{"scene", ViewKind::Radiance, "RGB", "the frame without them"},
     ViewInfo{"reflection", ViewKind::Radiance, "RGB", "reflected radiance, all sources together"},
     ViewInfo{"weight", ViewKind::Fraction, "Y", "weight of the screen-space answer"},
-    ViewInfo{"weights", ViewKind::Fraction, "RGB", "weight of each source: screen, sky"},
-    ViewInfo{"source", ViewKind::Fraction, "RGB", "which source answered most: green screen, blue sky"},
+    ViewInfo{"weights", ViewKind::Fraction, "RGBA", "weight of each source: screen, sky, rays, probes"},
+    ViewInfo{"source", ViewKind::Fraction, "RGB",
+             "which source answered most: green screen, orange rays, violet probes, blue sky"},
     ViewInfo{"outcome", ViewKind::Fraction, "RGB", "how each ray ended, as colours"},
     ViewInfo{"normal", ViewKind::Direction, "XYZ", "world-space normal"},
     ViewInfo{"depth", ViewKind::Distance, "Z", "metres along the view axis"},
@@ -35,6 +36,10 @@ constexpr std::array kViews = {
     ViewInfo{"hitDepth", ViewKind::Distance, "Z", "metres along the view axis to the surface that the ray hit"},
     ViewInfo{"hitSuccess", ViewKind::Fraction, "RGB",
              "light green: hit, light blue: failed, yellow: a side or back, black: no ray"},
+    ViewInfo{"probes", ViewKind::Radiance, "RGB", "radiance that the probes answered with"},
+    ViewInfo{"weightRays", ViewKind::Fraction, "Y", "share of the rays"},
+    ViewInfo{"weightProbes", ViewKind::Fraction, "Y", "share of the probes"},
+    ViewInfo{"weightSky", ViewKind::Fraction, "Y", "share of the environment"},
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 

@@ -409,20 +409,25 @@ protected:
         std::vector<float> weights;
     };
     static Answer combine(std::vector<Pixel> pixels, TestEnvironment& environment, bool screen, bool sky,
-                          bool present = true, const std::vector<glm::vec4>& rays = {}) {
+                          bool present = true, const std::vector<glm::vec4>& rays = {},
+                          const std::vector<glm::vec4>& probes = {}) {
         std::vector<float> viewZ;
         std::vector<glm::vec4> answers;
         for (const Pixel& pixel : pixels) {
             viewZ.push_back(static_cast<float>(pixel.viewZ));
             answers.push_back(pixel.answer);
         }
-        const shared::HierarchyConstants constants = {screen, sky, !rays.empty()};
+        const shared::HierarchyConstants constants = {screen, sky, !rays.empty(), !probes.empty()};
         gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, &environment);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));
         gpu::Image screenImage = upload("test/screen", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(answers));
         gpu::Image raysImage =
             upload("test/rays", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(rays.empty() ? answers : rays));
+        gpu::Image recordImage = upload("test/raysRecord", VK_FORMAT_R32G32B32A32_UINT,
+                                        bytesOf(std::vector<glm::uvec4>(pixels.size(), glm::uvec4(0))));
+        gpu::Image probesImage =
+            upload("test/probes", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(probes.empty() ? answers : probes));
         gpu::Image reflected = output("test/reflected", VK_FORMAT_R16G16B16A16_SFLOAT);
         gpu::Image weights = output("test/weights", VK_FORMAT_R8G8B8A8_UNORM);
         static const gpu::Pipeline pipeline =
@@ -435,6 +440,8 @@ protected:
                 .read("surface", surface)
                 .read("radianceWeight", screenImage)
                 .read("raysAnswer", raysImage)
+                .read("raysRecord", recordImage)
+                .read("probesAnswer", probesImage)
                 .read("environment", environment.cube)
                 .write("reflected", reflected)
                 .write("weights", weights)
@@ -481,26 +488,38 @@ TEST_F(HierarchyPassTest, skyGetsExactlyWhatTheScreenLeft) {
     }
 }
 
-TEST_F(HierarchyPassTest, raysGetWhatTheScreenLeftAndTheSkyTheRest) {
+/// Also with rays or probes alone behind the screen.
+TEST_F(HierarchyPassTest, eachSourceGetsWhatThoseBeforeItLeft) {
     TestEnvironment environment =
         TestEnvironment::make(gpu(), 8, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
     const std::vector<Pixel> pixels = screenPixels(9);
-    std::vector<glm::vec4> rays;
-    for (const Pixel& pixel : screenPixels(10))
-        rays.push_back(pixel.answer);
-    const Answer answer = combine(pixels, environment, true, true, true, rays);
-    for (uint32_t i = 0; i < pixels.size(); ++i) {
-        const double screen = pixels[i].answer.a;
-        const double traced = std::min(double(rays[i].a), 1 - screen);
-        const double sky = 1 - screen - traced;
-        const glm::dvec3 expected =
-            screen * glm::dvec3(pixels[i].answer) + traced * glm::dvec3(rays[i]) + glm::dvec3(sky);
-        for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 2 * kHalf) << i;
-        ASSERT_NEAR(answer.weights[i * 4], screen, 0.5 / 255 + 1e-6);
-        ASSERT_NEAR(answer.weights[i * 4 + 1], sky, 0.5 / 255 + 1e-6);
-        ASSERT_NEAR(answer.weights[i * 4 + 2], traced, 0.5 / 255 + 1e-6);
-    }
+    const auto answersOf = [](const std::vector<Pixel>& from, float share) {
+        std::vector<glm::vec4> answers;
+        for (const Pixel& pixel : from)
+            answers.emplace_back(glm::vec3(pixel.answer), pixel.answer.a * share);
+        return answers;
+    };
+    const std::vector<glm::vec4> rays = answersOf(screenPixels(10), 0.5f);
+    const std::vector<glm::vec4> probes = answersOf(screenPixels(11), 0.5f);
+    for (const bool hasRays : {true, false})
+        for (const bool hasProbes : {true, false}) {
+            const Answer answer = combine(pixels, environment, true, true, true, hasRays ? rays : answersOf({}, 1),
+                                          hasProbes ? probes : answersOf({}, 1));
+            for (uint32_t i = 0; i < pixels.size(); ++i) {
+                const double screen = pixels[i].answer.a;
+                const double traced = hasRays ? std::min(double(rays[i].a), 1 - screen) : 0;
+                const double looked = hasProbes ? std::min(double(probes[i].a), 1 - screen - traced) : 0;
+                const double sky = 1 - screen - traced - looked;
+                const glm::dvec3 expected = screen * glm::dvec3(pixels[i].answer) + traced * glm::dvec3(rays[i]) +
+                                            looked * glm::dvec3(probes[i]) + glm::dvec3(sky);
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 2 * kHalf) << i;
+                ASSERT_NEAR(answer.weights[i * 4], screen, 0.5 / 255 + 1e-6);
+                ASSERT_NEAR(answer.weights[i * 4 + 1], sky, 0.5 / 255 + 1e-6);
+                ASSERT_NEAR(answer.weights[i * 4 + 2], traced, 0.5 / 255 + 1e-6);
+                ASSERT_NEAR(answer.weights[i * 4 + 3], looked, 0.5 / 255 + 1e-6);
+            }
+        }
 }
 
 TEST_F(HierarchyPassTest, eachSourceCanBeAbsent) {

@@ -57,8 +57,15 @@ protected:
             const float value = 0.25f * static_cast<float>(result.views.size() + 1);
             result.views.push_back({name, std::vector<float>(16, value), std::vector<uint8_t>(12, 100)});
         }
-        result.stats = {"device", "driver 1", true, {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
-                        3,        12.5,       40,   {{"hit", 2}, {"sky", 0}}};
+        result.stats = {"device",
+                        "driver 1",
+                        true,
+                        {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
+                        3,
+                        12.5,
+                        40,
+                        {},
+                        {{"hit", 2}, {"sky", 0}}};
         if (job.inspect)
             result.inspection = inspection_;
         return result;
@@ -346,6 +353,30 @@ TEST_F(CliTest, SettingsPrintsEveryKeyInThreeForms) {
         }
     }
     expectError(run({"settings", "--json", "--markdown"}), kBadInput, "--json");
+}
+
+TEST_F(CliTest, ProbesAreHandedToTheRenderer) {
+    const test::TempFolder folder;
+    EXPECT_EQ(runRender({"--probes", "hall.probes", "-o", folder + "a.png"}).code, kDone);
+    EXPECT_EQ(job_->probes, "hall.probes");
+    EXPECT_EQ(runRender({"-o", folder + "a.png"}).code, kDone);
+    EXPECT_EQ(job_->probes, "");
+}
+
+TEST_F(CliTest, BakeSaysWhatItCannotDo) {
+    const auto errorOf = [&](const std::string& option, const std::string& value) {
+        const Ended ended = run({"bake", "builtin:mirror", option, value});
+        EXPECT_EQ(ended.code, kBadInput) << option;
+        EXPECT_NE(ended.error.find(option + " " + value), std::string::npos) << ended.error;
+    };
+    errorOf("--count", "0");
+    errorOf("--count", "257");
+    errorOf("--face", "48");
+    errorOf("--face", "8");
+    errorOf("--bounces", "0");
+    errorOf("-o", "/no/such/folder/x.probes");
+    EXPECT_EQ(run({"bake", "no_such_scene.glb"}).code, kBadInput);
+    EXPECT_EQ(run({"bake", "builtin:mirror", "--probes", "no_such_places.json"}).code, kBadInput);
 }
 
 } // namespace

@@ -20,6 +20,7 @@ static std::vector<SettingInfo> makeTable() {
     GLINT_SETTING_GROUP(rows, Settings, blur, GLINT_BLUR_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, fade, GLINT_FADE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, rays, GLINT_RAYS_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, probes, GLINT_PROBES_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, sky, GLINT_SKY_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, composite, GLINT_COMPOSITE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, gbuffer, GLINT_GBUFFER_SETTINGS)

@@ -1,0 +1,102 @@
+// One reflection probe: how much it has to say about a surface, and where its cube map is to be looked up.
+// Formulas: HDRP's LightLoop, InfluenceVolume and VolumeProjection as docs/techniques/probes.md lists them; Lagarde and
+// de Rousiers 2014, "Moving Frostbite to Physically Based Rendering", section 4.9.
+#ifndef GLINT_LIB_PROBE_GLSL
+#define GLINT_LIB_PROBE_GLSL
+
+#include "lib/math.glsl"
+#include "shared/probes.h"
+
+/// Position (w = 1) or direction (w = 0) into a volume's axes.
+vec3 intoVolume(vec4 rows[3], vec4 v) {
+    return vec3(dot(rows[0], v), dot(rows[1], v), dot(rows[2], v));
+}
+
+float minComponent(vec3 v) {
+    return min(v.x, min(v.y, v.z));
+}
+
+/// How far inside: 0 at the surface and outside, 1 from the blend distance inward, linear between.
+float influenceDepth(ProbeRecord probe, vec3 p) {
+    if (probe.influenceShape == kProbeSphere)
+        return saturate((probe.influenceExtents.x - length(p)) / probe.blendPos.x);
+    vec3 toPos = (probe.influenceExtents - p) / probe.blendPos;
+    vec3 toNeg = (probe.influenceExtents + p) / probe.blendNeg;
+    return saturate(min(minComponent(toPos), minComponent(toNeg)));
+}
+
+/// In the outer layer of blendNormalDistance surfaces count by how they face the capture position: full up to a cosine
+/// of -0.2 or more towards it, nothing from 0.6 away from it on.
+float normalFade(ProbeRecord probe, vec3 p, vec3 positionWS, vec3 normalWS) {
+    bool inside;
+    if (probe.influenceShape == kProbeSphere)
+        inside = length(p) <= probe.influenceExtents.x - probe.blendNormalPos.x;
+    else
+        inside = all(lessThanEqual(p, probe.influenceExtents - probe.blendNormalPos)) &&
+                 all(greaterThanEqual(p, probe.blendNormalNeg - probe.influenceExtents));
+    if (inside)
+        return 1.0;
+    vec3 outward = normalizeOr(positionWS - probe.capturePositionWS, vec3(0.0));
+    return saturate((0.6 - dot(normalWS, outward)) / 0.4);
+}
+
+/// Each face takes reflections in from 75 degrees off its axis and has all of them from 60 on; whole faces sum to 1.
+float faceFade(ProbeRecord probe, vec3 direction) {
+    vec3 pos = clamp(4.0 * direction - 1.0, 0.0, 1.0) * probe.faceFadePos;
+    vec3 neg = clamp(-4.0 * direction - 1.0, 0.0, 1.0) * probe.faceFadeNeg;
+    return saturate(dot(pos + neg, vec3(1.0)));
+}
+
+/// [0, 1]. `directionWS`: of the reflection, unit.
+float probeWeight(ProbeRecord probe, vec3 positionWS, vec3 normalWS, vec3 directionWS) {
+    vec3 p = intoVolume(probe.worldToInfluence, vec4(positionWS, 1.0));
+    float depth = influenceDepth(probe, p);
+    if (depth <= 0.0)
+        return 0.0;
+    depth *= normalFade(probe, p, positionWS, normalWS) *
+             faceFade(probe, intoVolume(probe.worldToInfluence, vec4(directionWS, 0.0)));
+    return depth * depth * (3.0 - 2.0 * depth) * probe.weight;
+}
+
+/// Metres along the ray to where it leaves the proxy, >= 0; from outside of a box or past a sphere what is nearest to
+/// that, so that pictures have no seam at its faces.
+float proxyDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS) {
+    vec3 p = intoVolume(probe.worldToProxy, vec4(positionWS, 1.0));
+    vec3 d = intoVolume(probe.worldToProxy, vec4(directionWS, 0.0));
+    if (probe.proxyShape == kProbeSphere) {
+        float b = dot(d, p);
+        float c = dot(p, p) - square(probe.proxyExtents.x);
+        return max(sqrt(max(b * b - c, 0.0)) - b, 0.0);
+    }
+    vec3 wall = mix(-probe.proxyExtents, probe.proxyExtents, greaterThan(d, vec3(0.0)));
+    vec3 toWall = (wall - p) / d; // along an axis that the ray does not move on: infinite
+    toWall = mix(toWall, vec3(1e30), lessThan(abs(d), vec3(1e-7)));
+    return max(minComponent(toWall), 0.0);
+}
+
+struct ProbeLookup {
+    vec3 directionWS;          // into the cube
+    float perceptualRoughness; // of the mip
+};
+
+/// Where the cube shows what `directionWS` meets from `positionWS`, and how sharp it is to be there.
+ProbeLookup probeLookup(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
+    if (probe.proxyShape == kProbeNoProxy || (flags & kProbesParallax) == 0u)
+        return ProbeLookup(directionWS, perceptualRoughness);
+    float surfaceToHit = proxyDistance(probe, positionWS, directionWS);
+    vec3 fromCapture = positionWS + surfaceToHit * directionWS - probe.capturePositionWS;
+    float captureToHit = length(fromCapture);
+    vec3 projected = normalizeOr(fromCapture, directionWS);
+    // A wide lobe sees more than the one point: towards the unprojected direction. Empirical, HDRP.
+    float alpha2 = square(square(perceptualRoughness));
+    vec3 direction = normalizeOr(mix(projected, directionWS, smoothstep(0.0, 1.0, alpha2)), projected);
+    float sharper = perceptualRoughness;
+    if ((flags & kProbesDistanceRoughness) != 0u && captureToHit > 0.0) {
+        // Lagarde and de Rousiers 2014, listing 23: the lobe's footprint on the wall, seen from the capture position.
+        float scaled = min(surfaceToHit / captureToHit * perceptualRoughness, perceptualRoughness);
+        sharper = mix(scaled, perceptualRoughness, perceptualRoughness);
+    }
+    return ProbeLookup(direction, sharper);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// Reflection probes as shaders/probes reads them.
+#ifndef GLINT_SHARED_PROBES_H
+#define GLINT_SHARED_PROBES_H
+
+#include "shared/types.h"
+
+GLINT_SHARED_BEGIN
+
+GLINT_CONSTANT(uint, kProbeBox, 0); // ProbeShape, ProbeProxy less its None
+GLINT_CONSTANT(uint, kProbeSphere, 1);
+GLINT_CONSTANT(uint, kProbeNoProxy, 2);
+
+// Of distances along the axes `Pos` are towards the positive faces, `Neg` the negative ones.
+struct ProbeRecord {
+    float4 worldToInfluence[3]; // rows of a rigid transform
+    float4 worldToProxy[3];
+    float3 influenceExtents; // half; a sphere's radius in x
+    uint influenceShape;
+    float3 proxyExtents;
+    uint proxyShape;
+    float3 blendPos; // > 0
+    float weight;
+    float3 blendNeg;
+    float strength;
+    float3 blendNormalPos;
+    float lastMip; // that of roughness 1
+    float3 blendNormalNeg;
+    uint cube; // in the table of cubes
+    float3 faceFadePos;
+    float3 faceFadeNeg;
+    float3 capturePositionWS;
+};
+
+// The grid over all influence volumes: cell c has the probes lists[cells[c]] up to, not with, lists[cells[c + 1]],
+// smallest volume first.
+struct ProbesConstants {
+    float3 gridOriginWS;
+    uint flags; // kProbes*
+    float3 cellsPerMetre;
+    uint probeCount;
+    uint3 gridSize;
+};
+
+GLINT_CONSTANT(uint, kProbesScreen, 1);            // the screen source was asked before
+GLINT_CONSTANT(uint, kProbesRays, 2);              // so were rays
+GLINT_CONSTANT(uint, kProbesParallax, 4);          // proxies act
+GLINT_CONSTANT(uint, kProbesDistanceRoughness, 8); // what is near its reflection is sharper
+
+GLINT_SHARED_END
+
+#endif

@@ -1,0 +1,305 @@
+#include "reflect/probes/probes.hpp"
+
+#include "base/assert.hpp"
+#include "base/text.hpp"
+#include "reflect/probes/probe_grid.hpp"
+
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace glint::reflect {
+namespace {
+
+constexpr uint32_t kSmallestFace = 16; ///< two mips
+constexpr uint32_t kLargestFace = 1024;
+constexpr float kLongest = 1e9f; ///< metres: beyond, single precision has no room for a probe
+
+constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
+                               VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
+                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+
+glm::vec3 toVec(const std::array<float, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+bool within(std::span<const float> values, float low, float high) {
+    return std::ranges::all_of(values, [&](float value) { return value >= low && value <= high; });
+}
+
+Result<void> checkVolume(const ProbeVolume& volume, size_t extents, const char* name, size_t number) {
+    const auto& q = volume.rotation;
+    const float length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (!(std::abs(length - 1) < 1e-3f))
+        return invalidArgument("probe {}: the rotation of its {} must be a unit quaternion; its length is {}", number,
+                               name, length);
+    if (!within(volume.centerWS, -kLongest, kLongest))
+        return invalidArgument("probe {}: the centre of its {} must be finite, within {} m", number, name, kLongest);
+    if (!within(std::span(volume.halfExtents).first(extents), 1e-6f, kLongest))
+        return invalidArgument("probe {}: the half extents of its {} must be above 0, at most {} m", number, name,
+                               kLongest);
+    return {};
+}
+
+Result<void> checkVolumes(const Probe& probe, size_t number) {
+    if (probe.shape > ProbeShape::Sphere || probe.proxy > ProbeProxy::Sphere)
+        return invalidArgument("probe {}: no such shape", number);
+    GLINT_CHECK(checkVolume(probe.influence, probe.shape == ProbeShape::Sphere ? 1 : 3, "influence", number));
+    if (probe.proxy != ProbeProxy::None)
+        GLINT_CHECK(checkVolume(probe.proxyVolume, probe.proxy == ProbeProxy::Sphere ? 1 : 3, "proxy", number));
+    if (!within(probe.capturePositionWS, -kLongest, kLongest))
+        return invalidArgument("probe {}: its capture position must be finite, within {} m", number, kLongest);
+    if (!within(probe.blendDistance, 0, kLongest) || !within(probe.blendNormalDistance, 0, kLongest))
+        return invalidArgument("probe {}: its blend distances must be 0 to {} m", number, kLongest);
+    if (!within(probe.faceFade, 0, 1) || !within({&probe.weight, 1}, 0, 1))
+        return invalidArgument("probe {}: its weight and face fades must be 0 to 1", number);
+    if (!within({&probe.strength, 1}, 0, 65504))
+        return invalidArgument("probe {}: its strength must be 0 to 65504", number);
+    return {};
+}
+
+Result<void> checkCube(const Probe& probe, size_t number) {
+    const HostImage& cube = probe.cube;
+    if (!cube.image || !cube.view || cube.width != cube.height || cube.width < 1 || probe.mips < 1)
+        return invalidArgument("probe {} needs a cube image with square faces, its view, and at least one mip", number);
+    if (cube.layout == VK_IMAGE_LAYOUT_UNDEFINED || cube.layout == VK_IMAGE_LAYOUT_PREINITIALIZED)
+        return invalidArgument("probe {}: its cube is in no layout (VkImageLayout {}), so it shows nothing", number,
+                               static_cast<int>(cube.layout));
+    if (probe.prefiltered && cube.layout != VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL)
+        return invalidArgument("probe {}: a prefiltered cube must be in SHADER_READ_ONLY_OPTIMAL, not VkImageLayout {}",
+                               number, static_cast<int>(cube.layout));
+    return {};
+}
+
+/// Rows of world -> the volume's axes.
+void packTransform(const ProbeVolume& volume, shared::float4 (&rows)[3]) {
+    const auto& q = volume.rotation;
+    const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]))); // columns in the world
+    for (int row = 0; row < 3; ++row)
+        rows[row] = glm::vec4(axes[row], -glm::dot(axes[row], glm::dvec3(toVec(volume.centerWS))));
+}
+
+/// A hard edge is this thin, so that there is nothing to divide by 0.
+float blendOf(float distance, float extent) {
+    return std::max(distance, extent * 1e-5f);
+}
+
+shared::ProbeRecord packRecord(const Probe& probe, uint32_t cube, uint32_t mips) {
+    shared::ProbeRecord out = {};
+    const bool sphere = probe.shape == ProbeShape::Sphere;
+    packTransform(probe.influence, out.worldToInfluence);
+    out.influenceExtents = sphere ? glm::vec3(probe.influence.halfExtents[0]) : toVec(probe.influence.halfExtents);
+    out.influenceShape = sphere ? shared::kProbeSphere : shared::kProbeBox;
+    out.proxyShape = shared::kProbeNoProxy;
+    if (probe.proxy != ProbeProxy::None) {
+        packTransform(probe.proxyVolume, out.worldToProxy);
+        out.proxyExtents = toVec(probe.proxyVolume.halfExtents);
+        out.proxyShape = probe.proxy == ProbeProxy::Box ? shared::kProbeBox : shared::kProbeSphere;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<size_t>(axis) * 2;
+        out.blendPos[axis] = blendOf(probe.blendDistance[i], out.influenceExtents[axis]);
+        out.blendNeg[axis] = blendOf(probe.blendDistance[i + 1], out.influenceExtents[axis]);
+        out.blendNormalPos[axis] = probe.blendNormalDistance[i];
+        out.blendNormalNeg[axis] = probe.blendNormalDistance[i + 1];
+        out.faceFadePos[axis] = probe.faceFade[i];
+        out.faceFadeNeg[axis] = probe.faceFade[i + 1];
+    }
+    out.weight = probe.weight;
+    out.strength = probe.strength;
+    out.lastMip = static_cast<float>(mips - 1);
+    out.cube = cube;
+    out.capturePositionWS = toVec(probe.capturePositionWS);
+    return out;
+}
+
+ProbeBounds boundsOf(const Probe& probe) {
+    const glm::vec3 center = toVec(probe.influence.centerWS);
+    const glm::vec3 half = toVec(probe.influence.halfExtents);
+    if (probe.shape == ProbeShape::Sphere)
+        return {center - half.x, center + half.x, 4 / 3.0 * glm::pi<double>() * std::pow(double(half.x), 3)};
+    const auto& q = probe.influence.rotation;
+    const glm::mat3 axes = glm::mat3_cast(glm::normalize(glm::quat(q[3], q[0], q[1], q[2])));
+    const glm::vec3 reach = glm::abs(axes[0]) * half.x + glm::abs(axes[1]) * half.y + glm::abs(axes[2]) * half.z;
+    return {center - reach, center + reach, 8.0 * half.x * half.y * half.z};
+}
+
+} // namespace
+
+Result<std::unique_ptr<ProbesState>> ProbesState::create(gpu::Context& context, const ProbesDesc& desc) {
+    if (desc.probes.size() > kMaxProbes)
+        return invalidArgument("{} probes: at most {}", desc.probes.size(), kMaxProbes);
+    if (desc.faceSize != 0 &&
+        (desc.faceSize < kSmallestFace || desc.faceSize > kLargestFace || !std::has_single_bit(desc.faceSize)))
+        return invalidArgument("probes with faces of {} texels: a power of two from {} to {}", desc.faceSize,
+                               kSmallestFace, kLargestFace);
+    std::unique_ptr<ProbesState> state(new ProbesState(context));
+    for (const Probe& probe : desc.probes) {
+        GLINT_CHECK(checkCube(probe, state->cubes_.size()));
+        GLINT_CHECK(checkVolumes(probe, state->cubes_.size()));
+        GLINT_CHECK(state->addCube(probe, desc.faceSize));
+    }
+    if (!state->sources_.empty()) {
+        GLINT_TRY(prefilter, gpu::CubePrefilter::create(context));
+        state->prefilter_ = std::move(prefilter);
+    }
+    std::vector<VkDescriptorImageInfo> infos;
+    for (const Cube& cube : state->cubes_)
+        infos.push_back({context.sampler(gpu::SamplerKind::LinearClamp),
+                         cube.filtered ? cube.filtered.view() : cube.host.view,
+                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    GLINT_TRY(table, gpu::TextureTable::create(context, infos));
+    state->table_ = std::move(table);
+    const size_t count = desc.probes.size();
+    GLINT_CHECK(state->records_.create(context, "probes/records", count * sizeof(shared::ProbeRecord)));
+    const size_t most = count == 0 ? 1 : kMaxProbeCells + 1; // the finest grid that any volumes may need
+    GLINT_CHECK(state->cells_.create(context, "probes/cells", most * sizeof(uint32_t)));
+    GLINT_CHECK(state->lists_.create(context, "probes/lists", (count == 0 ? 1 : kMaxProbeListed) * sizeof(uint32_t)));
+    GLINT_CHECK(state->setVolumes(desc.probes));
+    return state;
+}
+
+Result<void> ProbesState::addCube(const Probe& probe, uint32_t faceSize) {
+    Cube cube;
+    cube.host = probe.cube;
+    cube.hostMips = probe.mips;
+    cube.mips = probe.mips;
+    if (!probe.prefiltered) {
+        const uint32_t face =
+            faceSize != 0 ? faceSize : std::clamp(std::bit_floor(probe.cube.width), kSmallestFace, kLargestFace);
+        cube.mips = gpu::cubeMips(face, gpu::kLastFilteredFace);
+        cube.stale = true;
+        const auto make = [&](const char* name, uint32_t mips) {
+            return gpu::Image::create(context_,
+                                      {name, VK_FORMAT_R16G16B16A16_SFLOAT, face, face, mips, 6, gpu::ImageShape::Cube,
+                                       VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                                           VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+        };
+        GLINT_TRY(filtered, make("probes/filtered", cube.mips));
+        cube.filtered = std::move(filtered);
+        if (std::ranges::find(sources_, face, &gpu::Image::width) == sources_.end()) {
+            GLINT_TRY(source, make("probes/source", gpu::cubeMips(face, 1)));
+            sources_.push_back(std::move(source));
+        }
+    }
+    cubes_.push_back(std::move(cube));
+    return {};
+}
+
+Result<void> ProbesState::setVolumes(std::span<const Probe> probes) {
+    if (probes.size() != cubes_.size())
+        return invalidArgument("{} probes, these were made for {}", probes.size(), cubes_.size());
+    std::vector<shared::ProbeRecord> records;
+    std::vector<ProbeBounds> bounds;
+    for (const Probe& probe : probes) {
+        const auto number = static_cast<uint32_t>(records.size());
+        GLINT_CHECK(checkVolumes(probe, number));
+        records.push_back(packRecord(probe, number, cubes_[number].mips));
+        bounds.push_back(boundsOf(probe));
+    }
+    const ProbeGrid grid = ProbeGrid::build(bounds);
+    constants_.gridOriginWS = grid.originWS;
+    constants_.cellsPerMetre = grid.cellsPerMetre;
+    constants_.gridSize = grid.size;
+    constants_.probeCount = static_cast<uint32_t>(records.size());
+    if (records.empty())
+        return {};
+    records_.set(records);
+    cells_.set(grid.first);
+    lists_.set(grid.listed);
+    return {};
+}
+
+void ProbesState::refilter(uint32_t probe) {
+    GLINT_ASSERT(probe < cubes_.size(), "probe {} of {}", probe, cubes_.size());
+    cubes_[probe].stale = static_cast<bool>(cubes_[probe].filtered);
+}
+
+void ProbesState::filter(gpu::Frame& frame, uint32_t probe) {
+    Cube& cube = cubes_[probe];
+    gpu::ResourceState state;
+    state.writeStages = cube.host.stages;
+    state.writeAccess = cube.host.access;
+    state.layout = cube.host.layout;
+    gpu::Image host = gpu::Image::borrow(
+        cube.host.image, cube.host.view,
+        {"probe", cube.host.format, cube.host.width, cube.host.height, cube.hostMips, 6, gpu::ImageShape::Flat, 0},
+        state);
+    gpu::Image& source = *std::ranges::find(sources_, cube.filtered.width(), &gpu::Image::width);
+    prefilter_.copy(frame, host, source, cube.filtered);
+    prefilter_.filter(frame, source, cube.filtered);
+    frame.hand(cube.filtered, kSampled);
+    frame.hand(host, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, cube.host.layout});
+    cube.stale = false;
+}
+
+void ProbesState::record(VkCommandBuffer commands) {
+    gpu::Frame frame(context_, commands);
+    for (uint32_t i = 0; i < count(); ++i)
+        if (cubes_[i].stale)
+            filter(frame, i);
+    for (TableBuffer* list : {&records_, &cells_, &lists_})
+        list->record(frame);
+}
+
+HostImage ProbesState::cube(uint32_t probe) const {
+    GLINT_ASSERT(probe < cubes_.size(), "probe {} of {}", probe, cubes_.size());
+    const Cube& cube = cubes_[probe];
+    if (!cube.filtered)
+        return cube.host;
+    return {cube.filtered.handle(), cube.filtered.view(),   cube.filtered.desc().format,
+            cube.filtered.width(),  cube.filtered.height(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
+            kSampled.stages,        VK_ACCESS_2_NONE};
+}
+
+gpu::Pass& ProbesState::bind(gpu::Pass& pass) {
+    return pass.read("probes", records_.buffer())
+        .read("probeCells", cells_.buffer())
+        .read("probeLists", lists_.buffer())
+        .table(table_.set());
+}
+
+} // namespace glint::reflect
+
+// ---------------------------------------------------------------- the public class
+
+namespace glint {
+
+Probes::Probes(std::unique_ptr<reflect::ProbesState> state) : state_(std::move(state)) {}
+Probes::~Probes() = default;
+Probes::Probes(Probes&&) noexcept = default;
+Probes& Probes::operator=(Probes&&) noexcept = default;
+
+Result<Probes> Probes::create(Context& context, const ProbesDesc& desc) {
+    GLINT_TRY(state, reflect::ProbesState::create(context.gpu(), desc));
+    return Probes(std::move(state));
+}
+
+uint32_t Probes::count() const {
+    return state_->count();
+}
+
+Result<void> Probes::setVolumes(std::span<const Probe> probes) {
+    return state_->setVolumes(probes);
+}
+
+void Probes::refilter(uint32_t probe) {
+    state_->refilter(probe);
+}
+
+void Probes::record(VkCommandBuffer commands) {
+    state_->record(commands);
+}
+
+HostImage Probes::cube(uint32_t probe) const {
+    return state_->cube(probe);
+}
+
+uint32_t Probes::cubeMips(uint32_t probe) const {
+    return state_->cubeMips(probe);
+}
+
+} // namespace glint

@@ -1,0 +1,65 @@
+#include "render/lending.hpp"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+
+namespace glint::render {
+namespace {
+
+Matrix4 toMatrix4(const glm::mat4& matrix) {
+    Matrix4 out;
+    std::copy_n(glm::value_ptr(matrix), 16, out.begin());
+    return out;
+}
+
+} // namespace
+
+Result<Context> adoptDevice(gpu::Context& context) {
+    const gpu::AdoptedDevice handles = context.handles();
+    return Context::adopt({handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
+                           handles.getInstanceProcAddr, handles.rayQuery});
+}
+
+HostImage lend(gpu::Frame& frame, gpu::Image& image) {
+    frame.hand(image, kSampled);
+    HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
+    host.samples = image.desc().samples;
+    return host;
+}
+
+gpu::Image borrow(const HostImage& image, const char* name, uint32_t mips, uint32_t layers) {
+    gpu::ResourceState state;
+    state.writeStages = image.stages;
+    state.writeAccess = image.access;
+    state.layout = image.layout;
+    return gpu::Image::borrow(image.image, image.view,
+                              {name, image.format, image.width, image.height, mips, layers, gpu::ImageShape::Flat, 0},
+                              state);
+}
+
+glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g) {
+    glint::GBuffer inputs; // our conventions are Glint's own
+    inputs.depth = lend(frame, g.deviceDepth);
+    inputs.normal = lend(frame, g.normal);
+    inputs.material = lend(frame, g.material);
+    inputs.litRadiance = lend(frame, g.litRadiance);
+    inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
+    if (g.backDepth)
+        inputs.backDepth = lend(frame, g.backDepth);
+    inputs.motion = lend(frame, g.motion);
+    return inputs;
+}
+
+EnvironmentMap lendEnvironmentMap(gpu::Frame& frame, Environment& environment, const EnvironmentSettings& settings) {
+    gpu::Image& cube = environment.radiance();
+    EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
+    map.diffuse = lend(frame, environment.diffuse());
+    return map;
+}
+
+glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed) {
+    return {toMatrix4(view.worldToView), toMatrix4(view.viewToClip), frameIndex, seed};
+}
+
+} // namespace glint::render
