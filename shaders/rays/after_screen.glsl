@@ -20,12 +20,14 @@ ivec2 hitPixel(RayRecord ray) {
     return min(ivec2(ray.hitUV * frame.constants.size), ivec2(frame.constants.size) - 1);
 }
 
-/// Did it meet something whose own reflection a further bounce would find? The last frame's picture holds that already.
+/// Did it meet something whose own reflection a further bounce would find? What reflects no more than plain dielectrics
+/// do may keep the environment that its colour holds. The last frame's picture shows reflections already.
 bool metReflector(RayRecord ray) {
+    const float kPlain = 0.08;
     if (!isAnswered(ray.outcome) || settings.bounces < 2u || (frame.constants.flags & kInputHistory) != 0u)
         return false;
     Surface met = unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy);
-    return met.reflectivity > settings.threshold && met.perceptualRoughness <= settings.maxRoughness;
+    return met.reflectivity > max(settings.threshold, kPlain) && met.perceptualRoughness <= settings.maxRoughness;
 }
 
 /// Did it meet what the picture shows, well inside, and as it looks from everywhere?

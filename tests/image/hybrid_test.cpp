@@ -1,0 +1,98 @@
+// The hybrid on whole scenes: screen first, rays for what is left, and hardly worse than rays for everything.
+#include "exact_report.hpp"
+#include "render/run_job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace glint::test {
+namespace {
+
+template <class T>
+T must(Result<T> result) {
+    if (!result)
+        throw std::runtime_error(result.error().message);
+    return std::move(result).value();
+}
+
+class HybridTest : public testing::Test {
+protected:
+    static gpu::Context& device() {
+        static const std::unique_ptr<gpu::Context> context =
+            must(gpu::Context::create({.device = {}, .validation = true}));
+        return *context;
+    }
+    void SetUp() override { messagesBefore_ = device().validationMessages().size(); }
+    void TearDown() override {
+        const std::vector<std::string>& messages = device().validationMessages();
+        for (size_t i = messagesBefore_; i < messages.size(); ++i)
+            ADD_FAILURE() << "validation: " << messages[i];
+    }
+
+    struct Drawn {
+        measure::MirrorError error;
+        Statistics::SceneRays rays;
+    };
+    static Drawn drawExact(std::vector<std::string> assignments) {
+        assignments.insert(assignments.begin(), {"fade.border=none", "rays.enabled=true"});
+        render::RenderJob job;
+        job.scene = "builtin:exact";
+        job.camera = "front";
+        job.width = 640;
+        job.height = 360;
+        job.views = {"composite"};
+        job.statistics = true;
+        job.settings = must(
+            render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = std::move(assignments)}));
+        const render::RenderResult result = must(render::runJob(device(), job));
+        return {must(cli::measureExact(job, result)), result.stats.scene};
+    }
+    /// Of the mirror pixels whose paths have at most `bounces` of them.
+    static double wrongShare(const measure::MirrorError& error, size_t bounces) {
+        double pixels = 0;
+        double wrong = 0;
+        for (size_t i = 0; i < bounces; ++i) {
+            pixels += double(error.byBounces.at(i).pixels);
+            wrong += double(error.byBounces.at(i).wrong);
+        }
+        return wrong / pixels;
+    }
+
+private:
+    size_t messagesBefore_ = 0;
+};
+
+TEST_F(HybridTest, MirrorsInMirrorsAreRightForFewerRaysThanRaysAlone) {
+    const Drawn hybrid = drawExact({"rays.bounces=2"});
+    const Drawn alone = drawExact({"rays.bounces=2", "screen.enabled=false"});
+    ASSERT_GT(hybrid.error.byBounces.at(1).pixels, 1000u);
+    EXPECT_LT(wrongShare(hybrid.error, 1), 0.01);
+    EXPECT_LT(wrongShare(hybrid.error, 2), 0.01);
+    EXPECT_LT(wrongShare(alone.error, 2), 0.001);
+    EXPECT_LT(double(hybrid.rays.rays), 0.75 * double(alone.rays.rays));
+    EXPECT_GT(hybrid.rays.fromScreen, 10000u);
+    EXPECT_GT(hybrid.rays.replaced, hybrid.rays.fromScreen);
+    EXPECT_EQ(alone.rays.fromScreen + alone.rays.replaced + alone.rays.reusedLight, 0u);
+}
+
+TEST_F(HybridTest, OneBounceLeavesTheScreensHitsAlone) {
+    const Drawn one = drawExact({"rays.bounces=1"});
+    const Drawn two = drawExact({"rays.bounces=2"});
+    EXPECT_EQ(one.rays.fromScreen, 0u);
+    EXPECT_EQ(one.rays.rays, one.rays.pixels); // no path is longer
+    EXPECT_LT(one.rays.pixels, two.rays.pixels);
+    EXPECT_LT(wrongShare(one.error, 1), 0.01);
+    EXPECT_GT(double(one.error.byBounces.at(1).wrong), 0.5 * double(one.error.byBounces.at(1).pixels));
+}
+
+TEST_F(HybridTest, LightOfThePictureIsReusedOnlyWhereAsked) {
+    const Drawn with = drawExact({"rays.bounces=2"});
+    const Drawn without = drawExact({"rays.bounces=2", "rays.reuseLight=false"});
+    EXPECT_GT(with.rays.reusedLight, without.rays.reusedLight);
+    EXPECT_EQ(without.rays.reusedLight, without.rays.fromScreen); // the screen's own hits
+    EXPECT_EQ(with.rays.rays, without.rays.rays);
+}
+
+} // namespace
+} // namespace glint::test
