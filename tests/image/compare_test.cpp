@@ -39,7 +39,7 @@ const cli::Comparison& comparison() {
             {config("builtin:exact", "screen.march=linear,fade.border=none"),
              config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
              config("builtin:exact", "screen.enabled=false")},
-            2));
+            std::nullopt, 2));
         for (const std::string& message : context->validationMessages())
             ADD_FAILURE() << "validation: " << message;
         return result;
