@@ -57,8 +57,15 @@ protected:
             const float value = 0.25f * static_cast<float>(result.views.size() + 1);
             result.views.push_back({name, std::vector<float>(16, value), std::vector<uint8_t>(12, 100)});
         }
-        result.stats = {"device", "driver 1", true, {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
-                        3,        12.5,       40,   {{"hit", 2}, {"sky", 0}}};
+        result.stats = {"device",
+                        "driver 1",
+                        true,
+                        {{"trace/linear", 1.5}, {"composite/composite", 0.5}},
+                        3,
+                        12.5,
+                        40,
+                        {},
+                        {{"hit", 2}, {"sky", 0}}};
         if (job.inspect)
             result.inspection = inspection_;
         return result;
@@ -304,6 +311,26 @@ TEST_F(CliTest, BenchFindsBadArgumentsBeforeAnyWork) {
     };
     for (auto [arguments, part] : cases) {
         arguments.insert(arguments.begin(), {"bench", "builtin:mirror"});
+        expectError(run(arguments), kBadInput, part);
+    }
+}
+
+TEST_F(CliTest, BenchOfRaysFindsBadArgumentsBeforeAnyWork) {
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{"--rays", "--triangles", "0"}, "--triangles 0: expected numbers from 100 to"},
+        {{"--rays", "--triangles", "1e12"}, "--triangles 1e12: expected numbers"},
+        {{"--rays", "--triangles", "1e3,abc"}, "--triangles abc: expected numbers"},
+        {{"--rays", "--triangles", "nan"}, "--triangles nan: expected numbers"},
+        {{"--rays", "--triangles", "-1e3"}, "--triangles -1e3: expected numbers"},
+        {{"--rays", "--ray-count", "63"}, "--ray-count 63: expected 64 to"},
+        {{"--rays", "--repeats", "0"}, "--repeats 0: expected 1 to"},
+        {{"--rays", "builtin:hall"}, "SCENE excludes --rays"},
+        {{"--rays", "--config", "fast"}, "--config excludes --rays"},
+        {{"--triangles", "1e3"}, "--triangles requires --rays"},
+        {{"--rays", "--json", folder_ + "none/a.json"}, "there is no folder"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), "bench");
         expectError(run(arguments), kBadInput, part);
     }
 }
