@@ -14,8 +14,8 @@ using measure::RayBenchFigures;
 using measure::RayTraceTimes;
 using measure::RayUpdateTimes;
 
-/// A software device's timestamps stand around work that it has put off; a GPU's leave out what the CPU needs to start
-/// a short dispatch.
+/// A GPU's timestamps leave out what the CPU needs to start a dispatch, which is much of a short one. A software device
+/// has but one clock for all figures: timestamps around work that it may put off are no better.
 const measure::Spread& traceMs(const RayTraceTimes& trace, bool software) {
     return software || trace.gpuMs.median <= 0 ? trace.wallMs : trace.gpuMs;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kTerrainHalf = 20; // metres
 
-/// Two triangles a cell, without those that collapse where `pole` rows are a single point.
+/// Two triangles a cell; with `poles` without those that collapse in the first and the last row.
 std::vector<uint32_t> gridIndices(uint32_t columns, uint32_t rows, bool poles) {
     std::vector<uint32_t> indices;
     indices.reserve(size_t{6} * columns * rows);
@@ -36,7 +36,7 @@ glm::vec3 terrainVertex(uint32_t column, uint32_t row, uint32_t cells) {
     return {x, hills + 0.05f * std::sin(17 * x + 11 * z), z};
 }
 
-/// In [0, 1), the same on every machine: the fractions of a lattice spread points evenly.
+/// In [0, 1), the same on every machine: fractions of multiples spread points evenly.
 float spread(uint32_t number, uint32_t axis) {
     constexpr double kSteps[] = {0.8191725134, 0.6710436067, 0.5497004779, 0.7548776662};
     double whole = 0;

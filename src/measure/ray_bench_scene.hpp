@@ -30,7 +30,7 @@ public:
     /// Vertices of kDeformedMesh with its dents moved by `phase`; 0: as in meshes().
     std::vector<glm::vec3> deformed(float phase) const;
 
-    /// Vertices of a triangle as the pictures of phase 0 have it, in the world.
+    /// Vertices of a triangle in the world, as the scene is at first.
     std::array<glm::vec3, 3> triangleWS(uint32_t instance, uint32_t primitive) const;
 
 private:
