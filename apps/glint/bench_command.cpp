@@ -1,9 +1,11 @@
-// glint bench: what the reflections cost, pass by pass, over sizes and over the share of the picture that reflects.
+// glint bench: what the reflections cost, pass by pass, over sizes and over the share of the picture that reflects; or
+// what rays cost.
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "bench.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "ray_bench.hpp"
 #include "render_options.hpp"
 
 #include <unistd.h>
@@ -25,6 +27,7 @@ struct BenchOptions {
     int64_t warmUp = 10;
     double budget = 20;
     std::string json;
+    RayBenchOptions rays;
 };
 
 /// Percentages, or the one word "none".
@@ -85,6 +88,34 @@ void showProgress(const std::string& point) {
         fmt::print(stderr, "measuring {}\n", printable(point));
 }
 
+Result<void> checkOutput(const BenchOptions& options) {
+    if (options.json.empty() || options.json == "-")
+        return {};
+    return checkFolder("--json", options.json);
+}
+
+/// Nothing is shown of a device that the validation layer complains about.
+Result<void> show(const BenchOptions& options, const gpu::Context& context, const std::string& text,
+                  const std::string& json) {
+    if (!context.validationMessages().empty())
+        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                         context.validationMessages().size(), context.validationMessages().front());
+    const std::string& shown = options.json == "-" ? json : text;
+    std::fwrite(shown.data(), 1, shown.size(), stdout);
+    if (options.json.empty() || options.json == "-")
+        return {};
+    return writeFile(options.json, json);
+}
+
+Result<void> benchRays(const BenchOptions& options) {
+    GLINT_TRY(series, makeRayBenchSeries(options.rays));
+    GLINT_CHECK(checkOutput(options));
+    GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    GLINT_TRY(result, runRayBench(*context, series, showProgress));
+    GLINT_CHECK(show(options, *context, rayBenchText(result), rayBenchJson(result)));
+    return checkSameHits(result);
+}
+
 Result<void> bench(const BenchOptions& options) {
     GLINT_TRY(plan, makePlan(options));
     std::vector<BenchScene> scenes;
@@ -92,25 +123,17 @@ Result<void> bench(const BenchOptions& options) {
         GLINT_TRY(scene, makeScene(options, name, !plan.shares.empty()));
         scenes.push_back(std::move(scene));
     }
-    if (!options.json.empty() && options.json != "-")
-        GLINT_CHECK(checkFolder("--json", options.json));
+    GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
     GLINT_TRY(result, runBench(*context, scenes, plan, showProgress));
-    if (!context->validationMessages().empty())
-        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
-                         context->validationMessages().size(), context->validationMessages().front());
-    const std::string text = options.json == "-" ? benchJson(result) : benchText(result);
-    std::fwrite(text.data(), 1, text.size(), stdout);
-    if (options.json.empty() || options.json == "-")
-        return {};
-    return writeFile(options.json, benchJson(result));
+    return show(options, *context, benchText(result), benchJson(result));
 }
 
 } // namespace
 
 void addBenchCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<BenchOptions>();
-    CLI::App* const command = program.add_subcommand("bench", "Time the reflections pass by pass");
+    CLI::App* const command = program.add_subcommand("bench", "Time the reflections pass by pass, or rays");
     command->add_option("SCENE", options->scenes, sceneHelp() + " (default: builtin:hall)");
     command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false)->capture_default_str();
     command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE for every config, weaker than its own")
@@ -132,7 +155,10 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
         ->capture_default_str();
     addSceneOptions(*command, options->scene);
     command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
-    command->callback([&chosen, options] { chosen = [options] { return bench(*options); }; });
+    addRayBenchOptions(*command, options->rays);
+    command->callback([&chosen, options] {
+        chosen = [options] { return options->rays.asked ? benchRays(*options) : bench(*options); };
+    });
 }
 
 } // namespace glint::cli

@@ -53,6 +53,15 @@ void destroyAllocator(vma::VmaAllocator_T* allocator) {
     vma::vmaDestroyAllocator(allocator);
 }
 
+size_t allocatedBytes(vma::VmaAllocator_T* allocator) {
+    vma::VmaBudget budgets[VK_MAX_MEMORY_HEAPS] = {}; // heaps that the device does not have stay 0
+    vma::vmaGetHeapBudgets(allocator, budgets);
+    size_t sum = 0;
+    for (const vma::VmaBudget& budget : budgets)
+        sum += static_cast<size_t>(budget.statistics.allocationBytes);
+    return sum;
+}
+
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,
                      vma::VmaAllocation_T*& allocation) {
     vma::VmaAllocationCreateInfo wanted = {};

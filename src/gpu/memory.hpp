@@ -11,6 +11,8 @@ namespace glint::gpu {
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
                          vma::VmaAllocator_T*& allocator);
 void destroyAllocator(vma::VmaAllocator_T* allocator);
+/// Bytes of all images and buffers that are alive, of every kind of memory, mapped or not.
+size_t allocatedBytes(vma::VmaAllocator_T* allocator);
 
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,
                      vma::VmaAllocation_T*& allocation);

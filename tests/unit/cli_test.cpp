@@ -315,6 +315,26 @@ TEST_F(CliTest, BenchFindsBadArgumentsBeforeAnyWork) {
     }
 }
 
+TEST_F(CliTest, BenchOfRaysFindsBadArgumentsBeforeAnyWork) {
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{"--rays", "--triangles", "0"}, "--triangles 0: expected numbers from 100 to"},
+        {{"--rays", "--triangles", "1e12"}, "--triangles 1e12: expected numbers"},
+        {{"--rays", "--triangles", "1e3,abc"}, "--triangles abc: expected numbers"},
+        {{"--rays", "--triangles", "nan"}, "--triangles nan: expected numbers"},
+        {{"--rays", "--triangles", "-1e3"}, "--triangles -1e3: expected numbers"},
+        {{"--rays", "--ray-count", "63"}, "--ray-count 63: expected 64 to"},
+        {{"--rays", "--repeats", "0"}, "--repeats 0: expected 1 to"},
+        {{"--rays", "builtin:hall"}, "SCENE excludes --rays"},
+        {{"--rays", "--config", "fast"}, "--config excludes --rays"},
+        {{"--triangles", "1e3"}, "--triangles requires --rays"},
+        {{"--rays", "--json", folder_ + "none/a.json"}, "there is no folder"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), "bench");
+        expectError(run(arguments), kBadInput, part);
+    }
+}
+
 TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
     const std::pair<ErrorCode, int> cases[] = {
         {ErrorCode::InvalidArgument, kBadInput},
