@@ -69,7 +69,7 @@ void main() {
     float z = texelFetch(viewZ, px, 0).r;
     bool background = z >= kBackgroundZ;
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
-    RayRecord ray = RayRecord(vec2(0.0), 0.0, 0u, kOutcomeNone);
+    RayRecord ray = RayRecord(vec2(0.0), 0.0, 0u, kOutcomeNone, false);
     if (!background)
         ray = unpackRayRecord(texelFetch(rayRecord, fullToTracePixel(frame.constants, px), 0).xy);
     bool hit = isAnswered(ray.outcome);

@@ -30,9 +30,9 @@ bool metReflector(RayRecord ray) {
     return met.reflectivity > max(settings.threshold, kPlain) && met.perceptualRoughness <= settings.maxRoughness;
 }
 
-/// Did it meet what the picture shows, well inside, and as it looks from everywhere?
+/// Did it meet what the picture shows, with nothing hidden before, well inside, and as it looks from everywhere?
 bool isCertain(RayRecord ray) {
-    return ray.outcome == kOutcomeHit && !isAtEdge(ray.hitUV * frame.constants.size) &&
+    return ray.outcome == kOutcomeHit && !ray.passedBehind && !isAtEdge(ray.hitUV * frame.constants.size) &&
            looksAlike(unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy));
 }
 

@@ -28,7 +28,7 @@ void main() {
                      hit.barycentrics, hit.frontFace ? 1u : 0u,
                      from.cone.width + from.cone.spread * (met ? hit.distance : 0.0), ray.originWS, ray.directionWS);
     RayRecord record = RayRecord(met ? projectedUV(ray.originWS + ray.directionWS * hit.distance) : from.uv,
-                                 met ? hit.distance : 0.0, 1u, met ? kOutcomeHit : kOutcomeSky);
+                                 met ? hit.distance : 0.0, 1u, met ? kOutcomeHit : kOutcomeSky, false);
     imageStore(raysRecord, from.px,
                uvec4(packRayRecord(record), takesBack(screenRay(from.px)) ? kRaysReplaceScreen : 0u, 0u));
 }

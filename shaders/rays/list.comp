@@ -45,7 +45,7 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     bool needsRay = false;
     if (all(lessThan(px, ivec2(frame.constants.size)))) {
-        RayRecord record = RayRecord((vec2(px) + 0.5) * frame.constants.invSize, 0.0, 0u, kOutcomeNone);
+        RayRecord record = RayRecord((vec2(px) + 0.5) * frame.constants.invSize, 0.0, 0u, kOutcomeNone, false);
         if (texelFetch(viewZ, px, 0).r < kBackgroundZ) {
             record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
             needsRay = record.outcome == kOutcomeNone && !isAnsweredOnScreen(px);

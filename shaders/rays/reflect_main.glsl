@@ -157,7 +157,7 @@ void main() {
     bool fromScreen = startsOnScreen(mirror, screen);
     vec4 sum = vec4(0.0); // weighted radiance, weight of what is known
     float weights = 0.0;
-    RayRecord record = RayRecord(from.uv, 0.0, 0u, kOutcomeSky);
+    RayRecord record = RayRecord(from.uv, 0.0, 0u, kOutcomeSky, false);
     float hits = 0.0;
     uint reused = 0u;
     for (uint i = 0u; i < samples; ++i) {

@@ -53,7 +53,7 @@ void main() {
     if (isTracePixel(frame.constants, tracePX)) {
         ivec2 px = tracePixelToFull(frame.constants, tracePX);
         vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-        RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone);
+        RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone, false);
         float z = texelFetch(viewZ, px, 0).r;
         if (z < kBackgroundZ) {
             record.outcome = whyNoRay(z, unpackSurface(texelFetch(surface, px, 0).xy), uv);

@@ -116,6 +116,9 @@ bool isEdgeOn(vec3 normalVS, vec3 surfaceVS) {
     return abs(dot(normalVS, viewDirection(frame.constants, surfaceVS))) < kEdgeOn;
 }
 
+/// Did the ray go behind something that the picture shows? What it would have met there is not known.
+bool passedBehind = false;
+
 uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     ivec2 px = ivec2(s.px);
     vec3 normalVS = normalAt(s.px);
@@ -161,6 +164,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
 uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     vec2 px = s.px;
     uint met = testSurface(r, fromShare, s, lookups);
+    passedBehind = passedBehind || met == kPasses || met == kNearlyMeets;
     logDecision(px, kSamplePasses + (met == kInFront ? kPasses : met)); // in the same order
     return met;
 }

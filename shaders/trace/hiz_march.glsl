@@ -87,6 +87,7 @@ Quarter firstQuarter(Line line, Cell cell, int level, ivec2 px, float share, flo
             ivec2 high = min((child + 1) << (level - 1), ivec2(frame.constants.size)) - 1;
             return Quarter(true, to, clamp(ivec2(floor(line.startPX + line.deltaPX * to)), low, high));
         }
+        passedBehind = passedBehind || (behind && solid.x <= solid.y);
         if (leave >= last)
             break;
         ivec2 next = enterNext(line, child, level - 1, leave, overX);
@@ -148,6 +149,7 @@ March march(Ray r) {
                 bool inFront = min(aboveFirst, aboveLast) >= -rounding;
                 // From a pixel before, as single pixels are tested.
                 bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
+                passedBehind = passedBehind || (behind && !inFront);
                 logCell(ray, share, cell, level, start + slope * share - aboveFirst, bounds.slab,
                         inFront  ? kSampleFront
                         : behind ? kSampleBehind

@@ -62,6 +62,7 @@ void main() {
     record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
     record.hitDistance = rayDistance(ray.screen, end.share);
     record.outcome = end.outcome;
+    record.passedBehind = passedBehind;
 
     vec4 answer = vec4(0.0);
     if (hit) {
