@@ -107,6 +107,7 @@ TEST_F(PackingTest, rayRecordsKeepWhatTheySay) {
         ASSERT_NEAR(item.rayOut.z, distance, distance / 1024 + 6e-8) << "a half has 11 bits";
         ASSERT_EQ(item.counts.z, std::min(item.counts.x, shared::kMaxLookups));
         ASSERT_EQ(item.counts.w, item.counts.y);
+        ASSERT_EQ(item.decoded.w, 1) << "whether it passed behind something";
     }
 }
 

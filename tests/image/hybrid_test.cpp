@@ -1,10 +1,12 @@
 // The hybrid on whole scenes: screen first, rays for what is left, and hardly worse than rays for everything.
+#include "comparison.hpp"
 #include "exact_report.hpp"
 #include "render/run_job.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
 
 namespace glint::test {
 namespace {
@@ -84,6 +86,28 @@ TEST_F(HybridTest, OneBounceLeavesTheScreensHitsAlone) {
     EXPECT_LT(one.rays.pixels, two.rays.pixels);
     EXPECT_LT(wrongShare(one.error, 1), 0.01);
     EXPECT_GT(double(one.error.byBounces.at(1).wrong), 0.5 * double(one.error.byBounces.at(1).pixels));
+}
+
+TEST_F(HybridTest, MirrorsOfTheHallAreAlmostThoseOfRaysAlone) {
+    const auto config = [](const char* name, std::vector<std::string> assignments) {
+        assignments.insert(assignments.begin(), {"rays.enabled=true", "lights.shadows=rays"});
+        cli::ComparedConfig made;
+        made.name = name;
+        made.job.scene = "builtin:hall";
+        made.job.width = 640;
+        made.job.height = 360;
+        made.job.settings = must(
+            render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = std::move(assignments)}));
+        return made;
+    };
+    const cli::ComparedConfig alone = config("rays", {"screen.enabled=false"});
+    const cli::Comparison comparison =
+        must(cli::compareConfigs(device(), {config("hybrid", {}), alone}, std::optional(alone), 1));
+    ASSERT_TRUE(comparison.configs[0].reference && comparison.configs[1].reference);
+    EXPECT_GT(comparison.configs[0].reference->mirrorPixels, 10000u);
+    EXPECT_GT(comparison.configs[0].reference->psnrMirrors, 40);
+    EXPECT_EQ(comparison.configs[1].reference->relativeMseMirrors, 0); // mirrors have no noise
+    EXPECT_LT(comparison.configs[0].stats.scene.rays, comparison.configs[1].stats.scene.rays);
 }
 
 TEST_F(HybridTest, LightOfThePictureIsReusedOnlyWhereAsked) {
