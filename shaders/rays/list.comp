@@ -50,10 +50,9 @@ void main() {
             record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
             needsRay = record.outcome == kOutcomeNone && !isAnsweredOnScreen(px);
         }
-        if (!needsRay) {
-            imageStore(raysRadianceWeight, px, vec4(0.0));
+        imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer for each
+        if (!needsRay)
             imageStore(raysRecord, px, uvec4(packRayRecord(record), 0u, 0u));
-        }
     }
     listRay(needsRay, px);
 }

@@ -31,6 +31,6 @@ void main() {
         return;
     RayHit hit = hits.item[index];
     ivec2 px = ivec2(hit.pixel & 0xffffu, hit.pixel >> 16);
-    bool met = hit.instance != 0xffffffffu;
-    imageStore(answer, px, met ? vec4(float(hit.instance), hit.distance / 100.0, float(hit.frontFace), 1.0) : vec4(0.0));
+    if (hit.instance != 0xffffffffu) // what nobody answers was cleared
+        imageStore(answer, px, vec4(float(hit.instance), hit.distance / 100.0, float(hit.frontFace), 1.0));
 }
