@@ -7,6 +7,7 @@ layout(location = 1) out vec4 outFallbackSpecular;
 layout(location = 2) out vec4 outAlbedo;
 
 void main() {
+    beginLighting();
     SurfacePoint point = interpolatedPoint();
     MaterialSample surface = visibleSurface(point);
     Lighting lighting = lightSurface(surface, point, viewVector());

@@ -6,6 +6,8 @@
 
 layout(set = 0, binding = 9) uniform sampler2DShadow shadowAtlas;
 
+void beginLighting() {}
+
 float loadLightVisibility(Light light, vec3 position, vec3 geometricNormal, vec3 L) {
     if (light.castsShadow == 0u)
         return 1.0;

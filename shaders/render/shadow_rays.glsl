@@ -6,11 +6,14 @@
 
 /// Of the triangle that is drawn, towards the eye. Shadow rays start off it, as they do where rays have met a surface:
 /// a bent normal may lie below it.
-vec3 drawnFaceNormalWS() {
+vec3 drawnFaceNormalWS;
+
+/// First thing in main: derivatives need the whole quad.
+void beginLighting() {
     vec3 normalWS = cross(dFdx(positionWS), dFdy(positionWS));
     vec3 towardsEye = view.constants.orthographic != 0u ? -view.constants.cameraForwardWS
                                                         : view.constants.cameraPositionWS - positionWS;
-    return normalizeOr(dot(normalWS, towardsEye) < 0.0 ? -normalWS : normalWS, normalWS);
+    drawnFaceNormalWS = normalizeOr(dot(normalWS, towardsEye) < 0.0 ? -normalWS : normalWS, normalWS);
 }
 
 float loadLightVisibility(Light light, vec3 position, vec3 geometricNormal, vec3 L) {
@@ -18,7 +21,7 @@ float loadLightVisibility(Light light, vec3 position, vec3 geometricNormal, vec3
         return 1.0;
     float offset = rasterUncertainty(position);
     float reach = light.type == kLightDirectional ? 1e30 : max(distance(light.positionWS, position) - offset, 0.0);
-    Ray ray = makeRay(position + drawnFaceNormalWS() * offset, L, 0.0, reach);
+    Ray ray = makeRay(position + drawnFaceNormalWS * offset, L, 0.0, reach);
     ray.flags = 0u; // whatever stands in the way does, seen from either side
     return isOccluded(ray) ? 0.0 : 1.0;
 }

@@ -12,6 +12,7 @@ layout(location = 4) out vec4 outFallbackSpecular;
 layout(location = 5) out vec4 outAlbedo;
 
 void main() {
+    beginLighting();
     SurfacePoint point = interpolatedPoint();
     MaterialSample surface = visibleSurface(point);
     vec3 V = viewVector();

@@ -24,6 +24,7 @@ vec3 transmittedRadiance(Material material, MaterialSample surface, vec3 V) {
 }
 
 void main() {
+    beginLighting();
     Material material = drawnMaterial();
     SurfacePoint point = interpolatedPoint();
     if ((material.flags & kMaterialAlphaMask) != 0u && sampleBaseColor(material, point).a < material.alphaCutoff)
