@@ -22,7 +22,8 @@ public:
             word(value);
         }
         uint64_t rest = 0;
-        std::memcpy(&rest, at, size);
+        if (size > 0) // an empty list has no address
+            std::memcpy(&rest, at, size);
         word(rest);
         return *this;
     }

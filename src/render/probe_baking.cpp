@@ -63,6 +63,7 @@ public:
         GLINT_CHECK(options_.places.empty() ? findPlaces() : takePlaces());
         if (placed_.empty())
             return std::vector<BakedProbe>();
+        GLINT_CHECK(checkSize());
         GLINT_CHECK(makeCubes());
         GLINT_CHECK(drawAll(nullptr));
         for (size_t i = 0; i < placed_.size(); ++i)
@@ -74,6 +75,17 @@ private:
     void tell(const char* what, size_t done, size_t of) const {
         if (options_.progress)
             options_.progress(what, done, of);
+    }
+
+    /// What a file can hold, before the work is done.
+    Result<void> checkSize() const {
+        constexpr size_t kNumbers = 1024; // bytes of a probe without its picture, and the file's head, at most
+        const size_t bytes = (placed_.size() + 1) * (probeTexels(options_.faceSize) * sizeof(uint64_t) + kNumbers);
+        if (bytes > kMostProbeFileBytes)
+            return invalidArgument(
+                "{} probes of {} texels a face make {} MB, a file holds {}: bake fewer or smaller ones", placed_.size(),
+                options_.faceSize, bytes >> 20, kMostProbeFileBytes >> 20);
+        return {};
     }
 
     // ------------------------------------------------------------ where

@@ -201,10 +201,10 @@ Result<void> ProbesState::setVolumes(std::span<const Probe> probes) {
         bounds.push_back(boundsOf(probe));
     }
     const ProbeGrid grid = ProbeGrid::build(bounds);
-    constants_.gridOriginWS = grid.originWS;
-    constants_.cellsPerMetre = grid.cellsPerMetre;
-    constants_.gridSize = grid.size;
-    constants_.probeCount = static_cast<uint32_t>(records.size());
+    nextConstants_.gridOriginWS = grid.originWS;
+    nextConstants_.cellsPerMetre = grid.cellsPerMetre;
+    nextConstants_.gridSize = grid.size;
+    nextConstants_.probeCount = static_cast<uint32_t>(records.size());
     if (records.empty())
         return {};
     records_.set(records);
@@ -237,6 +237,7 @@ void ProbesState::filter(gpu::Frame& frame, uint32_t probe) {
 }
 
 void ProbesState::record(VkCommandBuffer commands) {
+    constants_ = nextConstants_;
     gpu::Frame frame(context_, commands);
     for (uint32_t i = 0; i < count(); ++i)
         if (cubes_[i].stale)

@@ -46,7 +46,8 @@ private:
     std::vector<gpu::Image> sources_; ///< cubes with all mips that others are filtered from, one a size
     std::vector<Cube> cubes_;
     gpu::TextureTable table_;
-    shared::ProbesConstants constants_ = {};
+    shared::ProbesConstants constants_ = {};     ///< of what the buffers hold
+    shared::ProbesConstants nextConstants_ = {}; ///< of what the next record brings there
     TableBuffer records_;
     TableBuffer cells_;
     TableBuffer lists_;
