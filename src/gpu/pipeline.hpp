@@ -43,9 +43,9 @@ struct RasterDesc {
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shaders use a TextureTable
 };
 
-/// Cull mode and front face are dynamic (Draws::cull). Movable. Compute pipelines of one description are made once a
-/// context, and live as long as one of those who asked for them: making a library's frame anew, as for another size,
-/// compiles nothing while the old one is there.
+/// Cull mode and front face are dynamic (Draws::cull). Movable. Compute pipelines of one description, but those with
+/// a texture table, are made once a context, and live as long as one of those who asked for them: making a library's
+/// frame anew, as for another size, compiles nothing while the old one is there.
 class Pipeline {
 public:
     static Result<Pipeline> compute(Context& context, const ComputeDesc& desc);

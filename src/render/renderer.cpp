@@ -57,6 +57,7 @@ Result<void> Renderer::makePasses(const GBufferOptions& options) {
     surfaces_ = std::move(surfaces);
     transparent_ = std::move(transparent);
     background_ = std::move(background);
+    shadowBackend_ = shadowRays() ? std::optional(shadowRays()->backend()) : std::nullopt;
     return {};
 }
 
@@ -119,7 +120,8 @@ RayWorld* Renderer::shadowRays() const {
 
 Result<void> Renderer::setRayWorld(RayWorld* rayWorld) {
     rayWorld_ = rayWorld;
-    return gbuffer_.litRadiance && shadowRays() ? remakePasses() : Result<void>();
+    const bool fits = !shadowRays() || shadowBackend_ == shadowRays()->backend();
+    return gbuffer_.litRadiance && !fits ? remakePasses() : Result<void>();
 }
 
 View Renderer::view(const ViewParameters& parameters) const {

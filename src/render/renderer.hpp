@@ -89,6 +89,7 @@ private:
     std::vector<shared::Light> lights_; ///< of the frame: the scene's, then the sun's
     ShadowMaps shadows_;
     RayWorld* rayWorld_ = nullptr;
+    std::optional<RayBackend> shadowBackend_; ///< that the passes were made for; none: shadow maps
     bool lightsChanged_ = true;
     SurfacePass surfaces_;
     BackgroundPass background_;

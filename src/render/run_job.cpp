@@ -88,12 +88,19 @@ struct JobSession::State {
     }
 
     Result<void> setSettings(const ProgramSettings& settings) {
-        const RenderSettings before = job_.settings.render;
-        job_.settings = settings;
+        const ProgramSettings before = std::exchange(job_.settings, settings);
+        Result<void> done = applySettings(before.render);
+        if (!done)
+            job_.settings = before;
+        return done;
+    }
+
+    Result<void> applySettings(const RenderSettings& before) {
+        const RenderSettings& now = job_.settings.render;
         GLINT_CHECK(makeRayWorld());
-        GLINT_CHECK(renderer_->setSettings(settings.render));
-        if (!sameEnvironment(before, settings.render)) {
-            GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings.render));
+        GLINT_CHECK(renderer_->setSettings(now));
+        if (!sameEnvironment(before, now)) {
+            GLINT_TRY(environment, makeEnvironment(context_, inputs_, now));
             GLINT_CHECK(renderer_->setEnvironment(std::move(environment)));
         }
         GLINT_CHECK(resizeGBuffer());
@@ -127,10 +134,12 @@ struct JobSession::State {
     }
 
     Result<void> giveRays() {
-        if (!job_.settings.reflections.rays.enabled)
-            return {};
-        GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
-        return reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces());
+        if (job_.settings.reflections.rays.enabled) {
+            GLINT_CHECK(rayWorld_->setLights(renderer_->lights()));
+            GLINT_CHECK(reflections_->setRays(rayWorld_->rays(), rayWorld_->surfaces()));
+        }
+        retiredRayWorld_.reset();
+        return {};
     }
 
     /// Reads or bakes what the job asks for; once, as baking draws with the renderer.
@@ -150,6 +159,8 @@ struct JobSession::State {
         if (!rayWorld_ || settings.backend != rayBackend_) {
             GLINT_TRY(world, RayWorld::create(context_, *library_, renderer_->scene(), *inputs_.scene, inputs_.pose,
                                               renderer_->lights(), settings.backend));
+            if (rayWorld_)
+                retiredRayWorld_ = std::move(rayWorld_);
             rayWorld_ = std::make_unique<RayWorld>(std::move(world));
             rayBackend_ = settings.backend;
             GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
@@ -351,8 +362,9 @@ struct JobSession::State {
     ViewParameters parameters_;
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<Context> library_;
-    std::unique_ptr<ProbeWorld> probeWorld_; ///< absent unless the job asks for probes
-    std::unique_ptr<RayWorld> rayWorld_;     ///< absent until settings ask for rays
+    std::unique_ptr<ProbeWorld> probeWorld_;    ///< absent unless the job asks for probes
+    std::unique_ptr<RayWorld> rayWorld_;        ///< absent until settings ask for rays
+    std::unique_ptr<RayWorld> retiredRayWorld_; ///< the one before, as long as `reflections_` may know it
     RayBackend rayBackend_ = RayBackend::Auto;
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;
