@@ -55,8 +55,6 @@ void BvhScene::writeTriangles(const Part& part, shared::BvhTriangle* out) const 
 Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances) {
     BvhScene scene;
     scene.maxInstances_ = maxInstances;
-    // The top level comes first; a node has at least two children, so it has no more nodes than instances.
-    size_t nodeCount = std::max(maxInstances, 1u);
     size_t triangleCount = 0;
     for (Mesh& mesh : meshes) {
         Part part;
@@ -64,22 +62,32 @@ Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshe
         for (uint32_t i = 0; i < part.mesh.triangles.size(); ++i)
             if (!isLeftOut(part.mesh.triangles[i]))
                 part.kept.push_back(i);
-        part.tree = buildWideBvh(boxesOf(part), shared::kBvhPrimitivesPerSlot, shared::kBvhMeshLevels);
-        part.bounds = part.tree.bounds.front();
-        part.firstNode = static_cast<uint32_t>(nodeCount);
         part.firstTriangle = static_cast<uint32_t>(triangleCount);
-        nodeCount += part.tree.nodes.size();
         triangleCount += part.kept.size();
         scene.parts_.push_back(std::move(part));
     }
-    const size_t nodeBytes = bytesFor<shared::BvhNode>(nodeCount);
-    const size_t triangleBytes = bytesFor<shared::BvhTriangle>(triangleCount);
-    const size_t instanceBytes = bytesFor<shared::BvhInstance>(maxInstances);
-    for (const size_t bytes : {nodeBytes, triangleBytes, instanceBytes})
+    const auto checkSize = [&](size_t bytes) -> Result<void> {
         if (bytes > context.maxStorageBufferRange())
             return makeError(ErrorCode::Unsupported,
                              "{} triangles for rays take a buffer of {} bytes, {} lets shaders see {}", triangleCount,
                              bytes, context.info().name, context.maxStorageBufferRange());
+        return {};
+    };
+    const size_t triangleBytes = bytesFor<shared::BvhTriangle>(triangleCount);
+    const size_t instanceBytes = bytesFor<shared::BvhInstance>(maxInstances);
+    GLINT_CHECK(checkSize(triangleBytes)); // before the trees are built: that is what takes time
+    GLINT_CHECK(checkSize(instanceBytes));
+
+    // The top level comes first; a node has at least two children, so it has no more nodes than instances.
+    size_t nodeCount = std::max(maxInstances, 1u);
+    for (Part& part : scene.parts_) {
+        part.tree = buildWideBvh(boxesOf(part), shared::kBvhPrimitivesPerSlot, shared::kBvhMeshLevels);
+        part.bounds = part.tree.bounds.front();
+        part.firstNode = static_cast<uint32_t>(nodeCount);
+        nodeCount += part.tree.nodes.size();
+    }
+    const size_t nodeBytes = bytesFor<shared::BvhNode>(nodeCount);
+    GLINT_CHECK(checkSize(nodeBytes));
 
     const auto make = [&](gpu::Buffer& out, const char* name, size_t size, VkBufferUsageFlags usage,
                           gpu::BufferHome home) -> Result<void> {

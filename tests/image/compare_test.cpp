@@ -39,7 +39,7 @@ const cli::Comparison& comparison() {
             {config("builtin:exact", "screen.march=linear,fade.border=none"),
              config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
              config("builtin:exact", "screen.enabled=false")},
-            std::nullopt, 2));
+            config("builtin:exact", "screen.march=linear,fade.border=none"), 2));
         for (const std::string& message : context->validationMessages())
             ADD_FAILURE() << "validation: " << message;
         return result;
@@ -64,6 +64,19 @@ TEST(Compare, FiguresFollowTheSettings) {
     ASSERT_TRUE(configs[0].exact && configs[1].exact && configs[2].exact);
     EXPECT_LT(configs[0].exact->oneBounceShare(), configs[1].exact->oneBounceShare());
     EXPECT_EQ(configs[2].exact->share(), 1); // without reflections every pixel that they change is wrong
+}
+
+TEST(Compare, PicturesAreHeldAgainstTheReference) {
+    const auto& configs = comparison().configs;
+    ASSERT_TRUE(configs[0].reference && configs[1].reference && configs[2].reference);
+    EXPECT_EQ(configs[0].reference->relativeMse, 0); // it is the reference
+    EXPECT_GT(configs[0].reference->mirrorPixels, 1000u);
+    EXPECT_GT(configs[1].reference->psnr, configs[2].reference->psnr);
+    EXPECT_GT(configs[1].reference->psnrMirrors, configs[2].reference->psnrMirrors);
+    EXPECT_LT(configs[2].reference->psnrMirrors, configs[2].reference->psnr); // only mirrors differ
+    const auto json = nlohmann::json::parse(cli::comparisonJson(comparison()));
+    EXPECT_TRUE(json["configs"][0]["reference"]["psnr"].is_null()); // equal pictures have none
+    EXPECT_GT(json["configs"][1]["reference"]["psnr"], 0);
 }
 
 TEST(Compare, TimesAreThoseOfTheEffectAlone) {
