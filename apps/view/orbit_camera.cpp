@@ -105,4 +105,9 @@ std::string OrbitCamera::json(uint32_t width, uint32_t height) const {
         vector(position()), vector(target_), lens, camera_.near, far, width, height);
 }
 
+bool sameCamera(const scene::Camera& a, const scene::Camera& b) {
+    return a.viewToWorld == b.viewToWorld && a.orthographic == b.orthographic && a.fovY == b.fovY &&
+           a.orthoHeight == b.orthoHeight && a.near == b.near && a.far == b.far;
+}
+
 } // namespace glint::view

@@ -52,4 +52,7 @@ private:
     bool moved_ = false;
 };
 
+/// To the bit.
+bool sameCamera(const scene::Camera& a, const scene::Camera& b);
+
 } // namespace glint::view

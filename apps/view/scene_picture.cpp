@@ -1,17 +1,13 @@
 #include "scene_picture.hpp"
 
 #include "gpu/transfer.hpp"
+#include "orbit_camera.hpp"
 
 namespace glint::view {
 namespace {
 
 bool sameSettings(const render::ProgramSettings& a, const render::ProgramSettings& b) {
     return render::settingsJson(a) == render::settingsJson(b);
-}
-
-bool sameCamera(const scene::Camera& a, const scene::Camera& b) {
-    return a.viewToWorld == b.viewToWorld && a.orthographic == b.orthographic && a.fovY == b.fovY &&
-           a.orthoHeight == b.orthoHeight && a.near == b.near && a.far == b.far;
 }
 
 } // namespace
@@ -50,9 +46,11 @@ uint32_t ScenePicture::wanted() const {
 }
 
 Result<void> ScenePicture::setSettings(const render::ProgramSettings& settings) {
-    if (sameSettings(settings, job_.settings))
+    if (!settingsRefused_ && sameSettings(settings, job_.settings))
         return {};
+    settingsRefused_ = true; // until they are taken
     GLINT_CHECK(session_.setSettings(settings));
+    settingsRefused_ = false;
     job_.settings = settings;
     changed();
     return {};

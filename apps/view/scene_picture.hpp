@@ -14,6 +14,7 @@ public:
     static Result<std::unique_ptr<ScenePicture>> create(gpu::Context& context, const render::RenderJob& job);
 
     // Each starts the picture anew if it changes something.
+    /// After an error the session has some of them: settings have to be set that it takes, be they those of before.
     Result<void> setSettings(const render::ProgramSettings& settings);
     void setCamera(const scene::Camera& camera);
     Result<void> setTime(double seconds);
@@ -55,6 +56,7 @@ private:
 
     gpu::Context& context_;
     render::RenderJob job_;
+    bool settingsRefused_ = false; ///< the session's are not those of job_
     render::JobSession session_;
     scene::Camera camera_;
     gpu::Image image_;

@@ -70,7 +70,7 @@ SettingsModel::SettingsModel(render::SettingsRequest request, const render::Prog
         state_.baseline = *base;
 }
 
-void* SettingsModel::object(const SettingInfo& info, render::ProgramSettings& settings) const {
+void* SettingsModel::object(const SettingInfo& info, render::ProgramSettings& settings) {
     for (const SettingsTarget& target : settings.targets())
         if (isIn(target.table, info))
             return target.object;
@@ -139,6 +139,36 @@ bool SettingsModel::redo() {
     const bool done = stack_.redo(state_);
     version_ += done;
     return done;
+}
+
+Result<void> SettingsModel::suit(State& state, const std::vector<std::string>& defaults) {
+    state.request.defaults = defaults;
+    GLINT_TRY(baseline, render::loadSettings(state.request));
+    for (const std::span<const SettingInfo> table : render::allSettings())
+        for (const SettingInfo& info : table) {
+            const double before = settingValue(info, object(info, state.baseline));
+            const double after = settingValue(info, object(info, baseline));
+            void* const now = object(info, state.now);
+            if (after == before || settingValue(info, now) != before)
+                continue;
+            const SettingAssignment assignment = {&info, now, after, false, std::nullopt};
+            assignSettings({&assignment, 1});
+        }
+    state.baseline = baseline;
+    return {};
+}
+
+Result<void> SettingsModel::suitScene(const std::vector<std::string>& defaults) {
+    SettingsModel next = *this;
+    Result<void> suited = suit(next.state_, defaults);
+    next.stack_.forEach([&](State& state) {
+        if (suited)
+            suited = suit(state, defaults);
+    });
+    GLINT_CHECK(suited);
+    *this = std::move(next);
+    ++version_;
+    return {};
 }
 
 Result<void> SettingsModel::usePreset(std::string_view name) {

@@ -38,6 +38,10 @@ public:
     bool canUndo() const { return stack_.canUndo(); }
     bool canRedo() const { return stack_.canRedo(); }
 
+    /// Another scene: what suits it takes the place of what suited the one before, also in what undo brings back; what
+    /// was changed stays as it is.
+    /// `defaults`  as SettingsRequest::defaults. Errors: InvalidArgument; nothing changes then.
+    Result<void> suitScene(const std::vector<std::string>& defaults);
     /// All settings as the preset has them. Errors: InvalidArgument.
     Result<void> usePreset(std::string_view name);
     /// On top of the preset in force. Errors: as render::loadSettings gives them; nothing changes then.
@@ -58,8 +62,10 @@ private:
         render::ProgramSettings now;
         render::ProgramSettings baseline;
     };
+    /// The same changes to another baseline.
+    static Result<void> suit(State& state, const std::vector<std::string>& defaults);
     void change(bool continues);
-    void* object(const SettingInfo& info, render::ProgramSettings& settings) const;
+    static void* object(const SettingInfo& info, render::ProgramSettings& settings);
 
     State state_;
     UndoStack<State> stack_;

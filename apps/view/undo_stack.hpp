@@ -22,6 +22,14 @@ public:
     }
     bool canUndo() const { return !done_.empty(); }
     bool canRedo() const { return !undone_.empty(); }
+    /// Changes every state that is kept.
+    template <class Change>
+    void forEach(const Change& change) {
+        for (State& state : done_)
+            change(state);
+        for (State& state : undone_)
+            change(state);
+    }
     /// Exchanges `now` for the state before; does nothing where there is none.
     bool undo(State& now) { return move(done_, undone_, now); }
     bool redo(State& now) { return move(undone_, done_, now); }

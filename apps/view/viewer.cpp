@@ -80,6 +80,10 @@ private:
     Result<void> savePicture(const std::string& path);
     Result<void> saveSettings(const std::string& path);
     Result<void> openFile(const std::string& path);
+    Result<void> openOtherScene(const std::string& path);
+    Result<void> openEnvironment(const std::string& path);
+    std::string probesElsewhere() const;
+    bool cameraIsLost() const;
     std::string commandLine() const;
 
     ViewOptions options_;
@@ -95,7 +99,12 @@ private:
     std::optional<PicturePair> pictures_;
     InputHandler handler_;
     ScriptPlayer script_;
-    std::string savedCamera_;
+    struct SavedCamera {
+        std::string path;
+        scene::Camera camera; ///< as the file has it
+    };
+    std::optional<SavedCamera> savedCamera_;
+    bool scripted_ = false;
     uint32_t shownFrames_ = 0;
     bool closing_ = false;
 };
@@ -155,6 +164,7 @@ Result<void> Viewer::openScene(const render::RenderJob& job) {
         for (const scene::AnimationChannel& channel : animation.channels)
             if (!channel.times.empty())
                 state_.animation.length = std::max(state_.animation.length, static_cast<double>(channel.times.back()));
+    savedCamera_.reset();
     state_.asked.reset();
     state_.ray.reset();
     state_.showSettings = job.width >= 640; // in a smaller window it would be all that is seen
@@ -199,12 +209,12 @@ void Viewer::advanceTime(double step) {
 }
 
 Result<void> Viewer::run() {
-    const bool scripted = script_.playing();
+    scripted_ = script_.playing();
     double last = seconds();
     while (!closing_) {
         const std::vector<InputEvent> events = input();
         const double now = seconds();
-        const double step = scripted ? kScriptFrame : std::clamp(now - last, 1e-4, 0.25);
+        const double step = scripted_ ? kScriptFrame : std::clamp(now - last, 1e-4, 0.25);
         last = now;
         state_.now += step;
         handler_.handle(events, state_, *gui_, window_->size(), step);
@@ -217,7 +227,7 @@ Result<void> Viewer::run() {
             GLINT_CHECK(screenshot(options_.screenshot));
             closing_ = true;
         }
-        if (scripted && !script_.playing() && state_.requests.empty())
+        if (scripted_ && !script_.playing() && state_.requests.empty())
             closing_ = true;
     }
     return {};
@@ -312,6 +322,7 @@ Result<void> Viewer::serveRequests() {
     std::vector<Request> later;
     for (const Request& request : std::exchange(state_.requests, {})) {
         const bool whole = request.kind == Request::Kind::Picture || request.kind == Request::Kind::Save;
+        const bool writes = whole || request.kind == Request::Kind::Screenshot;
         if (whole && !pictures_->complete()) { // not of a coarse picture that is just being moved
             later.push_back(request);
             continue;
@@ -319,6 +330,8 @@ Result<void> Viewer::serveRequests() {
         if (auto served = serve(request); !served) {
             if (served.error().code == ErrorCode::DeviceLost)
                 return served;
+            if (scripted_ && writes) // whoever plays a script wants the files, and reads no messages
+                return makeError(ErrorCode::Io, "{}: {}", printable(options_.script), served.error().message);
             state_.say(served.error().message, true);
         }
     }
@@ -334,7 +347,7 @@ Result<void> Viewer::serve(const Request& request) {
     case Request::Kind::Open: return openFile(request.text);
     case Request::Kind::CopyCommandLine:
         window_->setClipboard(commandLine());
-        state_.say("copied: " + commandLine());
+        state_.say((cameraIsLost() ? "copied without the camera, which Ctrl+S saves: " : "copied: ") + commandLine());
         return {};
     case Request::Kind::CopyRay: {
         render::RenderResult result;
@@ -389,11 +402,10 @@ Result<void> Viewer::saveSettings(const std::string& path) {
     GLINT_CHECK(state_.settings.save(path));
     const std::string camera = std::filesystem::path(path).replace_extension(".camera.json").string();
     GLINT_CHECK(writeFile(camera, state_.camera.json(state_.width, state_.height)));
-    if (state_.camera.moved()) { // from here on exactly what the file says, whose numbers are rounded
-        GLINT_TRY(read, scene::readCameraFile(camera));
+    GLINT_TRY(read, scene::readCameraFile(camera)); // of a scene's camera that was not moved a copy without its roll
+    if (state_.camera.moved()) // from here on exactly what the file says, whose numbers are rounded
         state_.camera.settle(read);
-    }
-    savedCamera_ = camera; // of a camera of the scene that was not moved a copy without its roll
+    savedCamera_ = {camera, read};
     state_.say(fmt::format("settings {}, camera {}", path, camera));
     return {};
 }
@@ -403,7 +415,7 @@ Result<void> Viewer::openFile(const std::string& path) {
     if (path.ends_with(".camera.json")) { // a saved view
         GLINT_TRY(camera, scene::readCameraFile(path));
         state_.camera.settle(camera);
-        savedCamera_ = path;
+        savedCamera_ = {path, camera};
         state_.say("camera " + path);
         return {};
     }
@@ -412,37 +424,75 @@ Result<void> Viewer::openFile(const std::string& path) {
         state_.say("settings from " + path);
         return {};
     }
-    render::RenderJob job = job_;
-    job.settings = state_.settings.settings();
-    if (kind == ".hdr" || kind == ".exr") {
-        job.environment = path;
-        job.time = state_.animation.seconds;
-    } else if (kind == ".glb" || kind == ".gltf" || path.starts_with("builtin:")) {
-        job.scene = path;
-        job.camera.clear();
-        job.environment = options_.scene.environment;
-        job.time = 0;
-    } else {
+    const std::string probes = job_.probes;
+    if (kind == ".hdr" || kind == ".exr")
+        GLINT_CHECK(openEnvironment(path));
+    else if (kind == ".glb" || kind == ".gltf" || path.starts_with("builtin:"))
+        GLINT_CHECK(openOtherScene(path));
+    else
         return invalidInput("{}: what is dropped must end in .glb, .gltf, .hdr, .exr or .json", printable(path));
-    }
-    const OrbitCamera camera = state_.camera;
-    GLINT_CHECK(openScene(job));
-    if (kind == ".hdr" || kind == ".exr") // the same scene in another light
-        state_.camera = camera;
-    state_.say("opened " + path);
+    state_.say(job_.probes == probes ? "opened " + path : fmt::format("opened {}, without probes", path));
     return {};
 }
 
+/// A file's probes fit one scene in one light; others can be found or baked.
+std::string Viewer::probesElsewhere() const {
+    return job_.probes == "auto" ? job_.probes : std::string();
+}
+
+/// As `glint render` with the same options does it, but for files that belong to the scene before.
+Result<void> Viewer::openOtherScene(const std::string& path) {
+    cli::RenderOptions options = options_.scene;
+    options.scene = path;
+    SettingsModel settings = state_.settings;
+    GLINT_CHECK(settings.suitScene(cli::settingsRequest(options).defaults));
+    render::RenderJob job = job_;
+    job.scene = path;
+    job.settings = settings.settings();
+    job.camera.clear();
+    job.environment = options_.scene.environment;
+    job.probes = probesElsewhere();
+    job.time = 0;
+    GLINT_CHECK(openScene(job));
+    state_.settings = std::move(settings);
+    return {};
+}
+
+/// The same scene in another light.
+Result<void> Viewer::openEnvironment(const std::string& path) {
+    render::RenderJob job = job_;
+    job.settings = state_.settings.settings();
+    job.environment = path;
+    job.probes = probesElsewhere();
+    job.time = state_.animation.seconds;
+    const OrbitCamera camera = state_.camera;
+    const int cameraIndex = state_.cameraIndex;
+    const std::optional<SavedCamera> saved = savedCamera_;
+    GLINT_CHECK(openScene(job));
+    state_.camera = camera;
+    state_.cameraIndex = cameraIndex;
+    savedCamera_ = saved;
+    return {};
+}
+
+/// No option of `glint render` makes the camera that is shown.
+bool Viewer::cameraIsLost() const {
+    return state_.camera.moved() && !(savedCamera_ && sameCamera(savedCamera_->camera, state_.camera.camera()));
+}
+
+/// Without a camera where cameraIsLost().
 std::string Viewer::commandLine() const {
     std::string text = "glint render " + shellWord(state_.scene);
     if (state_.camera.moved())
-        text += " --camera " + shellWord(savedCamera_.empty() ? "view.camera.json" : savedCamera_);
+        text += cameraIsLost() ? "" : " --camera " + shellWord(savedCamera_->path);
     else if (!job_.camera.empty() && state_.cameraIndex < 0)
         text += " --camera " + shellWord(job_.camera);
     else if (state_.cameraIndex > 0)
         text += fmt::format(" --camera {}", state_.cameraIndex);
     if (!job_.environment.empty())
         text += " --env " + shellWord(job_.environment);
+    if (!job_.probes.empty())
+        text += " --probes " + shellWord(job_.probes);
     text += fmt::format(" --size {}x{}", state_.width, state_.height);
     if (state_.animation.seconds != 0)
         text += fmt::format(" --time {}", state_.animation.seconds);

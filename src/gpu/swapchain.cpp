@@ -3,6 +3,7 @@
 #include "gpu/pass.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace glint::gpu {
 namespace {
@@ -16,13 +17,22 @@ Error failed(const char* what, VkResult result) {
     return makeError(code, "{} failed with VkResult {}", what, static_cast<int>(result));
 }
 
-/// Colours come encoded as a screen wants them: a format that would encode them once more is no use.
-VkSurfaceFormatKHR chooseFormat(const std::vector<VkSurfaceFormatKHR>& formats) {
+/// Colours come encoded as a screen of sRGB wants them: what would encode them once more, or take them for others, is
+/// no use.
+std::optional<VkSurfaceFormatKHR> chooseFormat(const std::vector<VkSurfaceFormatKHR>& formats) {
     for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
         for (const VkSurfaceFormatKHR& format : formats)
-            if (format.format == wanted)
+            if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR)
                 return format;
-    return formats.front();
+    return std::nullopt;
+}
+
+/// Whether pictures can be copied into the window. A surface that is lost already says so when it is presented to.
+bool takesCopies(const Context& context, VkSurfaceKHR surface) {
+    VkSurfaceCapabilitiesKHR capabilities = {};
+    const VkResult result =
+        context.api().GetPhysicalDeviceSurfaceCapabilitiesKHR(context.physicalDevice(), surface, &capabilities);
+    return result != VK_SUCCESS || (capabilities.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0;
 }
 
 /// As an image that has just been acquired: its content is nobody's, and the semaphore was waited for everywhere.
@@ -44,9 +54,10 @@ Result<std::unique_ptr<Swapchain>> Swapchain::create(Context& context, VkSurface
     api.GetPhysicalDeviceSurfaceFormatsKHR(context.physicalDevice(), surface, &count, nullptr);
     std::vector<VkSurfaceFormatKHR> formats(count);
     api.GetPhysicalDeviceSurfaceFormatsKHR(context.physicalDevice(), surface, &count, formats.data());
-    if (!supported || formats.empty())
+    const std::optional<VkSurfaceFormatKHR> format = chooseFormat(formats);
+    if (!supported || !format || !takesCopies(context, surface))
         return makeError(ErrorCode::Unsupported, "{} cannot show pictures in this window", context.info().name);
-    swapchain->format_ = chooseFormat(formats);
+    swapchain->format_ = *format;
 
     const VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, 0,
                                           context.queueFamily()};

@@ -50,6 +50,28 @@ TEST(SettingsModel, EveryChangeCanBeTakenBack) {
     EXPECT_EQ(model.changedCount(), 1u);
 }
 
+TEST(SettingsModel, AnotherSceneHasWhatSuitsIt) {
+    SettingsModel model = makeModel({{"environment.strength=0.15"}, "babylon", "", {"screen.step=3"}});
+    model.set(settingOf("environment.rotation"), 30);
+    const uint64_t version = model.version();
+    ASSERT_TRUE(model.suitScene({"environment.strength=0.5"}));
+    EXPECT_NE(model.version(), version);
+    EXPECT_EQ(valueOf(model, "environment.strength"), 0.5);
+    EXPECT_EQ(model.options(), "--preset babylon --set screen.step=3 --set environment.rotation=30");
+    EXPECT_TRUE(model.undo()); // back to before the rotation, not to the scene before
+    EXPECT_EQ(valueOf(model, "environment.rotation"), 0);
+    EXPECT_EQ(valueOf(model, "environment.strength"), 0.5);
+    ASSERT_TRUE(model.usePreset("hdrp"));
+    EXPECT_EQ(valueOf(model, "environment.strength"), 0.5);
+    model.set(settingOf("environment.strength"), 2);
+    ASSERT_TRUE(model.suitScene({})); // a scene without wishes
+    EXPECT_EQ(valueOf(model, "environment.strength"), 2);
+    model.reset(settingOf("environment.strength"));
+    EXPECT_EQ(valueOf(model, "environment.strength"), 1);
+    EXPECT_FALSE(model.suitScene({"environment.strength=no"}));
+    EXPECT_EQ(model.changedCount(), 0u);
+}
+
 TEST(SettingsModel, OneDragIsOneStep) {
     SettingsModel model = makeModel();
     const SettingInfo& step = settingOf("screen.step");
