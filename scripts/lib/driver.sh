@@ -77,5 +77,5 @@ linked_driver_arguments() {
     local loader
     [[ $(<"$deps/driver") == unpacked* ]] || return 0
     loader=$(echo "$deps"/vulkan/usr/lib/*/ld-linux*.so.*)
-    echo "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--dynamic-linker=$loader,--disable-new-dtags,-rpath,${loader%/*}"
+    echo "-DCMAKE_EXE_LINKER_FLAGS=-Wl,--dynamic-linker=$loader,--disable-new-dtags,-rpath,${loader%/*},--allow-shlib-undefined"
 }

@@ -132,7 +132,7 @@ TEST_F(WindowTest, DroppedFilesOpenOrSayWhatIsWrongWithThem) {
 }
 
 TEST_F(WindowTest, AnotherSceneIsLitAsRenderLightsIt) {
-    const Ended baked = run({"bake", "builtin:mirror", "--face", "8", "-o", "mirror.probes"});
+    const Ended baked = run({"bake", "builtin:mirror", "--face", "16", "-o", "mirror.probes"});
     ASSERT_EQ(baked.code, 0) << baked.error;
     std::ofstream(path("script.txt")) << "still\ndrop builtin:hall\nstill\npicture hall.png\n";
     const Ended ended = run({"view", "builtin:mirror", "--size", "160x90", "--validate", "--probes", "mirror.probes",
