@@ -154,6 +154,7 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
     command->add_option("--budget", options->budget, "Seconds for each point, then fewer frames do; 0: no limit")
         ->capture_default_str();
     addSceneOptions(*command, options->scene);
+    addSourceOptions(*command, options->scene);
     command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
     addRayBenchOptions(*command, options->rays);
     command->callback([&chosen, options] {

@@ -92,6 +92,7 @@ void addCompareCommand(CLI::App& program, Command& chosen) {
     command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE for every config, weaker than its own")
         ->allow_extra_args(false);
     addSceneOptions(*command, options->scene);
+    addSourceOptions(*command, options->scene);
     command->add_option("--size", options->scene.size,
                         "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
     command->add_option("--frames", options->scene.frames, "Frames to time for each config")->capture_default_str();

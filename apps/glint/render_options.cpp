@@ -60,6 +60,16 @@ std::vector<std::string> sceneDefaults(std::string_view scene) {
     return {};
 }
 
+Result<render::MirrorSearch> mirrorSearch(const std::string& text) {
+    if (text == "none")
+        return render::MirrorSearch::None;
+    if (text == "named")
+        return render::MirrorSearch::Named;
+    if (text == "auto")
+        return render::MirrorSearch::Auto;
+    return invalidArgument("--planar {}: none, named or auto", printable(text));
+}
+
 } // namespace
 
 Result<void> readSize(std::string_view option, const std::string& text, render::RenderJob& job) {
@@ -100,11 +110,20 @@ std::string sceneHelp() {
     return "A .gltf or .glb file, or " + sceneList();
 }
 
+void addSourceOptions(CLI::App& command, RenderOptions& options) {
+    command.add_option("--probes", options.probes,
+                       "Reflection probes: a file of glint bake, or auto: the file beside the scene, else baked now");
+    command
+        .add_option(
+            "--planar", options.planar,
+            "Planar mirrors: none, named (by the scene's materials), or auto: what is flat, smooth and large too")
+        ->capture_default_str();
+}
+
 void addPictureOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("SCENE", options.scene, sceneHelp())->required();
     addSceneOptions(command, options);
-    command.add_option("--probes", options.probes,
-                       "Reflection probes: a file of glint bake, or auto: the file beside the scene, else baked now");
+    addSourceOptions(command, options);
     command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
     command.add_option("--frames", options.frames, "Frames to render; the last one counts")->capture_default_str();
     command.add_option("--preset", options.settings.preset, "Settings to start from: " + presetList());
@@ -135,6 +154,8 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     job.camera = options.camera;
     job.environment = options.environment;
     job.probes = options.probes;
+    GLINT_TRY(planar, mirrorSearch(options.planar));
+    job.planar = planar;
     job.device = options.device;
     job.validate = options.validate;
     job.seed = options.seed;

@@ -19,6 +19,7 @@ struct RenderOptions {
     std::string camera;
     std::string environment;
     std::string probes;
+    std::string planar = "none";
     std::string size;
     double time = 0;
     int64_t frames = 1;
@@ -35,6 +36,8 @@ void addRenderOptions(CLI::App& command, RenderOptions& options);
 void addPictureOptions(CLI::App& command, RenderOptions& options);
 /// Those of every command that renders a scene: camera, environment, time, seed, device.
 void addSceneOptions(CLI::App& command, RenderOptions& options);
+/// What reflections may be taken from besides the screen: probes, planar mirrors.
+void addSourceOptions(CLI::App& command, RenderOptions& options);
 /// What SCENE may be.
 std::string sceneHelp();
 

@@ -493,6 +493,8 @@ std::string Viewer::commandLine() const {
         text += " --env " + shellWord(job_.environment);
     if (!job_.probes.empty())
         text += " --probes " + shellWord(job_.probes);
+    if (options_.scene.planar != "none")
+        text += " --planar " + shellWord(options_.scene.planar);
     text += fmt::format(" --size {}x{}", state_.width, state_.height);
     if (state_.animation.seconds != 0)
         text += fmt::format(" --time {}", state_.animation.seconds);

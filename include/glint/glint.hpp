@@ -5,6 +5,7 @@
 #include "glint/error.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/planar.hpp"
 #include "glint/probes.hpp"
 #include "glint/ray_hits.hpp"
 #include "glint/ray_scene.hpp"

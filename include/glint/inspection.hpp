@@ -40,7 +40,7 @@ struct RayInspection {
         float factor = 1;
     };
     struct Source {
-        std::string_view name; ///< "screen", "rays", "probes", "sky"
+        std::string_view name; ///< "screen", "rays", "planar", "probes", "sky"
         float weight = 0;      ///< the share that it got, [0, 1]
         Float3 radiance = {};  ///< of which it gave this much; linear, not multiplied by the weight
     };

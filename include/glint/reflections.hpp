@@ -5,6 +5,7 @@
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/planar.hpp"
 #include "glint/probes.hpp"
 #include "glint/ray_hits.hpp"
 #include "glint/ray_scene.hpp"
@@ -97,6 +98,11 @@ public:
     /// One ray a pixel in the direction of rays.lobe, every triangle solid; rays.samples, bounces, alphaTest and
     /// accumulate do not act. What lies beyond the hits is the host's matter, the environment too.
     Result<void> setRays(RayScene& scene, ShadeHits shade);
+
+    /// States the mirrors of the source `planar`, which must outlive the frames that use them; record the pictures of
+    /// each frame (PlanarMirrors::record) before it. None at all cost nothing. When these replace others, the GPU must
+    /// have finished the frames recorded with those. Errors: OutOfMemory.
+    Result<void> setPlanar(PlanarMirrors& mirrors);
 
     /// States the probes of the source `probes`, which must outlive the frames that use them; record them
     /// (Probes::record) before the first of these. None at all cost nothing. When these replace others, the GPU must

@@ -50,11 +50,17 @@ struct FadeSettings {
 struct RaysSettings {
     GLINT_RAYS_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct PlanarSettings {
+    GLINT_PLANAR_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct ProbesSettings {
     GLINT_PROBES_SETTINGS(GLINT_SETTING_MEMBER)
 };
 struct SkySettings {
     GLINT_SKY_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct OrderSettings {
+    GLINT_ORDER_SETTINGS(GLINT_SETTING_MEMBER)
 };
 struct CompositeSettings {
     GLINT_COMPOSITE_SETTINGS(GLINT_SETTING_MEMBER)
@@ -82,8 +88,10 @@ struct Settings {
     BlurSettings blur;
     FadeSettings fade;
     RaysSettings rays;
+    PlanarSettings planar;
     ProbesSettings probes;
     SkySettings sky;
+    OrderSettings order;
     CompositeSettings composite;
     GBufferSettings gbuffer;
     InputSettings input;

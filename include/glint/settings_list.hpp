@@ -182,6 +182,20 @@
         "Average over all frames since the view or a setting changed; Reflections::restartAccumulation starts anew",   \
         "")
 
+#define GLINT_PLANAR_SETTINGS(SETTING)                                                                                 \
+    SETTING(bool, enabled, true, "", "",                                                                               \
+        "Pictures that the host drew from behind flat mirrors answer for these; without any they cost nothing",        \
+        "")                                                                                                            \
+    SETTING(int, steps, 32, "[1, 256]", "",                                                                            \
+        "Looks along a ray into a mirror's picture, where the surface is bent away from the mirror's plane",           \
+        "")                                                                                                            \
+    SETTING(float, roughnessFadeStart, 0.4f, "[0, 1]", "perceptual roughness",                                         \
+        "Up to here a mirror's picture has full weight",                                                               \
+        "")                                                                                                            \
+    SETTING(float, maxRoughness, 0.6f, "[0, 1]", "perceptual roughness",                                               \
+        "From here on surfaces are left to the sources behind; at or below roughnessFadeStart: a hard edge above it",  \
+        "")
+
 #define GLINT_PROBES_SETTINGS(SETTING)                                                                                 \
     SETTING(bool, enabled, true, "", "",                                                                               \
         "The host's probes answer for what screen and rays left; without any they cost nothing",                       \
@@ -196,6 +210,23 @@
 #define GLINT_SKY_SETTINGS(SETTING)                                                                                    \
     SETTING(bool, enabled, true, "", "",                                                                               \
         "The environment answers for what the sources before it left; without one it adds nothing",                    \
+        "")
+
+#define GLINT_ORDER_SETTINGS(SETTING)                                                                                  \
+    SETTING(int, screen, 1, "[0, 9]", "",                                                                              \
+        "Place of the screen source in the walk: smaller is asked first, equal ones in the order of this list",        \
+        "")                                                                                                            \
+    SETTING(int, rays, 2, "[0, 9]", "",                                                                                \
+        "Place of rays; before the screen they are traced for every pixel that reflects",                              \
+        "")                                                                                                            \
+    SETTING(int, planar, 3, "[0, 9]", "",                                                                              \
+        "Place of planar mirrors",                                                                                     \
+        "")                                                                                                            \
+    SETTING(int, probes, 4, "[0, 9]", "",                                                                              \
+        "Place of probes",                                                                                             \
+        "")                                                                                                            \
+    SETTING(int, sky, 5, "[0, 9]", "",                                                                                 \
+        "Place of the environment, which leaves nothing to those behind it",                                           \
         "")
 
 #define GLINT_COMPOSITE_SETTINGS(SETTING)                                                                              \

@@ -7,6 +7,7 @@
 #include "lib/math.glsl"
 #include "lib/outcome_color.glsl"
 #include "lib/resolved_material.glsl"
+#include "lib/source_weights.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
@@ -21,23 +22,27 @@ layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D radianceWeight;
 layout(set = 0, binding = 4) uniform usampler2D rayRecord;
 layout(set = 0, binding = 5) uniform sampler2D reflected;
-layout(set = 0, binding = 6) uniform sampler2D weights;
+layout(set = 0, binding = 6) uniform usampler2D weights;
 layout(set = 0, binding = 7, rgba32f) uniform writeonly image2D view;
 layout(set = 0, binding = 8) uniform sampler2D material;
 layout(set = 0, binding = 9) uniform sampler2D probesAnswer;
+layout(set = 0, binding = 10) uniform sampler2D planarAnswer;
 layout(push_constant, scalar) uniform PushBlock {
     ViewConstants settings;
 };
 
-/// A colour a source; black where none answered.
-vec3 sourceColor(vec4 shares) {
-    if (max(maxComponent(shares.xyz), shares.w) <= 0.0)
-        return vec3(0.0);
-    if (shares.w > maxComponent(shares.xyz))
-        return vec3(0.7, 0.4, 0.9);
-    if (shares.z > max(shares.x, shares.y))
-        return vec3(0.9, 0.5, 0.15);
-    return shares.x >= shares.y ? vec3(0.1, 0.8, 0.2) : vec3(0.25, 0.6, 0.9);
+/// A colour a source, that of the heaviest; black where none answered.
+vec3 sourceColor(uvec2 shares) {
+    const vec3 kColors[kSourceCount] = vec3[](vec3(0.1, 0.8, 0.2), vec3(0.9, 0.5, 0.15), vec3(0.95, 0.85, 0.2),
+                                              vec3(0.7, 0.4, 0.9), vec3(0.25, 0.6, 0.9));
+    float heaviest = 0.0;
+    vec3 color = vec3(0.0);
+    for (uint source = 0u; source < kSourceCount; ++source)
+        if (sourceWeight(shares, source) > heaviest) {
+            heaviest = sourceWeight(shares, source);
+            color = kColors[source];
+        }
+    return color;
 }
 
 /// Unity HDRP's colours; what answers from a surface's side or back is neither of the two.
@@ -73,6 +78,7 @@ void main() {
     if (!background)
         ray = unpackRayRecord(texelFetch(rayRecord, fullToTracePixel(frame.constants, px), 0).xy);
     bool hit = isAnswered(ray.outcome);
+    uvec2 shares = texelFetch(weights, px, 0).xy;
 
     vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
     switch (settings.view) {
@@ -83,10 +89,11 @@ void main() {
         value.rgb = vec3(texelFetch(radianceWeight, px, 0).a);
         break;
     case kViewWeights:
-        value = texelFetch(weights, px, 0);
+        value = vec4(sourceWeight(shares, kSourceScreen), sourceWeight(shares, kSourceSky),
+                     sourceWeight(shares, kSourceRays), sourceWeight(shares, kSourceProbes));
         break;
     case kViewSource:
-        value.rgb = sourceColor(texelFetch(weights, px, 0));
+        value.rgb = sourceColor(shares);
         break;
     case kViewOutcome:
         value.rgb = outcomeColor(ray, settings.maxSteps);
@@ -125,16 +132,22 @@ void main() {
         value.rgb = successColor(ray.outcome);
         break;
     case kViewProbes:
-        value.rgb = texelFetch(weights, px, 0).w > 0.0 ? texelFetch(probesAnswer, px, 0).rgb : vec3(0.0);
+        value.rgb = sourceWeight(shares, kSourceProbes) > 0.0 ? texelFetch(probesAnswer, px, 0).rgb : vec3(0.0);
         break;
     case kViewWeightRays:
-        value.rgb = texelFetch(weights, px, 0).zzz;
+        value.rgb = vec3(sourceWeight(shares, kSourceRays));
         break;
     case kViewWeightProbes:
-        value.rgb = texelFetch(weights, px, 0).www;
+        value.rgb = vec3(sourceWeight(shares, kSourceProbes));
         break;
     case kViewWeightSky:
-        value.rgb = texelFetch(weights, px, 0).yyy;
+        value.rgb = vec3(sourceWeight(shares, kSourceSky));
+        break;
+    case kViewPlanar:
+        value.rgb = sourceWeight(shares, kSourcePlanar) > 0.0 ? texelFetch(planarAnswer, px, 0).rgb : vec3(0.0);
+        break;
+    case kViewWeightPlanar:
+        value.rgb = vec3(sourceWeight(shares, kSourcePlanar));
         break;
     case kViewRay:
         value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));

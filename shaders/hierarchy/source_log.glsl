@@ -10,14 +10,15 @@ layout(scalar, set = 0, binding = 13) buffer LogBlock {
     RayLogHeader header;
 } rayLog;
 
-void logSource(ivec2 px, uint source, float weight, vec3 radiance) {
+/// `place`: in the walk.
+void logSource(ivec2 px, uint place, uint source, float weight, vec3 radiance) {
     if (px == ivec2(rayLog.header.pixel.px))
-        rayLog.header.sources[source] = LoggedSource(1u, weight, radiance);
+        rayLog.header.sources[place] = LoggedSource(1u, source, weight, radiance);
 }
 
 #else
 
-void logSource(ivec2 px, uint source, float weight, vec3 radiance) {}
+void logSource(ivec2 px, uint place, uint source, float weight, vec3 radiance) {}
 
 #endif
 #endif

@@ -5,11 +5,11 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "hierarchy/taken_before.glsl"
 #include "lib/camera.glsl"
 #include "lib/probe.glsl"
 #include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
-#include "shared/rays_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -18,35 +18,20 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 } frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(set = 0, binding = 3) uniform sampler2D screenAnswer;
-layout(set = 0, binding = 4) uniform sampler2D raysAnswer;
-layout(scalar, set = 0, binding = 5) readonly buffer ProbesBlock {
+layout(scalar, set = 0, binding = 7) readonly buffer ProbesBlock {
     ProbeRecord list[];
 } probes;
-layout(scalar, set = 0, binding = 6) readonly buffer CellsBlock {
+layout(scalar, set = 0, binding = 8) readonly buffer CellsBlock {
     uint first[];
 } probeCells;
-layout(scalar, set = 0, binding = 7) readonly buffer ListsBlock {
+layout(scalar, set = 0, binding = 9) readonly buffer ListsBlock {
     uint probe[];
 } probeLists;
-layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D probesAnswer; // mean radiance, weight
-layout(set = 0, binding = 9) uniform usampler2D raysRecord;
+layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D probesAnswer; // mean radiance, weight
 layout(set = 1, binding = 0) uniform samplerCube cubes[];
 layout(push_constant, scalar) uniform PushBlock {
     ProbesConstants constants;
 };
-
-/// What the sources before this one have taken of a pixel's weight.
-float takenBefore(ivec2 px) {
-    float taken = 0.0;
-    bool replaced =
-        (constants.flags & kProbesRays) != 0u && (texelFetch(raysRecord, px, 0).z & kRaysReplaceScreen) != 0u;
-    if ((constants.flags & kProbesScreen) != 0u && !replaced)
-        taken += saturate(texelFetch(screenAnswer, px, 0).a);
-    if ((constants.flags & kProbesRays) != 0u)
-        taken += saturate(texelFetch(raysAnswer, px, 0).a);
-    return min(taken, 1.0);
-}
 
 vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness) {
     ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, perceptualRoughness, constants.flags);
@@ -66,7 +51,7 @@ uvec2 probesAround(vec3 positionWS) {
 }
 
 vec4 answer(ivec2 px, float z) {
-    float left = 1.0 - takenBefore(px);
+    float left = 1.0 - takenBefore(constants.before, px);
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     if (left <= 0.0 || here.reflectivity <= 0.0)
         return vec4(0.0);

@@ -22,5 +22,6 @@ void main() {
     alpha = vertex.color.a;
     vec4 world = instance.localToWorld * vec4(positions.list[gl_VertexIndex], 1.0);
     gl_Position = view.constants.worldToClip * world;
+    gl_ClipDistance[0] = dot(view.constants.clipPlaneWS, vec4(world.xyz, 1.0));
     gl_PointSize = 1.0;
 }

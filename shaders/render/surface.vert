@@ -37,5 +37,6 @@ void main() {
     gl_Position = view.constants.worldToClip * world;
     currentCS = gl_Position;
     previousCS = view.constants.prevWorldToClip * (instance.prevLocalToWorld * vec4(prevPositionLS, 1.0));
+    gl_ClipDistance[0] = dot(view.constants.clipPlaneWS, vec4(world.xyz, 1.0));
     gl_PointSize = 1.0;
 }

@@ -39,12 +39,11 @@ struct ProbesConstants {
     float3 cellsPerMetre;
     uint probeCount;
     uint3 gridSize;
+    uint before; // bit s: source s (shared/hierarchy.h) is asked before
 };
 
-GLINT_CONSTANT(uint, kProbesScreen, 1);            // the screen source was asked before
-GLINT_CONSTANT(uint, kProbesRays, 2);              // so were rays
-GLINT_CONSTANT(uint, kProbesParallax, 4);          // proxies act
-GLINT_CONSTANT(uint, kProbesDistanceRoughness, 8); // what is near its reflection is sharper
+GLINT_CONSTANT(uint, kProbesParallax, 1);          // proxies act
+GLINT_CONSTANT(uint, kProbesDistanceRoughness, 2); // what is near its reflection is sharper
 
 GLINT_SHARED_END
 

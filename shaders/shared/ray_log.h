@@ -2,6 +2,7 @@
 #ifndef GLINT_SHARED_RAY_LOG_H
 #define GLINT_SHARED_RAY_LOG_H
 
+#include "shared/hierarchy.h"
 #include "shared/types.h"
 
 GLINT_SHARED_BEGIN
@@ -39,14 +40,9 @@ GLINT_CONSTANT(uint, kLoggedFacingCamera, 5);
 GLINT_CONSTANT(uint, kLoggedBackface, 6);
 GLINT_CONSTANT(uint, kLoggedFadeCount, 7);
 
-GLINT_CONSTANT(uint, kLoggedScreen, 0); // a source
-GLINT_CONSTANT(uint, kLoggedRays, 1);
-GLINT_CONSTANT(uint, kLoggedProbes, 2);
-GLINT_CONSTANT(uint, kLoggedSky, 3);
-GLINT_CONSTANT(uint, kLoggedSourceCount, 4);
-
 struct LoggedSource {
     uint answered; // 1: the fields below are set
+    uint source;   // kSource*
     float weight;
     float3 radiance;
 };
@@ -96,7 +92,7 @@ struct LoggedRay {
 struct RayLogHeader {
     LoggedPixel pixel;
     LoggedRay ray;
-    LoggedSource sources[kLoggedSourceCount];
+    LoggedSource sources[kSourceCount]; // in the order of the walk
     uint sampleCount; // those beyond kMaxLoggedSamples are counted, not written
 };
 

@@ -21,6 +21,7 @@ struct RenderView {
     uint environmentVisible; ///< 1: drawn as the background
     float3 sunDirWS;         ///< towards the sun, unit
     float sunCosRadius;      ///< cosine of the disc's angular radius; 2: no sun
+    float4 clipPlaneWS;      ///< surfaces are drawn where dot(xyz, positionWS) + w > 0
     float3 sunRadiance;      ///< of the disc
     uint highlights;         ///< 1: lights show in what is smooth
 };
@@ -28,6 +29,6 @@ struct RenderView {
 GLINT_SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 24);
+static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 28);
 #endif
 #endif

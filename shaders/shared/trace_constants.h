@@ -62,13 +62,6 @@ GLINT_CONSTANT(uint, kPyramidTile, 64);     // pixels a side that one group redu
 GLINT_CONSTANT(uint, kPyramidTileLevel, 6); // to one cell of this level
 GLINT_CONSTANT(uint, kMaxPyramidLevels, 15);
 
-struct HierarchyConstants {
-    uint screen; // 1: the screen source takes part
-    uint sky;    // 1: so does the environment
-    uint rays;   // 1: so do rays through the host's triangles
-    uint probes; // 1: so do the host's probes
-};
-
 struct CompositeConstants {
     uint model; // CompositeModel: 0 physical, 1 lerp
     uint fresnel;
@@ -105,7 +98,9 @@ GLINT_CONSTANT(uint, kViewProbes, 17);
 GLINT_CONSTANT(uint, kViewWeightRays, 18);
 GLINT_CONSTANT(uint, kViewWeightProbes, 19);
 GLINT_CONSTANT(uint, kViewWeightSky, 20);
-GLINT_CONSTANT(uint, kViewCount, 21);
+GLINT_CONSTANT(uint, kViewPlanar, 21);
+GLINT_CONSTANT(uint, kViewWeightPlanar, 22);
+GLINT_CONSTANT(uint, kViewCount, 23);
 
 GLINT_SHARED_END
 

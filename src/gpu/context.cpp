@@ -240,6 +240,7 @@ Result<void> Context::createDevice(const ContextDesc& desc) {
     requireFeatures(&features.base.features, &features.v12, &features.v13);
     VkPhysicalDeviceFeatures2 available = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
     api_.GetPhysicalDeviceFeatures2(physicalDevice_, &available);
+    features.base.features.shaderClipDistance = VK_TRUE; // our renderer's planar mirrors
     features.base.features.samplerAnisotropy = available.features.samplerAnisotropy;
     VkDeviceCreateInfo info = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.base};
     info.queueCreateInfoCount = 1;

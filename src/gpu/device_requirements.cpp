@@ -96,6 +96,8 @@ std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice de
         if (!flag)
             missing.emplace_back(name);
     });
+    if (!available.base.features.shaderClipDistance) // our own renderer's alone: hosts need not have it
+        missing.emplace_back("shaderClipDistance");
     for (const char* name : requiredDeviceExtensions())
         if (!hasExtension(api, device, name))
             missing.emplace_back(name);

@@ -40,10 +40,7 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     } else {
         forgetTrace(frame);
     }
-    if (usesRays())
-        traceScene(frame);
-    if (usesProbes())
-        lookUpProbes(frame);
+    askLaterSources(frame);
     combine(frame);
     compose(frame);
     if (desc.statistics && tracesRays())
@@ -52,11 +49,16 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
 
 bool FrameState::anySource() const {
     const bool sky = desc.settings.sky.enabled && inputs.environment;
-    return desc.settings.reflect.strength > 0 && (desc.settings.screen.enabled || sky || usesRays() || usesProbes());
+    return desc.settings.reflect.strength > 0 &&
+           (desc.settings.screen.enabled || sky || usesRays() || usesPlanar() || usesProbes());
 }
 
 bool FrameState::usesRays() const {
     return desc.settings.rays.enabled && raysSource && raysSource->hasScene();
+}
+
+bool FrameState::usesPlanar() const {
+    return desc.settings.planar.enabled && planarSource && planarSource->hasMirrors();
 }
 
 bool FrameState::usesProbes() const {
@@ -209,24 +211,60 @@ void FrameState::denoise(gpu::Frame& frame) {
     recordDenoise(frame, pipelines.denoise, desc.settings, {traceInputs(rays), traced}, denoised);
 }
 
-/// The source `rays`, for what the screen left.
+/// Those that ask what others have left, in the user's order.
+void FrameState::askLaterSources(gpu::Frame& frame) {
+    if (usesRays())
+        traceScene(frame);
+    for (const uint32_t source : sourceOrder(desc.settings)) {
+        if (source == shared::kSourcePlanar && usesPlanar())
+            lookUpMirrors(frame);
+        if (source == shared::kSourceProbes && usesProbes())
+            lookUpProbes(frame);
+    }
+}
+
+/// Bit s: source s.
+uint32_t FrameState::takingPart() const {
+    const auto bit = [](bool on, uint32_t source) { return on ? 1u << source : 0u; };
+    return bit(desc.settings.screen.enabled, shared::kSourceScreen) | bit(usesRays(), shared::kSourceRays) |
+           bit(usesPlanar(), shared::kSourcePlanar) | bit(usesProbes(), shared::kSourceProbes) |
+           bit(desc.settings.sky.enabled && inputs.environment, shared::kSourceSky);
+}
+
+EarlierAnswers FrameState::answersBefore(uint32_t source) {
+    const uint32_t before = takingPart() & sourcesBefore(sourceOrder(desc.settings), source);
+    const auto has = [&](uint32_t other) { return (before & (1u << other)) != 0; };
+    gpu::Image* other = &black;
+    if (has(shared::kSourcePlanar))
+        other = &planarSource->answer();
+    else if (has(shared::kSourceProbes))
+        other = &probesSource->answer();
+    return {before, has(shared::kSourceScreen) ? *denoised.answer : black,
+            has(shared::kSourceRays) ? raysSource->answer() : black,
+            has(shared::kSourceRays) ? raysSource->rayRecord() : traced.rayRecord, *other};
+}
+
+/// The source `rays`, for what the screen left, or for all if it is asked first.
 void FrameState::traceScene(gpu::Frame& frame) {
+    const uint32_t before = takingPart() & sourcesBefore(sourceOrder(desc.settings), shared::kSourceRays);
+    const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;
     gpu::Image& environment = inputs.environment ? inputs.environment : blackCube;
     gpu::Image& diffuse = inputs.environmentDiffuse ? inputs.environmentDiffuse : blackCube;
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
-                        traced.rayRecord, resolvesMaterial() ? prepared.material : inputs.material, inputs.litRadiance,
+                       {frameConstants, prepared, afterScreen ? denoised.answer : nullptr, traced.rayRecord,
+                        resolvesMaterial() ? prepared.material : inputs.material, inputs.litRadiance,
                         inputs.fallbackSpecular ? inputs.fallbackSpecular : black,
                         static_cast<bool>(inputs.environment), environment,
                         static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
 }
 
-/// The source `probes`, for what screen and rays left.
+void FrameState::lookUpMirrors(gpu::Frame& frame) {
+    planarSource->record(frame, desc.settings,
+                         {frameConstants, lastFrame, prepared, answersBefore(shared::kSourcePlanar)});
+}
+
 void FrameState::lookUpProbes(gpu::Frame& frame) {
-    probesSource->record(frame, desc.settings,
-                         {frameConstants, prepared, desc.settings.screen.enabled ? denoised.answer : nullptr,
-                          usesRays() ? &raysSource->answer() : nullptr,
-                          usesRays() ? raysSource->rayRecord() : traced.rayRecord, black});
+    probesSource->record(frame, desc.settings, {frameConstants, prepared, answersBefore(shared::kSourceProbes)});
 }
 
 /// How the pixels' rays ended: the screen's, or those through the scene where there are no others.
@@ -249,8 +287,7 @@ void FrameState::combine(gpu::Frame& frame) {
 }
 
 gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline) {
-    const shared::HierarchyConstants constants = {desc.settings.screen.enabled, desc.settings.sky.enabled, usesRays(),
-                                                  usesProbes()};
+    const shared::HierarchyConstants constants = {takingPart(), packOrder(sourceOrder(desc.settings))};
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
@@ -258,6 +295,7 @@ gpu::Pass FrameState::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeli
         .read("radianceWeight", *denoised.answer)
         .read("raysAnswer", usesRays() ? raysSource->answer() : black)
         .read("raysRecord", usesRays() ? raysSource->rayRecord() : traced.rayRecord)
+        .read("planarAnswer", usesPlanar() ? planarSource->answer() : black)
         .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
         .read("environment", inputs.environment ? inputs.environment : blackCube)
         .write("reflected", reflected.reflected)
@@ -309,10 +347,7 @@ void FrameState::bringUpToDate(gpu::Frame& frame) {
     makeTables(frame);
     prepare(frame, lastView);
     forgetTrace(frame);
-    if (usesRays())
-        traceScene(frame);
-    if (usesProbes())
-        lookUpProbes(frame);
+    askLaterSources(frame);
     combine(frame);
     upToDate = !frame.rehearsing();
 }
@@ -329,6 +364,7 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("rayRecord", rayRecord())
         .read("reflected", reflected.reflected)
         .read("weights", reflected.weights)
+        .read("planarAnswer", usesPlanar() ? planarSource->answer() : black)
         .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
         .write("view", viewImage)
         .push(constants)
@@ -499,6 +535,18 @@ Result<void> FrameState::giveScene() {
     return frame.firstError();
 }
 
+Result<void> FrameState::setPlanar(PlanarState& planar) {
+    if (!planarSource) {
+        GLINT_TRY(source, PlanarSource::create(*context, desc.width, desc.height));
+        planarSource = std::move(source);
+    }
+    GLINT_CHECK(planarSource->setPlanar(planar));
+    gpu::Frame frame = gpu::Frame::rehearsal(*context);
+    planarSource->record(frame, desc.settings,
+                         {frameConstants, lastFrame, prepared, {0, black, black, traced.rayRecord, black}});
+    return frame.firstError();
+}
+
 Result<void> FrameState::setProbes(ProbesState& probes) {
     if (!probesSource) {
         GLINT_TRY(source, ProbesSource::create(*context, desc.width, desc.height));
@@ -506,7 +554,7 @@ Result<void> FrameState::setProbes(ProbesState& probes) {
     }
     GLINT_CHECK(probesSource->setProbes(probes));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
-    probesSource->record(frame, desc.settings, {frameConstants, prepared, nullptr, nullptr, traced.rayRecord, black});
+    probesSource->record(frame, desc.settings, {frameConstants, prepared, {0, black, black, traced.rayRecord, black}});
     return frame.firstError();
 }
 
@@ -521,7 +569,7 @@ Result<void> FrameState::createImages() {
         {&traced.unused8, "glint/unused8", VK_FORMAT_R8G8B8A8_UNORM, 1, 1, 0},
         {&traced.rayRecord, "glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared},
         {&reflected.reflected, "glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, 0},
-        {&reflected.weights, "glint/weights", VK_FORMAT_R8G8B8A8_UNORM, w, h, 0},
+        {&reflected.weights, "glint/weights", VK_FORMAT_R32G32_UINT, w, h, 0},
         {&composite, "glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kComposite},
         {&dfg, "glint/dfg", VK_FORMAT_R16G16_SFLOAT, kDfgSize, kDfgSize, 0},
         {&black, "glint/black", VK_FORMAT_R16G16B16A16_SFLOAT, 1, 1, kCleared},

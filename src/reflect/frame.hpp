@@ -5,7 +5,9 @@
 #include "gpu/pass.hpp"
 #include "gpu/timers.hpp"
 #include "reflect/denoise.hpp"
+#include "reflect/hierarchy.hpp"
 #include "reflect/inspector.hpp"
+#include "reflect/planar/planar_source.hpp"
 #include "reflect/probes/probes_source.hpp"
 #include "reflect/rays/rays.hpp"
 #include "reflect/stages.hpp"
@@ -55,6 +57,7 @@ struct FrameState {
     rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
     SurfaceTableState* raySurfaces = nullptr;
     ShadeHits shadeHits;                        ///< or the host's own shading
+    std::unique_ptr<PlanarSource> planarSource; ///< absent until the host hands planar mirrors over
     std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
     History history;
     Reflected reflected;
@@ -90,7 +93,9 @@ struct FrameState {
     bool anySource() const;
     /// The source `rays` takes part.
     bool usesRays() const;
-    /// So does the source `probes`.
+    /// So does the source `planar`, ...
+    bool usesPlanar() const;
+    /// ... and the source `probes`.
     bool usesProbes() const;
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
@@ -98,6 +103,8 @@ struct FrameState {
     /// Errors: Unsupported, OutOfMemory.
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     Result<void> setRays(rays::Scene& scene, ShadeHits shade);
+    /// Errors: OutOfMemory.
+    Result<void> setPlanar(PlanarState& planar);
     /// Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes);
     /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
@@ -130,7 +137,11 @@ private:
     void denoise(gpu::Frame& frame);
     void traceScene(gpu::Frame& frame);
     Result<void> giveScene();
+    void askLaterSources(gpu::Frame& frame);
+    void lookUpMirrors(gpu::Frame& frame);
     void lookUpProbes(gpu::Frame& frame);
+    uint32_t takingPart() const;
+    EarlierAnswers answersBefore(uint32_t source);
     gpu::Image& rayRecord();
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);

@@ -1,5 +1,6 @@
 #include "reflect/inspector.hpp"
 
+#include "reflect/hierarchy.hpp"
 #include "reflect/outcomes.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/frame_constants.h"
@@ -18,7 +19,6 @@ constexpr std::array<std::string_view, shared::kSampleDecisionCount> kDecisionNa
     "front", "behind", "empty", "lookInto", "passes", "hit", "side", "backFace", "grazes", "nearly", "places"};
 constexpr std::array<std::string_view, shared::kLoggedFadeCount> kFadeNames = {
     "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface"};
-constexpr std::array<std::string_view, shared::kLoggedSourceCount> kSourceNames = {"screen", "rays", "probes", "sky"};
 
 constexpr size_t kLogSize = sizeof(shared::RayLogHeader) + shared::kMaxLoggedSamples * sizeof(shared::LoggedSample);
 
@@ -148,10 +148,11 @@ RayInspection Inspector::read(bool screenEnabled) const {
         std::memcpy(&logged, bytes + sizeof(header) + i * sizeof(logged), sizeof(logged));
         out.samples.push_back(toSample(logged));
     }
-    for (uint32_t i = 0; i < shared::kLoggedSourceCount; ++i) {
+    for (uint32_t i = 0; i < shared::kSourceCount; ++i) {
         const shared::LoggedSource& source = header.sources[i];
         if (source.answered != 0 && source.weight > 0)
-            out.sources.push_back({kSourceNames[i], source.weight, toArray(source.radiance)});
+            out.sources.push_back({kSourceNames[std::min(source.source, shared::kSourceCount - 1)], source.weight,
+                                   toArray(source.radiance)});
     }
     return out;
 }

@@ -266,6 +266,10 @@ Result<void> Reflections::setRays(RayScene& scene, ShadeHits shade) {
     return {};
 }
 
+Result<void> Reflections::setPlanar(PlanarMirrors& mirrors) {
+    return state_->frame->setPlanar(mirrors.state());
+}
+
 Result<void> Reflections::setProbes(Probes& probes) {
     return state_->frame->setProbes(probes.state());
 }

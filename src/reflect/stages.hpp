@@ -70,10 +70,27 @@ struct Denoised {
     gpu::Image* answer = nullptr; ///< the image that holds this frame's answer: `radianceWeight`, or the traced one
 };
 
+/// What the sources have answered that are asked before one; `black` where they are not.
+struct EarlierAnswers {
+    uint32_t before; ///< bit s: source s (shared/hierarchy.h) is one of them
+    gpu::Image& screen;
+    gpu::Image& rays;
+    gpu::Image& raysRecord; ///< which of the screen's answers rays replaced; of no matter without rays
+    gpu::Image& other;      ///< planar's or the probes', whichever does not ask
+
+    /// As shaders/hierarchy/taken_before.glsl declares them.
+    gpu::Pass& bind(gpu::Pass& pass) const {
+        return pass.read("screenAnswer", screen)
+            .read("raysAnswer", rays)
+            .read("raysRecord", raysRecord)
+            .read("otherAnswer", other);
+    }
+};
+
 /// `hierarchy`: all sources under the one rule.
 struct Reflected {
     gpu::Image reflected; ///< RGBA16F: sum of weight * radiance, total weight
-    gpu::Image weights;   ///< RGBA8: each source's own: screen, sky, rays, probes
+    gpu::Image weights;   ///< RG32UI: each source's own, shaders/lib/source_weights.glsl
 };
 
 } // namespace glint::reflect

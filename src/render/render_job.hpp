@@ -3,6 +3,7 @@
 
 #include "glint/inspection.hpp"
 #include "glint/reflections.hpp"
+#include "render/find_mirrors.hpp"
 #include "render/program_settings.hpp"
 
 #include <array>
@@ -28,7 +29,8 @@ struct RenderJob {
     bool display = false;                           ///< also make RenderedView::rgb8
     bool statistics = false;                        ///< also count outcomes and lookups
     std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray once more, in the last frame
-    std::string probes;    ///< a file of glint bake, or "auto": the one beside the scene, else baked now; empty: none
+    std::string probes; ///< a file of glint bake, or "auto": the one beside the scene, else baked now; empty: none
+    MirrorSearch planar = MirrorSearch::None; ///< which flat surfaces get pictures of their own
     std::string device;    ///< part of a name, or an index of `glint devices`; empty: the best usable one
     bool validate = false; ///< run under the validation layer; any message of it is an error
     ProgramSettings settings;

@@ -42,6 +42,20 @@
         "Width and height of a shadow map",                                                                            \
         "")
 
+#define GLINT_MIRRORS_SETTINGS(SETTING)                                                                                \
+    SETTING(float, resolution, 1, "[0.05, 1]", "",                                                                     \
+        "Size of planar mirrors' pictures against the frame's",                                                        \
+        "")                                                                                                            \
+    SETTING(int, depth, 2, "[1, 4]", "",                                                                               \
+        "Planar mirrors that are seen one in another; 1: a mirror in a mirror shows what its other sources say",       \
+        "")                                                                                                            \
+    SETTING(int, most, 8, "[1, 16]", "",                                                                               \
+        "Planar mirrors that --planar auto may find; those that the scene names come first",                           \
+        "")                                                                                                            \
+    SETTING(bool, reflections, true, "", "",                                                                           \
+        "Pictures of planar mirrors have reflections of their own, by the frame's settings but without rays",          \
+        "")
+
 #define GLINT_DISPLAY_SETTINGS(SETTING)                                                                                \
     SETTING(Tonemap, tonemap, Tonemap::Neutral, "", "",                                                                \
         "From scene-referred light to the screen: none (clamped), neutral (Khronos PBR Neutral) or agx",               \
@@ -81,6 +95,9 @@ struct LightsSettings {
 struct ShadowsSettings {
     GLINT_SHADOWS_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct MirrorsSettings {
+    GLINT_MIRRORS_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct DisplaySettings {
     GLINT_DISPLAY_SETTINGS(GLINT_SETTING_MEMBER)
 };
@@ -93,6 +110,7 @@ struct RenderSettings {
     AnalyticSkySettings analyticSky;
     LightsSettings lights;
     ShadowsSettings shadows;
+    MirrorsSettings mirrors;
     DisplaySettings display;
     MeasureSettings measure;
 };

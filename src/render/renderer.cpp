@@ -37,17 +37,24 @@ Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& sce
 }
 
 Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOptions& options) {
-    if (gbuffer_.litRadiance && gbuffer_.litRadiance.width() == width && gbuffer_.litRadiance.height() == height &&
-        gbufferOptions_ == options)
+    if (target_.gbuffer.litRadiance && target_.gbuffer.litRadiance.width() == width &&
+        target_.gbuffer.litRadiance.height() == height && gbufferOptions_ == options)
         return {};
     GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height, options));
-    if (!gbuffer_.litRadiance || options.mode != gbufferOptions_.mode || options.samples != gbufferOptions_.samples)
+    if (!target_.gbuffer.litRadiance || options.mode != gbufferOptions_.mode ||
+        options.samples != gbufferOptions_.samples)
         GLINT_CHECK(makePasses(options));
-    GLINT_CHECK(transparent_.resize(*context_, scene_, width, height));
+    GLINT_TRY(behind, TransparentPass::makeBehind(*context_, scene_, width, height));
     GLINT_CHECK(display_.resize(*context_, width, height, settings_.display));
-    gbuffer_ = std::move(gbuffer);
+    target_ = {std::move(gbuffer), std::move(behind)};
     gbufferOptions_ = options;
     return rehearse();
+}
+
+Result<RenderTarget> Renderer::makeTarget(uint32_t width, uint32_t height) const {
+    GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height, gbufferOptions_));
+    GLINT_TRY(behind, TransparentPass::makeBehind(*context_, scene_, width, height));
+    return RenderTarget{std::move(gbuffer), std::move(behind)};
 }
 
 Result<void> Renderer::makePasses(const GBufferOptions& options) {
@@ -64,26 +71,25 @@ Result<void> Renderer::makePasses(const GBufferOptions& options) {
 /// After the way in which they cast shadows has changed.
 Result<void> Renderer::remakePasses() {
     GLINT_CHECK(makePasses(gbufferOptions_));
-    GLINT_CHECK(transparent_.resize(*context_, scene_, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height()));
     return rehearse();
 }
 
 Result<void> Renderer::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(*context_);
     drawOpaque(frame, ViewParameters());
-    drawTransparent(frame, gbuffer_.litRadiance);
-    display(frame, gbuffer_.litRadiance, gbuffer_.albedo);
+    drawTransparent(frame, target_.gbuffer.litRadiance);
+    display(frame, target_.gbuffer.litRadiance, target_.gbuffer.albedo);
     return frame.firstError();
 }
 
 Result<void> Renderer::setSettings(const RenderSettings& settings) {
     const RayWorld* before = shadowRays();
     settings_ = settings;
-    if (gbuffer_.litRadiance && shadowRays() != before)
+    if (target_.gbuffer.litRadiance && shadowRays() != before)
         GLINT_CHECK(remakePasses());
-    if (gbuffer_.litRadiance)
-        GLINT_CHECK(
-            display_.resize(*context_, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height(), settings_.display));
+    if (target_.gbuffer.litRadiance)
+        GLINT_CHECK(display_.resize(*context_, target_.gbuffer.litRadiance.width(),
+                                    target_.gbuffer.litRadiance.height(), settings_.display));
     return placeLights();
 }
 
@@ -121,16 +127,17 @@ RayWorld* Renderer::shadowRays() const {
 Result<void> Renderer::setRayWorld(RayWorld* rayWorld) {
     rayWorld_ = rayWorld;
     const bool fits = !shadowRays() || shadowBackend_ == shadowRays()->backend();
-    return gbuffer_.litRadiance && !fits ? remakePasses() : Result<void>();
+    return target_.gbuffer.litRadiance && !fits ? remakePasses() : Result<void>();
 }
 
 View Renderer::view(const ViewParameters& parameters) const {
-    return makeView(parameters.camera, gbuffer_.litRadiance.width(), gbuffer_.litRadiance.height(),
+    return makeView(parameters.camera, target_.gbuffer.litRadiance.width(), target_.gbuffer.litRadiance.height(),
                     parameters.jitterPX);
 }
 
-void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters) {
-    view_ = view(parameters);
+void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters, const RenderTarget& target) {
+    view_ = makeView(parameters.camera, target.gbuffer.litRadiance.width(), target.gbuffer.litRadiance.height(),
+                     parameters.jitterPX);
     const View previous = makeView(parameters.prevCamera.value_or(parameters.camera), view_.width, view_.height,
                                    parameters.prevCamera ? parameters.prevJitterPX : parameters.jitterPX);
     const EnvironmentSettings& environment = settings_.environment;
@@ -148,9 +155,10 @@ void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters) {
     constants.environmentRotation = {std::cos(rotation), std::sin(rotation)};
     constants.environmentStrength = environment.strength;
     constants.environmentVisible = environment.visible ? 1 : 0;
+    constants.clipPlaneWS = parameters.clipPlaneWS;
     constants.highlights = parameters.highlights ? 1 : 0;
     constants.sunCosRadius = 2;
-    if (const std::optional<Sun>& sun = environment_.sun(); sun && parameters.highlights) {
+    if (const std::optional<Sun>& sun = environment_.sun(); sun && parameters.highlights && parameters.sunDisc) {
         const float sinRadius = std::sin(sun->angularRadius);
         constants.sunDirWS = rotateFromEnvironment(sun->directionToSun, environment.rotation);
         constants.sunCosRadius = std::cos(sun->angularRadius);
@@ -165,23 +173,32 @@ LightingInputs Renderer::lightingInputs() {
 }
 
 GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameters) {
-    updateView(frame, parameters);
+    return drawOpaque(frame, parameters, target_);
+}
+
+GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameters, RenderTarget& target) {
+    GBuffer& gbuffer = target.gbuffer;
+    updateView(frame, parameters, target);
     if (lightsChanged_ || frame.rehearsing()) { // shadow maps do not depend on the camera
         if (!lights_.empty())
             frame.update(lightBuffer_, lights_.data(), lights_.size() * sizeof(shared::Light));
         shadows_.draw(frame, scene_, lights_, lightBuffer_);
         lightsChanged_ = frame.rehearsing();
     }
-    surfaces_.draw(frame, view_, scene_, lightingInputs(), gbuffer_);
-    background_.draw(frame, viewBuffer_, environment_, gbuffer_);
-    gbuffer_.resolve(frame);
-    if (gbuffer_.backDepth || frame.rehearsing())
-        backFaces_.draw(frame, viewBuffer_, scene_, gbufferOptions_.backFaceTransparents, gbuffer_.backDepth);
-    return gbuffer_;
+    surfaces_.draw(frame, view_, scene_, lightingInputs(), gbuffer);
+    background_.draw(frame, viewBuffer_, environment_, gbuffer);
+    gbuffer.resolve(frame);
+    if (gbuffer.backDepth || frame.rehearsing())
+        backFaces_.draw(frame, viewBuffer_, scene_, gbufferOptions_.backFaceTransparents, gbuffer.backDepth);
+    return gbuffer;
 }
 
 void Renderer::drawTransparent(gpu::Frame& frame, gpu::Image& hdr) {
-    transparent_.draw(frame, view_, scene_, lightingInputs(), gbuffer_, hdr);
+    drawTransparent(frame, hdr, target_);
+}
+
+void Renderer::drawTransparent(gpu::Frame& frame, gpu::Image& hdr, RenderTarget& target) {
+    transparent_.draw(frame, view_, scene_, lightingInputs(), target.gbuffer, target.behind, hdr);
 }
 
 void Renderer::display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr) {

@@ -21,6 +21,15 @@ struct ViewParameters {
     /// Draw the sun's disc, and lights' highlights on what is smooth. Pictures that are looked up from elsewhere leave
     /// them out: lights have highlights of their own there, and these belong to one viewer.
     bool highlights = true;
+    bool sunDisc = true; ///< draw it where the highlights are
+    /// (n, d): surfaces are drawn where dot(n, positionWS) + d > 0, for pictures from behind a mirror.
+    glm::vec4 clipPlaneWS = glm::vec4(0, 0, 0, 1);
+};
+
+/// Images that a frame is drawn into, beside the renderer's own: for a view more in the same frame.
+struct RenderTarget {
+    GBuffer gbuffer;
+    gpu::Image behind; ///< what light-transmitting surfaces see
 };
 
 /// A frame:
@@ -41,6 +50,9 @@ public:
     /// Errors: InvalidArgument for a size outside what the device can make; Unsupported for a number of samples that it
     /// cannot draw; OutOfMemory.
     Result<void> resize(uint32_t width, uint32_t height, const GBufferOptions& options = {});
+    /// Of another size, drawn as the renderer's own is, until the next resize that changes how.
+    /// Errors: as resize.
+    Result<RenderTarget> makeTarget(uint32_t width, uint32_t height) const;
     /// Takes new settings; makes larger shadow maps if they ask for some. `analyticSky` is the environment's matter:
     /// see Environment::createSky and setEnvironment; samples a pixel are the G-buffer's: see resize.
     /// Errors: OutOfMemory.
@@ -54,17 +66,19 @@ public:
 
     /// The G-buffer with every opaque surface and the background. Valid until the next call or resize.
     GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters);
+    GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters, RenderTarget& target);
     /// Blended and light-transmitting surfaces over `hdr` (RGBA16F with COLOR_ATTACHMENT and TRANSFER_SRC usage, of the
     /// G-buffer's size), seen as in the last drawOpaque. Records nothing if the scene has none.
     void drawTransparent(gpu::Frame& frame, gpu::Image& hdr);
+    void drawTransparent(gpu::Frame& frame, gpu::Image& hdr, RenderTarget& target);
     /// Exposure, tone map and sRGB into `ldr` (RGBA8_UNORM with STORAGE usage, of the same size).
     void display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr);
 
     /// The view of the last drawOpaque, or of the next one with these parameters.
     View view(const ViewParameters& parameters) const;
+    GBuffer& gbuffer() { return target_.gbuffer; }
     Environment& environment() { return environment_; }
     const scene::Bounds& boundsWS() const { return scene_.boundsWS(); }
-    GBuffer& gbuffer() { return gbuffer_; }
     GpuScene& scene() { return scene_; }
     const std::vector<shared::Light>& lights() const { return lights_; } ///< the scene's, then the sun's
 
@@ -74,7 +88,7 @@ private:
     Result<void> makePasses(const GBufferOptions& options);
     Result<void> remakePasses();
     Result<void> rehearse();
-    void updateView(gpu::Frame& frame, const ViewParameters& parameters);
+    void updateView(gpu::Frame& frame, const ViewParameters& parameters, const RenderTarget& target);
     LightingInputs lightingInputs();
     RayWorld* shadowRays() const;
 
@@ -96,7 +110,7 @@ private:
     BackFacePass backFaces_;
     TransparentPass transparent_;
     DisplayPass display_;
-    GBuffer gbuffer_;
+    RenderTarget target_;
     GBufferOptions gbufferOptions_;
     View view_;
 };

@@ -3,9 +3,11 @@
 #include "base/assert.hpp"
 #include "glint/glint.hpp"
 #include "gpu/transfer.hpp"
+#include "render/find_mirrors.hpp"
 #include "render/job_environment.hpp"
 #include "render/job_inputs.hpp"
 #include "render/lending.hpp"
+#include "render/mirror_world.hpp"
 #include "render/probe_world.hpp"
 #include "render/ray_world.hpp"
 #include "render/renderer.hpp"
@@ -130,6 +132,7 @@ struct JobSession::State {
         const auto old = std::exchange(reflections_, std::make_unique<Reflections>(std::move(reflections)));
         if (probeWorld_)
             GLINT_CHECK(reflections_->setProbes(probeWorld_->probes()));
+        GLINT_CHECK(makeMirrors());
         return giveRays(); // and only then the old ones go, with the pipelines that both share
     }
 
@@ -140,6 +143,37 @@ struct JobSession::State {
         }
         retiredRayWorld_.reset();
         return {};
+    }
+
+    /// Their pictures are as large as the frame, and are drawn and reflect with its settings. Those that were there go
+    /// when nothing knows them any more.
+    Result<void> makeMirrors() {
+        const auto old = std::move(mirrorWorld_);
+        const auto most = static_cast<size_t>(job_.settings.render.mirrors.most);
+        const std::vector<PlanarMirror> mirrors = job_.settings.reflections.planar.enabled
+                                                      ? findMirrors(*inputs_.scene, inputs_.pose, job_.planar, most)
+                                                      : std::vector<PlanarMirror>();
+        if (mirrors.empty())
+            return {};
+        GLINT_TRY(world, MirrorWorld::create(context_, *library_, *renderer_, mirrors,
+                                             probeWorld_ ? &probeWorld_->probes() : nullptr, job_.settings,
+                                             inputs_.width, inputs_.height));
+        mirrorWorld_ = std::make_unique<MirrorWorld>(std::move(world));
+        return reflections_->setPlanar(mirrorWorld_->mirrors());
+    }
+
+    /// After things have moved.
+    Result<void> moveMirrors() {
+        if (job_.planar == MirrorSearch::None || !job_.settings.reflections.planar.enabled)
+            return {};
+        const auto most = static_cast<size_t>(job_.settings.render.mirrors.most);
+        const std::vector<PlanarMirror> mirrors = findMirrors(*inputs_.scene, inputs_.pose, job_.planar, most);
+        if (mirrorWorld_) {
+            GLINT_TRY(fits, mirrorWorld_->setMirrors(mirrors));
+            if (fits)
+                return {};
+        }
+        return mirrors.empty() && !mirrorWorld_ ? Result<void>() : makeReflections();
     }
 
     /// Reads or bakes what the job asks for; once, as baking draws with the renderer.
@@ -186,10 +220,15 @@ struct JobSession::State {
     /// The frame of a host: its own opaque picture, the reflections, then what is blended over both.
     Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan) {
         GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
-        Result<void> inputsSet, inspected;
+        Result<void> inputsSet, inspected, mirrored;
         const auto start = std::chrono::steady_clock::now();
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands, timers_.get());
+            if (plan.draw && mirrorWorld_)
+                mirrored = mirrorWorld_->record(commands, parameters_, inputs_.environment != EnvironmentKind::None,
+                                                index, job_.seed);
+            if (!mirrored)
+                return;
             GBuffer& g = plan.draw ? renderer_->drawOpaque(frame, parameters_) : renderer_->gbuffer();
             if (plan.draw)
                 frame.copy(g.litRadiance, scene_); // before anything is blended over it
@@ -215,11 +254,14 @@ struct JobSession::State {
         }));
         FrameTimes times;
         times.wallMs = millisecondsSince(start);
+        GLINT_CHECK(mirrored);
         GLINT_CHECK(inputsSet);
         GLINT_CHECK(inspected);
         drawn_ = true;
         if (plan.draw)
             parameters_.prevCamera.reset();
+        if (plan.draw && mirrorWorld_)
+            times.hostPasses.emplace_back("mirrors", mirrorWorld_->milliseconds());
         for (const gpu::PassTime& time : timers_->latest())
             times.hostPasses.emplace_back(time.name, time.milliseconds);
         if (plan.reflect)
@@ -259,6 +301,7 @@ struct JobSession::State {
         inputs_.pose = std::move(pose);
         job_.time = seconds;
         GLINT_CHECK(renderer_->setPose(*inputs_.scene, inputs_.pose));
+        GLINT_CHECK(moveMirrors());
         if (!rayWorld_)
             return {};
         const auto old = std::move(rayWorld_); // rays go through the pose that they were made with
@@ -366,6 +409,7 @@ struct JobSession::State {
     std::unique_ptr<RayWorld> rayWorld_;        ///< absent until settings ask for rays
     std::unique_ptr<RayWorld> retiredRayWorld_; ///< the one before, as long as `reflections_` may know it
     RayBackend rayBackend_ = RayBackend::Auto;
+    std::unique_ptr<MirrorWorld> mirrorWorld_; ///< absent unless the job asks for mirrors and the scene has some
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;
     ViewPass viewPass_;

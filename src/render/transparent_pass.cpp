@@ -34,20 +34,18 @@ Result<TransparentPass> TransparentPass::create(gpu::Context& context, const Gpu
     return result;
 }
 
-Result<void> TransparentPass::resize(gpu::Context& context, const GpuScene& scene, uint32_t width, uint32_t height) {
+Result<gpu::Image> TransparentPass::makeBehind(gpu::Context& context, const GpuScene& scene, uint32_t width,
+                                               uint32_t height) {
     if (!scene.transmitsLight())
         width = height = 1;
     const auto mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));
-    GLINT_TRY(behind, gpu::Image::create(context, {"render/behind", kRadianceFormat, width, height, mips, 1,
-                                                   gpu::ImageShape::Flat,
-                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-                                                       VK_IMAGE_USAGE_TRANSFER_DST_BIT}));
-    behind_ = std::move(behind);
-    return {};
+    return gpu::Image::create(
+        context, {"render/behind", kRadianceFormat, width, height, mips, 1, gpu::ImageShape::Flat,
+                  VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
 }
 
 void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
-                           GBuffer& gbuffer, gpu::Image& hdr) {
+                           GBuffer& gbuffer, gpu::Image& behind, gpu::Image& hdr) {
     const std::vector<GpuItem>& items = scene.items();
     order_.clear();
     for (uint32_t i = 0; i < items.size(); ++i)
@@ -62,8 +60,8 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
         return viewZ(a) > viewZ(b);
     });
     if (scene.transmitsLight()) {
-        frame.copy(hdr, behind_);
-        frame.makeMips(behind_);
+        frame.copy(hdr, behind);
+        frame.makeMips(behind);
     }
     gpu::Image& target = drawn(gbuffer.multisampled.litRadiance, hdr);
     if (spread_)
@@ -76,7 +74,7 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
         if (!frame.rehearsing() && std::none_of(order_.begin(), order_.end(), belongs))
             continue;
         gpu::Pass pass = surfacePass(frame, pipelines_[topology], scene, inputs);
-        pass.read("behind", behind_).color(target).depth(gbuffer.shadedDepth(), false, false);
+        pass.read("behind", behind).color(target).depth(gbuffer.shadedDepth(), false, false);
         if (spread_)
             pass.resolve(hdr);
         pass.draw([&](gpu::Draws& draws) {

@@ -21,7 +21,7 @@ constexpr std::array kViews = {
     ViewInfo{"weight", ViewKind::Fraction, "Y", "weight of the screen-space answer"},
     ViewInfo{"weights", ViewKind::Fraction, "RGBA", "weight of each source: screen, sky, rays, probes"},
     ViewInfo{"source", ViewKind::Fraction, "RGB",
-             "which source answered most: green screen, orange rays, violet probes, blue sky"},
+             "which source answered most: green screen, orange rays, yellow planar, violet probes, blue sky"},
     ViewInfo{"outcome", ViewKind::Fraction, "RGB", "how each ray ended, as colours"},
     ViewInfo{"normal", ViewKind::Direction, "XYZ", "world-space normal"},
     ViewInfo{"depth", ViewKind::Distance, "Z", "metres along the view axis"},
@@ -40,6 +40,8 @@ constexpr std::array kViews = {
     ViewInfo{"weightRays", ViewKind::Fraction, "Y", "share of the rays"},
     ViewInfo{"weightProbes", ViewKind::Fraction, "Y", "share of the probes"},
     ViewInfo{"weightSky", ViewKind::Fraction, "Y", "share of the environment"},
+    ViewInfo{"planar", ViewKind::Radiance, "RGB", "radiance that the planar mirrors answered with"},
+    ViewInfo{"weightPlanar", ViewKind::Fraction, "Y", "share of the planar mirrors"},
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 

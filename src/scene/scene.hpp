@@ -94,6 +94,8 @@ struct Material {
     TextureSlot clearcoatNormalTexture;
     float clearcoatNormalScale = 1;
 
+    std::optional<bool> planarMirror; ///< extras.glint.planar: a picture from behind it is wanted, or is not
+
     bool specularGlossiness = false; ///< KHR_materials_pbrSpecularGlossiness replaces metallic-roughness
     glm::vec3 specularGlossinessFactor = glm::vec3(1);
     float glossinessFactor = 1;

@@ -3,12 +3,17 @@
 #include "gpu/support/library_test.hpp"
 
 #include "reflect/conventions.hpp"
+#include "reflect/hierarchy.hpp"
+#include "shared/hierarchy.h"
 #include "shared/trace_constants.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstring>
 #include <random>
 
 namespace glint::test {
@@ -404,20 +409,39 @@ TEST_F(CompositePassTest, extremeColoursStayFiniteHalves) {
 
 class HierarchyPassTest : public CompositePassTest {
 protected:
+    using Weights = std::array<float, shared::kSourceCount>;
+    /// shaders/lib/source_weights.glsl
+    static std::vector<Weights> unpackWeights(const std::vector<std::byte>& texels) {
+        std::vector<Weights> weights(texels.size() / sizeof(glm::uvec2));
+        for (size_t i = 0; i < weights.size(); ++i) {
+            glm::uvec2 packed;
+            std::memcpy(&packed, texels.data() + i * sizeof(packed), sizeof(packed));
+            for (uint32_t source = 0; source < shared::kSourceCount; ++source)
+                weights[i][source] =
+                    static_cast<float>((packed[static_cast<int>(source / 3)] >> (10 * (source % 3))) & 1023) / 1023;
+        }
+        return weights;
+    }
     struct Answer {
         std::vector<float> reflected;
-        std::vector<float> weights;
+        std::vector<Weights> weights;
     };
     static Answer combine(std::vector<Pixel> pixels, TestEnvironment& environment, bool screen, bool sky,
                           bool present = true, const std::vector<glm::vec4>& rays = {},
-                          const std::vector<glm::vec4>& probes = {}) {
+                          const std::vector<glm::vec4>& probes = {}, const std::vector<glm::vec4>& planar = {},
+                          const Settings& settings = {}) {
         std::vector<float> viewZ;
         std::vector<glm::vec4> answers;
         for (const Pixel& pixel : pixels) {
             viewZ.push_back(static_cast<float>(pixel.viewZ));
             answers.push_back(pixel.answer);
         }
-        const shared::HierarchyConstants constants = {screen, sky, !rays.empty(), !probes.empty()};
+        const auto bit = [](bool on, uint32_t source) { return on ? 1u << source : 0u; };
+        const shared::HierarchyConstants constants = {
+            bit(screen, shared::kSourceScreen) | bit(!rays.empty(), shared::kSourceRays) |
+                bit(!planar.empty(), shared::kSourcePlanar) | bit(!probes.empty(), shared::kSourceProbes) |
+                bit(sky, shared::kSourceSky),
+            reflect::packOrder(reflect::sourceOrder(settings))};
         gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, &environment);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));
@@ -428,8 +452,10 @@ protected:
                                         bytesOf(std::vector<glm::uvec4>(pixels.size(), glm::uvec4(0))));
         gpu::Image probesImage =
             upload("test/probes", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(probes.empty() ? answers : probes));
+        gpu::Image planarImage =
+            upload("test/planar", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(planar.empty() ? answers : planar));
         gpu::Image reflected = output("test/reflected", VK_FORMAT_R16G16B16A16_SFLOAT);
-        gpu::Image weights = output("test/weights", VK_FORMAT_R8G8B8A8_UNORM);
+        gpu::Image weights = output("test/weights", VK_FORMAT_R32G32_UINT);
         static const gpu::Pipeline pipeline =
             must(gpu::Pipeline::compute(gpu(), {"hierarchy/combine", sizeof(constants), {}}));
         run([&](VkCommandBuffer commands) {
@@ -442,13 +468,15 @@ protected:
                 .read("raysAnswer", raysImage)
                 .read("raysRecord", recordImage)
                 .read("probesAnswer", probesImage)
+                .read("planarAnswer", planarImage)
                 .read("environment", environment.cube)
                 .write("reflected", reflected)
                 .write("weights", weights)
                 .push(constants)
                 .dispatch(kWidth, kHeight);
         });
-        return {must(gpu::downloadImageAsFloats(gpu(), reflected)), must(gpu::downloadImageAsFloats(gpu(), weights))};
+        return {must(gpu::downloadImageAsFloats(gpu(), reflected)),
+                unpackWeights(must(gpu::downloadImage(gpu(), weights)))};
     }
 
     /// The screen's answer as trace writes it: radiance not multiplied by its weight.
@@ -483,8 +511,8 @@ TEST_F(HierarchyPassTest, skyGetsExactlyWhatTheScreenLeft) {
         for (int c = 0; c < 3; ++c) // a texel of 64 spans 1.4 degrees, across which the ramp bends by 1e-3 at most
             ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 3e-3) << i;
         ASSERT_NEAR(answer.reflected[i * 4 + 3], 1, kHalf) << "all weight is given";
-        ASSERT_NEAR(answer.weights[i * 4], w, 0.5 / 255 + 1e-6);
-        ASSERT_NEAR(answer.weights[i * 4 + 1], 1 - w, 0.5 / 255 + 1e-6);
+        ASSERT_NEAR(answer.weights[i][shared::kSourceScreen], w, 0.5 / 1023 + 1e-6);
+        ASSERT_NEAR(answer.weights[i][shared::kSourceSky], 1 - w, 0.5 / 1023 + 1e-6);
     }
 }
 
@@ -514,12 +542,49 @@ TEST_F(HierarchyPassTest, eachSourceGetsWhatThoseBeforeItLeft) {
                                             looked * glm::dvec3(probes[i]) + glm::dvec3(sky);
                 for (int c = 0; c < 3; ++c)
                     ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 2 * kHalf) << i;
-                ASSERT_NEAR(answer.weights[i * 4], screen, 0.5 / 255 + 1e-6);
-                ASSERT_NEAR(answer.weights[i * 4 + 1], sky, 0.5 / 255 + 1e-6);
-                ASSERT_NEAR(answer.weights[i * 4 + 2], traced, 0.5 / 255 + 1e-6);
-                ASSERT_NEAR(answer.weights[i * 4 + 3], looked, 0.5 / 255 + 1e-6);
+                ASSERT_NEAR(answer.weights[i][shared::kSourceScreen], screen, 0.5 / 1023 + 1e-6);
+                ASSERT_NEAR(answer.weights[i][shared::kSourceSky], sky, 0.5 / 1023 + 1e-6);
+                ASSERT_NEAR(answer.weights[i][shared::kSourceRays], traced, 0.5 / 1023 + 1e-6);
+                ASSERT_NEAR(answer.weights[i][shared::kSourceProbes], looked, 0.5 / 1023 + 1e-6);
             }
         }
+}
+
+/// Every order of the five, against the rule in double precision.
+TEST_F(HierarchyPassTest, theOrderIsTheUsers) {
+    TestEnvironment environment =
+        TestEnvironment::make(gpu(), 8, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(0.25f); });
+    const std::vector<Pixel> pixels = screenPixels(12);
+    const auto answersOf = [](const std::vector<Pixel>& from) {
+        std::vector<glm::vec4> answers;
+        for (const Pixel& pixel : from)
+            answers.push_back(pixel.answer);
+        return answers;
+    };
+    const std::vector<std::vector<glm::vec4>> answers = {
+        answersOf(pixels), answersOf(screenPixels(13)), answersOf(screenPixels(14)), answersOf(screenPixels(15)),
+        std::vector<glm::vec4>(pixels.size(), glm::vec4(0.25, 0.25, 0.25, 1))};
+    std::array<int, shared::kSourceCount> places = {0, 1, 2, 3, 4};
+    do {
+        Settings settings;
+        settings.order = {places[0], places[1], places[2], places[3], places[4]};
+        const Answer answer =
+            combine(pixels, environment, true, true, true, answers[1], answers[3], answers[2], settings);
+        for (uint32_t i = 0; i < pixels.size(); ++i) {
+            glm::dvec3 expected(0);
+            double total = 0;
+            for (int place = 0; place < 5; ++place) {
+                const auto source = static_cast<size_t>(std::ranges::find(places, place) - places.begin());
+                const glm::dvec4 given(answers[source][i]);
+                const double share = std::clamp(given.a, 0.0, 1 - total);
+                expected += share * glm::dvec3(given);
+                total += share;
+                ASSERT_NEAR(answer.weights[i][source], share, 0.5 / 1023 + 1e-6) << i;
+            }
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 2 * kHalf) << i;
+        }
+    } while (std::ranges::next_permutation(places).found);
 }
 
 TEST_F(HierarchyPassTest, eachSourceCanBeAbsent) {
@@ -553,7 +618,8 @@ TEST_F(HierarchyPassTest, weightsNeverExceedOneAndBackgroundGetsNone) {
     const Answer answer = combine(pixels, environment, true, true);
     for (uint32_t i = 0; i < pixels.size(); ++i) {
         ASSERT_LE(answer.reflected[i * 4 + 3], 1);
-        ASSERT_LE(answer.weights[i * 4] + answer.weights[i * 4 + 1], 1 + 1.001 / 255) << "each is rounded to 8 bits";
+        ASSERT_LE(answer.weights[i][shared::kSourceScreen] + answer.weights[i][shared::kSourceSky], 1 + 1.001 / 1023)
+            << "each is rounded to 10 bits";
         if (i % 4 == 0) {
             ASSERT_EQ(answer.reflected[i * 4 + 3], 0);
         }

@@ -34,6 +34,17 @@ Material readExtension(const std::string& name, const Json& extension) {
     return readMaterial({{"extensions", {{name, extension}}}});
 }
 
+TEST(GltfMaterial, ExtrasMayNamePlanarMirrors) {
+    EXPECT_FALSE(readMaterial(Json::object()).planarMirror);
+    for (const bool wanted : {true, false})
+        EXPECT_EQ(readMaterial({{"extras", {{"glint", {{"planar", wanted}}}}}}).planarMirror, wanted);
+    for (const Json& extras :
+         {Json("words"), Json(3), Json::array({1}), Json{{"glint", 7}}, Json{{"other", {{"planar", true}}}}})
+        EXPECT_FALSE(readMaterial({{"extras", extras}}).planarMirror) << extras; // somebody else's
+    EXPECT_EQ(materialError({{"extras", {{"glint", {{"planar", "yes"}}}}}}),
+              "test.glb: materials[0].extras.glint.planar must be true or false");
+}
+
 TEST(GltfMaterial, DefaultsAreTheSpecifications) {
     const Material material = readMaterial(Json::object());
     EXPECT_EQ(material.alphaMode, AlphaMode::Opaque);

@@ -21,19 +21,16 @@ Result<void> ProbesSource::setProbes(ProbesState& probes) {
 
 void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs) {
     shared::ProbesConstants constants = probes_->constants();
+    constants.before = inputs.earlier.before;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
-    flag(inputs.screenAnswer != nullptr, shared::kProbesScreen);
-    flag(inputs.raysAnswer != nullptr, shared::kProbesRays);
     flag(settings.probes.parallax, shared::kProbesParallax);
     flag(settings.probes.distanceRoughness, shared::kProbesDistanceRoughness);
     gpu::Pass pass = frame.pass(reflect_);
     pass.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
-        .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : inputs.black)
-        .read("raysAnswer", inputs.raysAnswer ? *inputs.raysAnswer : inputs.black)
-        .read("raysRecord", inputs.raysRecord)
         .write("probesAnswer", answer_);
+    inputs.earlier.bind(pass);
     probes_->bind(pass).push(constants).dispatch(answer_.width(), answer_.height());
 }
 

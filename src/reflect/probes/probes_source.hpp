@@ -11,10 +11,7 @@ namespace glint::reflect {
 struct ProbesInputs {
     gpu::Buffer& frameConstants;
     Prepared& prepared;
-    gpu::Image* screenAnswer; ///< null: the screen source was not asked
-    gpu::Image* raysAnswer;   ///< null: neither were rays
-    gpu::Image& raysRecord;   ///< which of the screen's answers rays replaced; of no matter without rays
-    gpu::Image& black;        ///< stands in for what is absent
+    EarlierAnswers earlier;
 };
 
 /// Made when a host first hands probes over.

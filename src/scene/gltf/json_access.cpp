@@ -215,6 +215,13 @@ JsonObject JsonObject::object(const char* key) const {
     return {find(key), pathOf(key), *diagnostics_};
 }
 
+JsonObject JsonObject::extras(const char* name) const {
+    const Json* const all = find("extras");
+    const auto found = all && all->is_object() ? all->find(name) : Json::const_iterator();
+    const bool ours = all && all->is_object() && found != all->end() && found->is_object();
+    return {ours ? &*found : nullptr, pathOf("extras") + "." + name, *diagnostics_};
+}
+
 JsonObject JsonObject::extension(const char* name) const {
     return object("extensions").object(name);
 }

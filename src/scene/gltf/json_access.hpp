@@ -55,6 +55,8 @@ public:
 
     JsonObject object(const char* key) const;
     JsonObject extension(const char* name) const;
+    /// Extras may be anything: what is no object that holds an object of this name is not ours, and absent.
+    JsonObject extras(const char* name) const;
     std::vector<JsonObject> objects(const char* key) const;
     std::vector<std::string> strings(const char* key) const;
     std::vector<std::string> keys() const;

@@ -135,6 +135,8 @@ void readMaterials(Document& document, Scene& scene) {
                          scene, material);
         readClearcoat(object.extension("KHR_materials_clearcoat"), scene, material);
         readSpecularGlossiness(object.extension("KHR_materials_pbrSpecularGlossiness"), scene, material);
+        if (const JsonObject ours = object.extras("glint"); ours.has("planar"))
+            material.planarMirror = ours.boolean("planar", false);
         scene.materials.push_back(std::move(material));
     }
 }

@@ -1,0 +1,220 @@
+// The source `planar`: for each pixel on a mirror of which there is a picture, what lies along its reflected ray there.
+// The picture shows the world behind the mirror from the frame's own camera, so the ray is looked up in it as a
+// screen-space ray is in the frame: a perfect mirror's at the pixel itself, a bent one's some way off. Roughness reads
+// coarser mips. docs/techniques/planar.md.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "hierarchy/taken_before.glsl"
+#include "lib/camera.glsl"
+#include "lib/fades.glsl"
+#include "lib/math.glsl"
+#include "lib/nearness.glsl"
+#include "lib/sanitize.glsl"
+#include "lib/surface.glsl"
+#include "shared/planar.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(scalar, set = 0, binding = 0) uniform FrameBlock {
+    FrameConstants constants;
+} frame;
+layout(set = 0, binding = 1) uniform sampler2D viewZ;
+layout(set = 0, binding = 2) uniform usampler2D surface;
+layout(scalar, set = 0, binding = 7) readonly buffer PlanarBlock {
+    PlanarRecord list[];
+} mirrors;
+layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D planarAnswer; // radiance, weight
+layout(set = 1, binding = 0) uniform sampler2D pictures[];
+layout(push_constant, scalar) uniform PushBlock {
+    PlanarConstants settings;
+};
+
+const float kMirrorLean = 0.8; // cosine: a normal farther off a mirror's belongs to something else
+
+bool liesOn(PlanarRecord mirror, vec3 positionVS, vec3 normalVS) {
+    vec3 off = positionVS - mirror.centerVS;
+    float slack = mirror.tolerance + 1e-4 * length(positionVS);
+    return abs(dot(off, mirror.normalVS)) <= slack && abs(dot(off, mirror.tangentVS)) <= mirror.halfWidth + slack &&
+           abs(dot(off, mirror.bitangentVS)) <= mirror.halfHeight + slack &&
+           dot(normalVS, mirror.normalVS) > kMirrorLean;
+}
+
+float pictureZ(PlanarRecord mirror, vec2 framePx) {
+    vec2 px = clamp(framePx * frame.constants.invSize * mirror.size, vec2(0.0), mirror.size - 1.0);
+    return texelFetch(pictures[nonuniformEXT(2u * mirror.picture + 1u)], ivec2(px), 0).r;
+}
+
+/// A ray's way over the picture: pixels of the frame and nearness, both linear from 0 to 1.
+struct Way {
+    vec2 fromPx;
+    vec2 toPx;
+    float fromNearness;
+    float toNearness;
+    bool leaves; // it ends at the picture's border, or on its way back to the eye: nothing is known beyond
+};
+
+/// Part of the way from `from` to `to` that lies between 0 and `size`.
+float insidePart(float from, float to, float size) {
+    float along = to - from;
+    return along > 0.0 ? (size - from) / along : along < 0.0 ? from / -along : 1.0;
+}
+
+Way wayOver(vec3 startVS, vec3 directionVS, vec2 startPx) {
+    const float kFar = 1.0e6; // metres: a direction's end
+    bool orthographic = isOrthographic(frame.constants);
+    bool returns = directionVS.z > 0.0 && !orthographic;
+    float reach = returns ? -0.9 * startVS.z / directionVS.z : kFar; // short of the eye's plane
+    vec4 endH = frame.constants.viewToPixel * vec4(startVS + directionVS * reach, 1.0);
+    Way way;
+    way.fromPx = startPx;
+    way.toPx = endH.xy / endH.w;
+    way.fromNearness = nearnessOf(orthographic, -startVS.z);
+    way.toNearness = nearnessOf(orthographic, -(startVS.z + directionVS.z * reach));
+    float part = min(insidePart(way.fromPx.x, way.toPx.x, frame.constants.size.x),
+                     insidePart(way.fromPx.y, way.toPx.y, frame.constants.size.y));
+    way.leaves = part < 1.0 || returns;
+    part = clamp(part, 0.0, 1.0);
+    way.toPx = mix(way.fromPx, way.toPx, part);
+    way.toNearness = mix(way.fromNearness, way.toNearness, part);
+    return way;
+}
+
+/// How much farther than what the picture shows there the ray is, metres; the background is never met.
+float behindBy(PlanarRecord mirror, Way way, float t) {
+    float z = pictureZ(mirror, mix(way.fromPx, way.toPx, t));
+    return z < kBackgroundZ ? viewZOf(frame.constants, mix(way.fromNearness, way.toNearness, t)) - z : -1.0;
+}
+
+const uint kMeetsNothing = 0u; // it ends in the background
+const uint kMeets = 1u;
+const uint kUnknown = 2u; // it leaves the picture, or goes on behind something
+
+/// Where along its way the ray meets something. Steps as many as pixels, at most settings.steps, then halvings down to an
+/// eighth of a pixel. A ray that is far behind there by then has passed behind an edge, and goes on.
+uint meets(PlanarRecord mirror, Way way, out float t) {
+    float lengthPx = distance(way.fromPx, way.toPx);
+    uint steps = uint(clamp(ceil(lengthPx), 1.0, float(settings.steps)));
+    float before = 0.0;
+    bool hidden = false;
+    for (uint i = 1u; i <= steps; ++i) {
+        t = float(i) / float(steps);
+        bool behind = behindBy(mirror, way, t) > 0.0;
+        if (!behind || hidden) {
+            hidden = behind;
+            before = t;
+            continue;
+        }
+        float after = t;
+        for (float stepPx = lengthPx / float(steps); stepPx > 0.125; stepPx *= 0.5) {
+            float middle = 0.5 * (before + after);
+            if (behindBy(mirror, way, middle) > 0.0)
+                after = middle;
+            else
+                before = middle;
+        }
+        // At a surface that it meets, it is behind by what its last step made of it, and a little.
+        float farZ = viewZOf(frame.constants, mix(way.fromNearness, way.toNearness, after));
+        float nearZ = viewZOf(frame.constants, mix(way.fromNearness, way.toNearness, before));
+        if (lengthPx < 1.0 || behindBy(mirror, way, after) <= 2.0 * abs(farZ - nearZ) + 0.01 * farZ) {
+            t = after;
+            return kMeets;
+        }
+        hidden = true;
+        before = t;
+    }
+    t = 1.0;
+    return way.leaves || hidden ? kUnknown : kMeetsNothing;
+}
+
+/// 1 inside; to 0 at the border, but for what was not turned aside far.
+float fadeBorder(vec2 px, vec2 startPx) {
+    vec2 toBorder = min(px, frame.constants.size - px) * frame.constants.invSize;
+    float aside = length((px - startPx) * frame.constants.invSize);
+    float width = max(min(settings.borderWidth, aside), 1e-6);
+    vec2 inside = clamp(toBorder / width, 0.0, 1.0);
+    return inside.x * inside.y;
+}
+
+/// Mean of the picture over an ellipse in which half of the weight lies: `longPx` to each side along `along`, `shortPx`
+/// across, both in its own pixels.
+vec3 meanOver(PlanarRecord mirror, vec2 px, vec2 along, float longPx, float shortPx) {
+    uint picture = 2u * mirror.picture;
+    const float kTexelRadius = 0.7; // of a mip's texel, within which half of its weight lies
+    const int kMostTaps = 4;        // to each side
+    float fineMip = log2(max(shortPx / kTexelRadius, 1.0));
+    int taps = int(clamp(ceil(longPx / (exp2(fineMip) * kTexelRadius)), 1.0, float(kMostTaps)));
+    float mip = clamp(max(fineMip, log2(max(longPx / (float(taps) * kTexelRadius), 1.0))), 0.0, mirror.lastMip);
+    vec3 sum = vec3(0.0);
+    float total = 0.0;
+    for (int i = -taps; i <= taps; ++i) {
+        float t = 2.0 * float(i) / float(taps + 1); // to twice the radius
+        float weight = exp2(-t * t);
+        vec2 uv = (px + along * (t * longPx)) / mirror.size;
+        vec4 texel = textureLod(pictures[nonuniformEXT(picture)], uv, mip);
+        sum += weight * texel.a * texel.rgb;
+        total += weight * texel.a;
+    }
+    return sum / total;
+}
+
+/// The mirror's picture as a surface of `alpha` reflects it: about `framePx`, where it shows `atVS`, `way` metres from
+/// the surface. GGX' half vectors lean by a slope s with the share s^2 / (s^2 + alpha^2) of their weight below s, and
+/// turn the ray by twice that; by less across the plane of incidence, times the cosine of incidence. Two Gaussians
+/// together stand for that long-tailed share, within 0.03 of it.
+vec3 pictureRadiance(PlanarRecord mirror, vec2 framePx, vec3 atVS, vec3 directionVS, float way, float alpha) {
+    vec2 toPicture = mirror.size * frame.constants.invSize;
+    vec2 px = framePx * toPicture;
+    float pixelVS = pixelExtent(frame.constants, frame.constants.uvToView, -atVS.z).y / toPicture.y;
+    float longPx = 2.0 * alpha * way / pixelVS;
+    if (longPx <= 0.25)
+        return textureLod(pictures[nonuniformEXT(2u * mirror.picture)], px / mirror.size, 0.0).rgb;
+    float cosine = max(abs(dot(directionVS, mirror.normalVS)), 0.05);
+    vec3 inPlaneVS = normalizeOr(mirror.normalVS - directionVS * dot(directionVS, mirror.normalVS), vec3(0.0));
+    vec4 asideH = frame.constants.viewToPixel * vec4(atVS + inPlaneVS * (0.01 * way), 1.0);
+    vec2 along = asideH.xy / asideH.w - framePx;
+    along = dot(along, along) > 0.0 ? normalize(along) : vec2(0.0, 1.0);
+    vec3 near = meanOver(mirror, px, along, 0.75 * longPx, 0.75 * longPx * cosine);
+    vec3 far = meanOver(mirror, px, along, 2.2 * longPx, 2.2 * longPx * cosine);
+    return mix(far, near, 0.62);
+}
+
+vec4 answer(ivec2 px, float z) {
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    float weight = fadeRoughness(here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness);
+    if (weight <= 0.0 || here.reflectivity <= 0.0 || takenBefore(settings.before, px) >= 1.0)
+        return vec4(0.0);
+    vec2 centerPx = vec2(px) + 0.5;
+    vec3 positionVS = viewPosition(frame.constants, centerPx * frame.constants.invSize, z);
+    vec3 reflectedVS = reflect(viewDirection(frame.constants, positionVS), here.normalVS);
+    for (uint i = 0u; i < settings.count; ++i) {
+        PlanarRecord mirror = mirrors.list[i];
+        float away = dot(reflectedVS, mirror.normalVS);
+        if (!liesOn(mirror, positionVS, here.normalVS) || away <= 0.0)
+            continue;
+        vec3 directionVS = reflectedVS - 2.0 * away * mirror.normalVS; // on through the mirror
+        Way way = wayOver(positionVS, directionVS, centerPx);
+        float t;
+        if (meets(mirror, way, t) == kUnknown)
+            return vec4(0.0);
+        vec2 hitPx = mix(way.fromPx, way.toPx, t);
+        // A perfect mirror's ray has no way at all over the picture: how far it went, the picture says.
+        float hitZ = min(pictureZ(mirror, hitPx), 1.0e6);
+        vec3 hitVS = viewPosition(frame.constants, hitPx * frame.constants.invSize, hitZ);
+        float alpha = here.perceptualRoughness * here.perceptualRoughness;
+        vec3 radiance =
+            pictureRadiance(mirror, hitPx, hitVS, directionVS, distance(hitVS, positionVS), alpha);
+        return vec4(sanitize(radiance), weight * fadeBorder(hitPx, centerPx));
+    }
+    return vec4(0.0);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    float z = texelFetch(viewZ, px, 0).r;
+    imageStore(planarAnswer, px, z < kBackgroundZ ? answer(px, z) : vec4(0.0));
+}

@@ -1,0 +1,51 @@
+// What stands behind glint::PlanarMirrors: the host's mirrors checked, and Glint's own pictures of what they show.
+#pragma once
+
+#include "glint/planar.hpp"
+#include "gpu/pass.hpp"
+#include "gpu/texture_table.hpp"
+#include "shared/frame_constants.h"
+#include "shared/planar.h"
+
+#include <vector>
+
+namespace glint::reflect {
+
+class PlanarState {
+public:
+    static Result<std::unique_ptr<PlanarState>> create(gpu::Context& context, const PlanarMirrorsDesc& desc);
+
+    Result<void> setMirrors(std::span<const PlanarMirror> mirrors);
+    Result<void> record(VkCommandBuffer commands, uint32_t mirror, const PlanarPicture& picture);
+    void skip(uint32_t mirror);
+
+    uint32_t count() const { return static_cast<uint32_t>(slots_.size()); }
+    VkDescriptorSetLayout picturesLayout() const { return table_.layout(); }
+    /// Those with a picture, in the view space of `constants`; at most kMaxPlanarRecords.
+    std::vector<shared::PlanarRecord> records(const shared::FrameConstants& constants) const;
+    VkDescriptorSet pictures() const { return table_.set(); }
+
+private:
+    struct Slot {
+        PlanarMirror mirror;
+        gpu::Image radiance; ///< RGBA16F, with mips: and its weight (shaders/planar/take_main.glsl)
+        gpu::Image viewZ;    ///< R32F
+        bool shown = false;  ///< there is a picture in them
+    };
+
+    explicit PlanarState(gpu::Context& context) : context_(context) {}
+    Result<void> makeSlot(const PlanarMirrorsDesc& desc, const PlanarMirror& mirror);
+    void take(gpu::Frame& frame, Slot& slot, gpu::Image& radiance, gpu::Image& depth,
+              const shared::FrameConstants& constants);
+
+    gpu::Context& context_;
+    Conventions conventions_;
+    gpu::Pipeline take_;
+    gpu::Pipeline takeSamples_;
+    gpu::Pipeline shrink_;
+    gpu::Buffer frameConstants_; ///< of the mirrored view whose picture is taken
+    std::vector<Slot> slots_;
+    gpu::TextureTable table_; ///< radiance and viewZ of each slot
+};
+
+} // namespace glint::reflect
