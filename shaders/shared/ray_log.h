@@ -93,7 +93,7 @@ struct RayLogHeader {
     LoggedPixel pixel;
     LoggedRay ray;
     LoggedSource sources[kSourceCount]; // in the order of the walk
-    uint sampleCount; // those beyond kMaxLoggedSamples are counted, not written
+    uint sampleCount;                   // those beyond kMaxLoggedSamples are counted, not written
 };
 
 GLINT_CONSTANT(uint, kMaxLoggedSamples, 4096);

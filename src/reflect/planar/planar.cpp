@@ -74,7 +74,8 @@ Result<std::unique_ptr<PlanarState>> PlanarState::create(gpu::Context& context, 
     std::unique_ptr<PlanarState> state(new PlanarState(context));
     state->conventions_ = desc.conventions;
     GLINT_TRY(take, gpu::Pipeline::compute(context, {"planar/take", sizeof(shared::PlanarTakeConstants), {}}));
-    GLINT_TRY(takeSamples, gpu::Pipeline::compute(context, {"planar/take_samples", sizeof(shared::PlanarTakeConstants), {}}));
+    GLINT_TRY(takeSamples,
+              gpu::Pipeline::compute(context, {"planar/take_samples", sizeof(shared::PlanarTakeConstants), {}}));
     GLINT_TRY(shrink, gpu::Pipeline::compute(context, {"planar/shrink", 0, {}}));
     GLINT_TRY(constants,
               gpu::Buffer::create(context, {"planar/frame", sizeof(shared::FrameConstants),
