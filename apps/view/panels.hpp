@@ -12,6 +12,7 @@ void drawTimesPanel(ViewerState& state);    ///< times_panel.cpp
 void drawPalette(ViewerState& state);       ///< palette.cpp
 void drawRayPanel(ViewerState& state);      ///< ray_panel.cpp
 void drawMessage(ViewerState& state);       ///< view_bar.cpp
+void drawShaderError(ViewerState& state);   ///< view_bar.cpp
 
 /// A slider, a box or a list for one setting; a change goes into the model. One edit of a slider is one step to undo.
 void drawSetting(ViewerState& state, const SettingInfo& info, float width); ///< setting_control.cpp

@@ -56,6 +56,18 @@ Result<void> PicturePair::open(const render::RenderJob& job) {
     return {};
 }
 
+Result<void> PicturePair::remake() {
+    GLINT_CHECK(picture_->remake());
+    beside_.reset(); // made when it is looked at
+    heat_ = {};
+    shown_.clear();
+    shownBeside_.clear();
+    heatOf_.clear();
+    imagesOf_.clear();
+    complete_ = false;
+    return {};
+}
+
 bool PicturePair::moved(const ViewerState& state, glm::uvec2 window) {
     const bool first = lastWindow_ == glm::uvec2(0);
     const bool moved = lastCamera_ != state.camera.camera().viewToWorld || lastSettings_ != state.settings.version() ||

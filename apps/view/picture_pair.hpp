@@ -25,6 +25,9 @@ public:
     /// writes figures and the asked ray into `state`. Does nothing for a window without area.
     /// Errors: DeviceLost, OutOfMemory; settings that the device cannot have are taken back with a message instead.
     Result<void> update(ViewerState& state, glm::uvec2 window);
+    /// Everything on the device anew, as after gpu::Context::replaceShaders; what is shown stays if that fails.
+    /// Errors: as ScenePicture::remake.
+    Result<void> remake();
     /// More updates would change nothing.
     bool complete() const { return complete_; }
     /// The images changed since the last call: the panels' renderer has to be told.

@@ -16,6 +16,7 @@
 #include "render_output.hpp"
 #include "scene/image_file.hpp"
 #include "script_player.hpp"
+#include "shader_reload.hpp"
 #include "window.hpp"
 
 #include <imgui.h>
@@ -32,6 +33,7 @@ namespace {
 
 constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, where nobody says
 constexpr double kScriptFrame = 1.0 / 60;        ///< seconds that a frame of a script lasts, however long it took
+constexpr double kShaderLook = 1;                ///< seconds between looks for changed shaders
 constexpr double kIdle = 0.1;                    ///< seconds to sleep where nothing happens
 
 double seconds() {
@@ -82,6 +84,10 @@ private:
     Result<void> openFile(const std::string& path);
     Result<void> openOtherScene(const std::string& path);
     Result<void> openEnvironment(const std::string& path);
+    Result<void> followShaders();
+    void lookForShaders();
+    Result<void> reloadShaders(bool all);
+    Result<void> remakePipelines();
     std::string probesElsewhere() const;
     bool cameraIsLost() const;
     std::string commandLine() const;
@@ -90,6 +96,9 @@ private:
     render::RenderJob job_;
     ViewerState state_;
     // In the order in which they need each other.
+    std::optional<ShaderReload> shaders_;
+    bool followsShaders_ = false; ///< by itself, not only when asked
+    double lookedAt_ = 0;
     std::unique_ptr<Window> window_;
     std::unique_ptr<gpu::Context> context_;
     std::unique_ptr<gpu::Swapchain> swapchain_;
@@ -115,6 +124,7 @@ Result<void> Viewer::open() {
         GLINT_TRY(steps, readScript(text, options_.script));
         script_ = ScriptPlayer(std::move(steps));
     }
+    GLINT_CHECK(followShaders());
     GLINT_TRY(window, Window::create("Glint: " + job_.scene, job_.width, job_.height));
     window_ = std::move(window);
     gpu::ContextDesc desc = {job_.device, job_.validate};
@@ -219,6 +229,7 @@ Result<void> Viewer::run() {
         state_.now += step;
         handler_.handle(events, state_, *gui_, window_->size(), step);
         advanceTime(step);
+        lookForShaders();
         GLINT_CHECK(pictures_->update(state_, window_->size()));
         GLINT_CHECK(drawWindow(events, step));
         GLINT_CHECK(serveRequests());
@@ -311,6 +322,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
     }
     state_.placePanels = false;
     drawPalette(state_);
+    drawShaderError(state_);
     drawMessage(state_);
     gui_->end();
     GLINT_CHECK(present());
@@ -360,6 +372,7 @@ Result<void> Viewer::serve(const Request& request) {
         state_.say(result.inspection ? "copied the ray as JSON" : "no pixel was asked");
         return {};
     }
+    case Request::Kind::ReloadShaders: return reloadShaders(request.text == "all");
     case Request::Kind::Close: closing_ = true; return {};
     }
     return {};
@@ -432,6 +445,61 @@ Result<void> Viewer::openFile(const std::string& path) {
     else
         return invalidInput("{}: what is dropped must end in .glb, .gltf, .hdr, .exr or .json", printable(path));
     state_.say(job_.probes == probes ? "opened " + path : fmt::format("opened {}, without probes", path));
+    return {};
+}
+
+/// Those that were asked for; else those of the sources, where the program was started from their folder.
+Result<void> Viewer::followShaders() {
+    const std::string folder = options_.shaders.empty() ? "shaders" : options_.shaders;
+    if (options_.shaders.empty() && !ShaderReload::isShaderFolder(folder))
+        return {};
+    GLINT_TRY(shaders, ShaderReload::create(folder));
+    shaders_.emplace(std::move(shaders));
+    followsShaders_ = !options_.shaders.empty() && !script_.playing(); // a script says itself when
+    return {};
+}
+
+void Viewer::lookForShaders() {
+    if (!followsShaders_ || state_.now - lookedAt_ < kShaderLook)
+        return;
+    lookedAt_ = state_.now;
+    if (shaders_->look())
+        state_.ask(Request::Kind::ReloadShaders);
+}
+
+Result<void> Viewer::reloadShaders(bool all) {
+    if (!shaders_)
+        return makeError(ErrorCode::NotFound, "no shaders to reload: start with --shaders FOLDER");
+    shaders_->look();
+    if (all)
+        shaders_->markAll();
+    auto compiled = shaders_->compile();
+    if (!compiled) {
+        state_.shaderError = compiled.error().message;
+        return {};
+    }
+    if (compiled->count == 0) {
+        state_.say("no shader has changed");
+        return {};
+    }
+    const gpu::ShaderReplacements before = context_->replacedShaders();
+    context_->replaceShaders(compiled->shaders);
+    if (auto made = remakePipelines(); !made) {
+        context_->replaceShaders(before);
+        state_.shaderError = made.error().message;
+        return made.error().code == ErrorCode::DeviceLost ? made : Result<void>();
+    }
+    shaders_->take(*compiled);
+    state_.shaderError.clear();
+    state_.say(fmt::format("{} {} reloaded", compiled->count, compiled->count == 1 ? "shader" : "shaders"));
+    return {};
+}
+
+/// All or nothing.
+Result<void> Viewer::remakePipelines() {
+    GLINT_TRY(renderer, GuiRenderer::create(*context_));
+    GLINT_CHECK(pictures_->remake());
+    renderer_.emplace(std::move(renderer));
     return {};
 }
 

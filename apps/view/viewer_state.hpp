@@ -28,6 +28,7 @@ struct Request {
         Open,            ///< `text`: a scene, an environment, settings or a camera
         CopyCommandLine, ///< into the clipboard
         CopyRay,         ///< what `glint inspect` would print
+        ReloadShaders,   ///< `text` "all": also those that have not changed
         Close,
     };
     Kind kind = Kind::Close;
@@ -97,7 +98,8 @@ struct ViewerState {
     std::string message;
     bool messageIsError = false;
     double messageUntil = 0;
-    double now = 0; ///< seconds since the start
+    std::string shaderError; ///< of the compiler or the device; stays until shaders are taken again
+    double now = 0;          ///< seconds since the start
     std::vector<Request> requests;
 
     void say(std::string text, bool isError = false) {
