@@ -1,6 +1,9 @@
 #include "frame_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 
 namespace glint::view {
 
@@ -18,6 +21,64 @@ FrameFigures frameFigures(const render::FrameTimes& times, double intervalMs) {
     figures.intervalMs = std::max(intervalMs, times.wallMs);
     figures.cpuMs = std::max(figures.intervalMs - figures.totalMs, 0.0);
     return figures;
+}
+
+namespace {
+
+/// The upper one of two, as in --stats.
+double median(std::vector<double> values) {
+    if (values.empty())
+        return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+} // namespace
+
+void RecentTimes::add(const render::FrameTimes& times, double intervalMs) {
+    frames_.push_back({times, intervalMs});
+    if (frames_.size() > kFrames)
+        frames_.pop_front();
+}
+
+FrameFigures RecentTimes::figures() const {
+    if (frames_.empty())
+        return {};
+    using Passes = std::vector<std::pair<std::string, double>>;
+    const auto over = [&](const std::function<double(const Frame&)>& value) {
+        std::vector<double> values;
+        for (const Frame& frame : frames_)
+            if (const double one = value(frame); one >= 0)
+                values.push_back(one);
+        return median(std::move(values));
+    };
+    const auto passes = [&](Passes render::FrameTimes::*list) {
+        Passes result = frames_.back().times.*list;
+        for (auto& [name, milliseconds] : result)
+            milliseconds = over([&](const Frame& frame) {
+                for (const auto& [other, ms] : frame.times.*list)
+                    if (other == name)
+                        return ms;
+                return -1.0; // not in this frame
+            });
+        return result;
+    };
+    render::FrameTimes medians;
+    medians.wallMs = over([](const Frame& frame) { return frame.times.wallMs; });
+    medians.hostPasses = passes(&render::FrameTimes::hostPasses);
+    medians.effectPasses = passes(&render::FrameTimes::effectPasses);
+    return frameFigures(medians, over([](const Frame& frame) { return frame.intervalMs; }));
+}
+
+std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats) {
+    std::string passes;
+    for (const auto& [name, milliseconds] : stats.passes)
+        passes +=
+            fmt::format("{}    {{\"name\": \"{}\", \"ms\": {}}}", passes.empty() ? "\n" : ",\n", name, milliseconds);
+    return fmt::format("{{\n  \"gpuComputeMs\": {},\n  \"gpuRenderMs\": {},\n  \"gpuMs\": {},\n  \"cpuMs\": {},\n  "
+                       "\"intervalMs\": {},\n  \"passes\": [{}\n  ]\n}}\n",
+                       figures.computeMs, figures.renderMs, figures.totalMs, figures.cpuMs, figures.intervalMs, passes);
 }
 
 } // namespace glint::view

@@ -68,6 +68,11 @@ Result<void> PicturePair::remake() {
     return {};
 }
 
+void PicturePair::restart() {
+    picture_->restart();
+    complete_ = false;
+}
+
 bool PicturePair::moved(const ViewerState& state, glm::uvec2 window) {
     const bool first = lastWindow_ == glm::uvec2(0);
     const bool moved = lastCamera_ != state.camera.camera().viewToWorld || lastSettings_ != state.settings.version() ||
@@ -131,7 +136,12 @@ void PicturePair::note(ViewerState& state) {
     const double now = seconds();
     const double interval =
         frameStart_ > 0 && now - frameStart_ < 2 * times.wallMs / 1000 ? (now - frameStart_) * 1000 : 0;
-    state.figures = frameFigures(times, interval);
+    const std::string of =
+        fmt::format("{}x{} {}", picture_->width(), picture_->height(), state.settings.version()); // as --stats counts
+    if (std::exchange(recentOf_, of) != of)
+        recent_.clear();
+    recent_.add(times, interval);
+    state.figures = recent_.figures();
     std::vector<std::pair<std::string, double>> passes = times.hostPasses;
     passes.insert(passes.end(), times.effectPasses.begin(), times.effectPasses.end());
     state.history.add(passes);

@@ -28,6 +28,8 @@ public:
     /// Everything on the device anew, as after gpu::Context::replaceShaders; what is shown stays if that fails.
     /// Errors: as ScenePicture::remake.
     Result<void> remake();
+    /// Renders anew although nothing has changed.
+    void restart();
     /// More updates would change nothing.
     bool complete() const { return complete_; }
     /// The images changed since the last call: the panels' renderer has to be told.
@@ -51,6 +53,8 @@ private:
     std::unique_ptr<ScenePicture> beside_; ///< with other settings; absent until asked for
     gpu::Image heat_;
     FramePace pace_;
+    RecentTimes recent_;
+    std::string recentOf_; ///< what size and which settings they are of
     bool complete_ = false;
     double frameStart_ = 0;
 

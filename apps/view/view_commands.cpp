@@ -81,6 +81,7 @@ std::vector<ViewCommand> makeCommands() {
          [](ViewerState& s) { s.ask(Request::Kind::Picture, freeName(".png")); }, true},
         {"Picture as glint render writes it (EXR)", "F10",
          [](ViewerState& s) { s.ask(Request::Kind::Picture, freeName(".exr")); }, true},
+        {"Capture a frame with RenderDoc", "F9", [](ViewerState& s) { s.ask(Request::Kind::Capture); }, true},
         {"Reload the shaders that have changed", "F5", [](ViewerState& s) { s.ask(Request::Kind::ReloadShaders); },
          true},
         {"Reload all shaders", "Shift+F5", [](ViewerState& s) { s.ask(Request::Kind::ReloadShaders, "all"); }, true},

@@ -13,6 +13,7 @@
 #include "picture_pair.hpp"
 #include "ray_overlay.hpp"
 #include "render/views.hpp"
+#include "render_doc.hpp"
 #include "render_output.hpp"
 #include "scene/image_file.hpp"
 #include "script_player.hpp"
@@ -88,6 +89,8 @@ private:
     void lookForShaders();
     Result<void> reloadShaders(bool all);
     Result<void> remakePipelines();
+    Result<void> startCapture();
+    void endCapture();
     std::string probesElsewhere() const;
     bool cameraIsLost() const;
     std::string commandLine() const;
@@ -113,6 +116,7 @@ private:
         scene::Camera camera; ///< as the file has it
     };
     std::optional<SavedCamera> savedCamera_;
+    std::optional<RenderDoc> capturing_;
     bool scripted_ = false;
     uint32_t shownFrames_ = 0;
     bool closing_ = false;
@@ -196,6 +200,7 @@ std::vector<InputEvent> Viewer::input() {
         [this](const ScriptStep& step) {
             state_.ask(step.kind == ScriptStep::Kind::Screenshot ? Request::Kind::Screenshot
                        : step.kind == ScriptStep::Kind::Picture  ? Request::Kind::Picture
+                       : step.kind == ScriptStep::Kind::Stats    ? Request::Kind::Stats
                                                                  : Request::Kind::Save,
                        step.text);
         },
@@ -230,8 +235,11 @@ Result<void> Viewer::run() {
         handler_.handle(events, state_, *gui_, window_->size(), step);
         advanceTime(step);
         lookForShaders();
+        if (capturing_)
+            capturing_->start();
         GLINT_CHECK(pictures_->update(state_, window_->size()));
         GLINT_CHECK(drawWindow(events, step));
+        endCapture();
         GLINT_CHECK(serveRequests());
         if (!options_.screenshot.empty() && !script_.playing() && pictures_->complete() &&
             shownFrames_ >= options_.scene.frames) {
@@ -334,7 +342,7 @@ Result<void> Viewer::serveRequests() {
     std::vector<Request> later;
     for (const Request& request : std::exchange(state_.requests, {})) {
         const bool whole = request.kind == Request::Kind::Picture || request.kind == Request::Kind::Save;
-        const bool writes = whole || request.kind == Request::Kind::Screenshot;
+        const bool writes = whole || request.kind == Request::Kind::Screenshot || request.kind == Request::Kind::Stats;
         if (whole && !pictures_->complete()) { // not of a coarse picture that is just being moved
             later.push_back(request);
             continue;
@@ -355,6 +363,7 @@ Result<void> Viewer::serve(const Request& request) {
     switch (request.kind) {
     case Request::Kind::Screenshot: return screenshot(request.text);
     case Request::Kind::Picture: return savePicture(request.text);
+    case Request::Kind::Stats: return writeFile(request.text, figuresJson(state_.figures, state_.stats));
     case Request::Kind::Save: return saveSettings(request.text);
     case Request::Kind::Open: return openFile(request.text);
     case Request::Kind::CopyCommandLine:
@@ -372,6 +381,7 @@ Result<void> Viewer::serve(const Request& request) {
         state_.say(result.inspection ? "copied the ray as JSON" : "no pixel was asked");
         return {};
     }
+    case Request::Kind::Capture: return startCapture();
     case Request::Kind::ReloadShaders: return reloadShaders(request.text == "all");
     case Request::Kind::Close: closing_ = true; return {};
     }
@@ -501,6 +511,24 @@ Result<void> Viewer::remakePipelines() {
     GLINT_CHECK(pictures_->remake());
     renderer_.emplace(std::move(renderer));
     return {};
+}
+
+/// From the next frame's first pass to its last, the scene's among them.
+Result<void> Viewer::startCapture() {
+    capturing_ = RenderDoc::find();
+    if (!capturing_)
+        return makeError(ErrorCode::NotFound, "RenderDoc is not here: start `renderdoccmd capture glint view ...`, or "
+                                              "the program from within qrenderdoc");
+    pictures_->restart();
+    return {};
+}
+
+void Viewer::endCapture() {
+    if (!capturing_)
+        return;
+    const bool captured = capturing_->end();
+    state_.say(captured ? "captured a frame for RenderDoc" : "RenderDoc captured nothing", !captured);
+    capturing_.reset();
 }
 
 /// A file's probes fit one scene in one light; others can be found or baked.

@@ -24,10 +24,12 @@ struct Request {
     enum class Kind {
         Screenshot,      ///< of the window, into `text`
         Picture,         ///< of the scene alone, .png or .exr, into `text`
+        Stats,           ///< what the help panel shows, into `text`
         Save,            ///< settings into `text`, the camera beside them
         Open,            ///< `text`: a scene, an environment, settings or a camera
         CopyCommandLine, ///< into the clipboard
         CopyRay,         ///< what `glint inspect` would print
+        Capture,         ///< the next frame, by RenderDoc
         ReloadShaders,   ///< `text` "all": also those that have not changed
         Close,
     };

@@ -134,11 +134,14 @@ void WindowTest::TearDown() {
     }
 }
 
-std::unique_ptr<Running> WindowTest::start(std::vector<std::string> arguments) {
+std::unique_ptr<Running> WindowTest::start(std::vector<std::string> arguments, std::vector<std::string> environment) {
     std::vector<std::string> command = {GLINT_RUN, GLINT_PROGRAM};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    return std::make_unique<Running>(command, folder_.path(),
-                                     std::vector<std::string>{"DISPLAY=" + display_, "WAYLAND_DISPLAY", "XAUTHORITY"});
+    // What the viewer remembers is not for this machine's people.
+    for (const std::string& always : {"DISPLAY=" + display_, std::string("WAYLAND_DISPLAY"), std::string("XAUTHORITY"),
+                                      "XDG_STATE_HOME=" + path("state")})
+        environment.push_back(always);
+    return std::make_unique<Running>(command, folder_.path(), environment);
 }
 
 Ended WindowTest::runScript(const std::string& script, std::vector<std::string> arguments) {
