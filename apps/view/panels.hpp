@@ -11,6 +11,7 @@ void drawHelpPanel(ViewerState& state);     ///< help_panel.cpp
 void drawTimesPanel(ViewerState& state);    ///< times_panel.cpp
 void drawPalette(ViewerState& state);       ///< palette.cpp
 void drawRayPanel(ViewerState& state);      ///< ray_panel.cpp
+void drawSecondPanel(ViewerState& state);   ///< second_panel.cpp
 void drawMessage(ViewerState& state);       ///< view_bar.cpp
 void drawShaderError(ViewerState& state);   ///< view_bar.cpp
 

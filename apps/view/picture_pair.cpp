@@ -44,12 +44,22 @@ std::vector<uint8_t> difference(const std::vector<uint8_t>& a, const std::vector
     return out;
 }
 
+/// Metres along the view axis, a number a pixel.
+Result<std::vector<float>> depths(ScenePicture& picture) {
+    GLINT_TRY(view, picture.session().readView("depth"));
+    std::vector<float> depth(view.rgba.size() / 4);
+    for (size_t i = 0; i < depth.size(); ++i)
+        depth[i] = view.rgba[i * 4];
+    return depth;
+}
+
 } // namespace
 
 Result<void> PicturePair::open(const render::RenderJob& job) {
     GLINT_TRY(picture, ScenePicture::create(context_, job));
     picture_ = std::move(picture);
     beside_.reset();
+    second_.reset();
     job_ = job;
     shown_.clear();
     complete_ = false;
@@ -59,9 +69,11 @@ Result<void> PicturePair::open(const render::RenderJob& job) {
 Result<void> PicturePair::remake() {
     GLINT_CHECK(picture_->remake());
     beside_.reset(); // made when it is looked at
+    second_.reset();
     heat_ = {};
     shown_.clear();
     shownBeside_.clear();
+    shownSecond_.clear();
     heatOf_.clear();
     imagesOf_.clear();
     complete_ = false;
@@ -108,10 +120,12 @@ Result<void> PicturePair::update(ViewerState& state, glm::uvec2 window) {
     GLINT_CHECK(updatePicture(state, size, divisor));
     GLINT_CHECK(updateBeside(state, size));
     GLINT_CHECK(updateHeat(state));
-    complete_ =
-        divisor == 1 && picture_->complete() && (state.beside != Beside::Settings || (beside_ && beside_->complete()));
     if (divisor == 1)
         GLINT_CHECK(answer(state));
+    GLINT_CHECK(updateSecond(state));
+    complete_ = divisor == 1 && picture_->complete() &&
+                (state.beside != Beside::Settings || (beside_ && beside_->complete())) &&
+                (!state.second.shown || state.second.size == glm::uvec2(0) || (second_ && second_->complete()));
     return {};
 }
 
@@ -191,6 +205,59 @@ Result<void> PicturePair::updateBeside(ViewerState& state, glm::uvec2 size) {
     return beside_->show(state.view);
 }
 
+Result<void> PicturePair::placeSecond(ViewerState& state) {
+    const render::View asked = picture_->session().view();
+    if (!state.asked || !state.ray || asked.width != state.rayView.width || asked.height != state.rayView.height) {
+        state.second.lookAt(state.camera);
+        return {};
+    }
+    GLINT_TRY(depth, depths(*picture_));
+    state.second.lookAt(*state.ray, state.rayView, depth, state.camera.camera());
+    return {};
+}
+
+/// The same settings from elsewhere, in the size of its pane, with the depths that hide parts of the ray.
+Result<void> PicturePair::updateSecond(ViewerState& state) {
+    SecondCamera& second = state.second;
+    if (!second.shown) {
+        second_.reset();
+        second.depth.clear();
+        return {};
+    }
+    const bool asked = state.asked && state.ray;
+    if (!second.placed || (asked && !second.sawRay && !second.turned))
+        GLINT_CHECK(placeSecond(state));
+    second.sawRay = asked;
+    if (second.size == glm::uvec2(0))
+        return {};
+    if (!second_) {
+        render::RenderJob job = job_;
+        job.settings = state.settings.settings();
+        job.statistics = false;
+        job.inspect.reset();
+        GLINT_TRY(made, ScenePicture::create(context_, job));
+        second_ = std::move(made);
+        shownSecond_.clear();
+    }
+    GLINT_CHECK(second_->resize(second.size.x, second.size.y));
+    GLINT_CHECK(second_->setTime(state.animation.seconds));
+    GLINT_CHECK(second_->setSettings(state.settings.settings()));
+    scene::Camera camera = second.camera.camera();
+    camera.near = std::max(camera.near, second.cut);
+    second_->setCamera(camera);
+    if (!second_->complete())
+        GLINT_CHECK(second_->render());
+    const std::string wanted = fmt::format("{} {} {}", state.view, second_->version(), second_->images());
+    if (wanted == shownSecond_)
+        return {};
+    shownSecond_ = wanted;
+    GLINT_CHECK(second_->show(state.view));
+    GLINT_TRY(depth, depths(*second_));
+    second.depth = std::move(depth);
+    second.view = second_->session().view();
+    return {};
+}
+
 /// Of an accumulating reference anew each time when its frames have doubled: work is in the metric, not in the picture.
 Result<void> PicturePair::updateHeat(ViewerState& state) {
     if (state.heat == Heat::None || state.beside != Beside::Settings || !beside_)
@@ -244,6 +311,7 @@ Result<void> PicturePair::answer(ViewerState& state) {
     rayOf_ = wanted;
     GLINT_TRY(ray, picture_->session().inspect(pixel.x, pixel.y));
     state.ray = std::move(ray);
+    state.rayView = picture_->session().view();
     if (std::exchange(state.focusAsked, false) && !state.ray->background) {
         const Float3& point = state.ray->positionWS;
         state.camera.focus({point[0], point[1], point[2]});
@@ -252,14 +320,15 @@ Result<void> PicturePair::answer(ViewerState& state) {
 }
 
 bool PicturePair::imagesChanged() {
-    const std::string now =
-        fmt::format("{} {} {}", picture_->images(), beside_ ? beside_->images() : 0, static_cast<bool>(heat_));
+    const std::string now = fmt::format("{} {} {} {}", picture_->images(), beside_ ? beside_->images() : 0,
+                                        second_ ? second_->images() : 0, static_cast<bool>(heat_));
     return std::exchange(imagesOf_, now) != now;
 }
 
 std::vector<const gpu::Image*> PicturePair::images() const {
     const gpu::Image& none = picture_->secondImage();
-    return {&picture_->image(), &none, beside_ ? &beside_->image() : &none, heat_ ? &heat_ : &none};
+    return {&picture_->image(), &none, beside_ ? &beside_->image() : &none, heat_ ? &heat_ : &none,
+            second_ ? &second_->image() : &none};
 }
 
 } // namespace glint::view

@@ -15,6 +15,7 @@ public:
     static constexpr uint32_t kBesideView = 1;
     static constexpr uint32_t kBesideSettings = 2;
     static constexpr uint32_t kHeat = 3;
+    static constexpr uint32_t kSecondCamera = 4;
 
     explicit PicturePair(gpu::Context& context) : context_(context) {}
 
@@ -43,6 +44,8 @@ private:
     Result<void> prepare(ScenePicture& picture, const ViewerState& state, glm::uvec2 size);
     Result<void> updatePicture(ViewerState& state, glm::uvec2 size, uint32_t divisor);
     Result<void> updateBeside(ViewerState& state, glm::uvec2 size);
+    Result<void> placeSecond(ViewerState& state);
+    Result<void> updateSecond(ViewerState& state);
     Result<void> updateHeat(ViewerState& state);
     Result<void> answer(ViewerState& state);
     void note(ViewerState& state);
@@ -51,6 +54,7 @@ private:
     render::RenderJob job_;
     std::unique_ptr<ScenePicture> picture_;
     std::unique_ptr<ScenePicture> beside_; ///< with other settings; absent until asked for
+    std::unique_ptr<ScenePicture> second_; ///< from another camera; absent until asked for
     gpu::Image heat_;
     FramePace pace_;
     RecentTimes recent_;
@@ -65,6 +69,7 @@ private:
     glm::uvec2 lastWindow_ = glm::uvec2(0);
     std::string shown_;       ///< view and versions in picture_'s image
     std::string shownBeside_; ///< the same of what stands beside
+    std::string shownSecond_;
     std::string heatOf_;
     std::string rayOf_;
     std::string imagesOf_;

@@ -63,6 +63,7 @@ std::vector<ViewCommand> makeCommands() {
         {"Split screen: the reference beside", "B", toggleBeside},
         {"Error against what is beside: none, difference, FLIP", "N", nextHeat},
         {"Ask the pixel under the mouse", "Home", [](ViewerState& s) { s.askFollows = !s.askFollows; }},
+        {"Second camera: the asked ray in the world", "O", [](ViewerState& s) { s.second.shown = !s.second.shown; }},
         {"Close, or ask no pixel", "Escape", escape, true},
         {"Play or pause the animation", "Space", [](ViewerState& s) { s.animation.playing = !s.animation.playing; }},
         {"Zoom in to single pixels", "PageUp", [](ViewerState& s) { zoom(s, 2); }},

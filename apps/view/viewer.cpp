@@ -181,6 +181,7 @@ Result<void> Viewer::openScene(const render::RenderJob& job) {
     savedCamera_.reset();
     state_.asked.reset();
     state_.ray.reset();
+    state_.second.placed = false;
     state_.showSettings = job.width >= 640; // in a smaller window it would be all that is seen
     handler_.setScale(size);
     window_->setTitle("Glint: " + printable(job.scene));
@@ -327,6 +328,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
         drawHelpPanel(state_);
         drawTimesPanel(state_);
         drawRayPanel(state_);
+        drawSecondPanel(state_);
     }
     state_.placePanels = false;
     drawPalette(state_);

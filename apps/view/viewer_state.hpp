@@ -5,6 +5,7 @@
 #include "frame_figures.hpp"
 #include "orbit_camera.hpp"
 #include "render/run_job.hpp"
+#include "second_camera.hpp"
 #include "settings_model.hpp"
 #include "time_history.hpp"
 
@@ -74,6 +75,8 @@ struct ViewerState {
     bool askFollows = false;        ///< the mouse
     bool focusAsked = false;        ///< turn to it as soon as it is known
     std::optional<RayInspection> ray;
+    render::View rayView; ///< that it was asked in
+    SecondCamera second;
 
     bool showSettings = true;
     bool showHelp = false;
