@@ -61,6 +61,9 @@ void SecondCamera::lookAt(const RayInspection& ray, const render::View& asked, s
         float worth = across * fits;
         if (worth <= best)
             continue;
+        for (const glm::vec3& end : {start, start + line}) // both in the picture
+            if (glm::dot(glm::normalize(end - place), sight / far) < std::cos(asking.fovY * 0.45f))
+                worth *= 0.25f;
         for (const float at : {0.05f, 0.3f, 0.6f, 0.95f})
             worth *= openShare(asked, askedDepth, place, start + line * at);
         if (worth > best) {

@@ -8,12 +8,12 @@ namespace {
 
 TEST_F(WindowTest, ASecondCameraSeesTheRayAndTurnsByHand) {
     const std::string quiet = "frame 190\n"; // no message is left
-    std::ofstream(path("script.txt"))
-        << "still\npicture before.png\nkey O\nstill\n" + quiet + "screenshot none.png\nclick 160 200\nstill\n" + quiet +
-               "screenshot ray.png\nmove 10 350\nframe 3\nscreenshot same.png\n"
-               "drag 560 300 600 290\nmove 10 350\nstill\nframe 3\nscreenshot turned.png\n"
-               "picture after.png\nkey O\nstill\nframe 3\nscreenshot closed.png\n";
-    const Ended ended = run({"view", "builtin:exact", "--size", "640x360", "--validate", "--script", "script.txt"});
+    const auto shot = [&](const std::string& name) { return "still\n" + quiet + "screenshot " + name + ".png\n"; };
+    std::ofstream(path("script.txt")) << "still\npicture before.png\nkey O\n" + shot("none") + "click 60 130\n" +
+                                             shot("ray") + "move 10 215\n" + shot("same") +
+                                             "drag 310 190 340 180\nmove 10 215\n" + shot("turned") +
+                                             "picture after.png\nkey O\n" + shot("closed");
+    const Ended ended = run({"view", "builtin:exact", "--size", "400x225", "--validate", "--script", "script.txt"});
     ASSERT_EQ(ended.code, 0) << ended.error;
     EXPECT_TRUE(bytes("before.png") == bytes("after.png")); // the picture itself stays where it is
     EXPECT_TRUE(bytes("none.png") != bytes("ray.png"));
