@@ -35,8 +35,8 @@ void zoom(ViewerState& state, float factor) {
 }
 
 void escape(ViewerState& state) {
-    if (state.showPalette) {
-        state.showPalette = false;
+    if (state.showPalette || state.open.shown) {
+        state.showPalette = state.open.shown = false;
     } else {
         state.asked.reset();
         state.askFollows = false;
@@ -46,6 +46,14 @@ void escape(ViewerState& state) {
 void togglePalette(ViewerState& state) {
     state.showPalette = !state.showPalette;
     state.paletteOpens = state.showPalette;
+    state.open.shown = false;
+}
+
+void toggleOpenPanel(ViewerState& state) {
+    state.open.shown = !state.open.shown;
+    state.open.begins = state.open.shown;
+    state.open.text.clear();
+    state.showPalette = false;
 }
 
 std::vector<ViewCommand> makeCommands() {
@@ -87,8 +95,7 @@ std::vector<ViewCommand> makeCommands() {
          true},
         {"Reload all shaders", "Shift+F5", [](ViewerState& s) { s.ask(Request::Kind::ReloadShaders, "all"); }, true},
         {"Save settings and camera", "Ctrl+S", [](ViewerState& s) { s.ask(Request::Kind::Save, s.fileText); }},
-        {"Open the file of the settings panel", "Ctrl+O",
-         [](ViewerState& s) { s.ask(Request::Kind::Open, s.fileText); }},
+        {"Open a file, or what was opened lately", "Ctrl+O", toggleOpenPanel, true},
         {"Copy as command line", "Ctrl+L", [](ViewerState& s) { s.ask(Request::Kind::CopyCommandLine); }},
         {"Copy the asked ray as JSON", "Ctrl+J", [](ViewerState& s) { s.ask(Request::Kind::CopyRay); }},
         {"Close the window", "Ctrl+Q", [](ViewerState& s) { s.ask(Request::Kind::Close); }},

@@ -146,7 +146,10 @@ Result<void> Viewer::open() {
     renderer_.emplace(std::move(renderer));
     pictures_.emplace(*context_);
     GLINT_CHECK(drawLoading());
-    return openScene(job_);
+    GLINT_CHECK(openScene(job_));
+    state_.recent = RecentFiles(RecentFiles::usualFile());
+    state_.recent.add(job_.scene);
+    return {};
 }
 
 Result<void> Viewer::makeSwapchain() {
@@ -332,6 +335,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
     }
     state_.placePanels = false;
     drawPalette(state_);
+    drawOpenPanel(state_);
     drawShaderError(state_);
     drawMessage(state_);
     gui_->end();
@@ -367,7 +371,10 @@ Result<void> Viewer::serve(const Request& request) {
     case Request::Kind::Picture: return savePicture(request.text);
     case Request::Kind::Stats: return writeFile(request.text, figuresJson(state_.figures, state_.stats));
     case Request::Kind::Save: return saveSettings(request.text);
-    case Request::Kind::Open: return openFile(request.text);
+    case Request::Kind::Open:
+        GLINT_CHECK(openFile(request.text));
+        state_.recent.add(request.text);
+        return {};
     case Request::Kind::CopyCommandLine:
         window_->setClipboard(commandLine());
         state_.say((cameraIsLost() ? "copied without the camera, which Ctrl+S saves: " : "copied: ") + commandLine());

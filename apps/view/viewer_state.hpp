@@ -3,7 +3,9 @@
 #pragma once
 
 #include "frame_figures.hpp"
+#include "open_list.hpp"
 #include "orbit_camera.hpp"
+#include "recent_files.hpp"
 #include "render/run_job.hpp"
 #include "second_camera.hpp"
 #include "settings_model.hpp"
@@ -88,6 +90,8 @@ struct ViewerState {
     int palettePage = 0;
     std::string paletteText;
     int paletteChoice = 0;
+    OpenPanel open;
+    RecentFiles recent;
     std::string settingsText; ///< what is searched for
     std::string fileText = "view.json";
 
