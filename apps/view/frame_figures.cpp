@@ -71,14 +71,17 @@ FrameFigures RecentTimes::figures() const {
     return frameFigures(medians, over([](const Frame& frame) { return frame.intervalMs; }));
 }
 
-std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats) {
+std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats, size_t deviceBytes) {
     std::string passes;
     for (const auto& [name, milliseconds] : stats.passes)
         passes +=
-            fmt::format("{}    {{\"name\": \"{}\", \"ms\": {}}}", passes.empty() ? "\n" : ",\n", name, milliseconds);
-    return fmt::format("{{\n  \"gpuComputeMs\": {},\n  \"gpuRenderMs\": {},\n  \"gpuMs\": {},\n  \"cpuMs\": {},\n  "
-                       "\"intervalMs\": {},\n  \"passes\": [{}\n  ]\n}}\n",
-                       figures.computeMs, figures.renderMs, figures.totalMs, figures.cpuMs, figures.intervalMs, passes);
+            fmt::format("{}\n    {{\"name\": \"{}\", \"ms\": {}}}", passes.empty() ? "" : ",", name, milliseconds);
+    std::string text = "{\n";
+    for (const auto& [name, value] : {std::pair("gpuComputeMs", figures.computeMs),
+                                      std::pair("gpuRenderMs", figures.renderMs), std::pair("gpuMs", figures.totalMs),
+                                      std::pair("cpuMs", figures.cpuMs), std::pair("intervalMs", figures.intervalMs)})
+        text += fmt::format("  \"{}\": {},\n", name, value);
+    return text + fmt::format("  \"deviceBytes\": {},\n  \"passes\": [{}\n  ]\n}}\n", deviceBytes, passes);
 }
 
 } // namespace glint::view

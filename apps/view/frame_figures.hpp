@@ -39,8 +39,8 @@ private:
     std::deque<Frame> frames_;
 };
 
-/// {"gpuComputeMs", "gpuRenderMs", "gpuMs", "cpuMs", "intervalMs"}: what the help panel shows, and the same passes as
-/// --stats has them.
-std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats);
+/// {"gpuComputeMs", "gpuRenderMs", "gpuMs", "cpuMs", "intervalMs"}: what the help panel shows; "passes" as --stats has
+/// them; "deviceBytes".
+std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats, size_t deviceBytes);
 
 } // namespace glint::view

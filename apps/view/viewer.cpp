@@ -35,6 +35,7 @@ namespace {
 constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, where nobody says
 constexpr double kScriptFrame = 1.0 / 60;        ///< seconds that a frame of a script lasts, however long it took
 constexpr double kShaderLook = 1;                ///< seconds between looks for changed shaders
+constexpr uint32_t kMostSurfacesLost = 10;       ///< in a row
 constexpr double kIdle = 0.1;                    ///< seconds to sleep where nothing happens
 
 double seconds() {
@@ -75,6 +76,8 @@ private:
     Result<void> drawLoading();
     Result<void> resizeCanvas(glm::uvec2 size);
     Result<void> present();
+    Result<void> checkWindow() const;
+    bool closeIsAllThatIsAsked() const;
     Result<void> drawWindow(std::span<const InputEvent> events, double step);
     void drawPictures();
     Result<void> serveRequests();
@@ -119,6 +122,7 @@ private:
     std::optional<RenderDoc> capturing_;
     bool scripted_ = false;
     uint32_t shownFrames_ = 0;
+    uint32_t surfacesLost_ = 0; ///< in a row
     bool closing_ = false;
 };
 
@@ -237,6 +241,9 @@ Result<void> Viewer::run() {
         last = now;
         state_.now += step;
         handler_.handle(events, state_, *gui_, window_->size(), step);
+        GLINT_CHECK(checkWindow());
+        if (closeIsAllThatIsAsked()) // nobody waits for one frame more
+            break;
         advanceTime(step);
         lookForShaders();
         if (capturing_)
@@ -254,6 +261,16 @@ Result<void> Viewer::run() {
             closing_ = true;
     }
     return {};
+}
+
+Result<void> Viewer::checkWindow() const {
+    if (window_->lost())
+        return makeError(ErrorCode::Io, "the window is gone: something else has destroyed it");
+    return {};
+}
+
+bool Viewer::closeIsAllThatIsAsked() const {
+    return state_.requests.size() == 1 && state_.requests.front().kind == Request::Kind::Close;
 }
 
 /// Left of the line the picture, right of it what stands beside.
@@ -297,7 +314,15 @@ Result<void> Viewer::resizeCanvas(glm::uvec2 size) {
 Result<void> Viewer::present() {
     GLINT_CHECK(renderer_->draw(*ImGui::GetDrawData(), canvasImage_));
     GLINT_TRY(presented, swapchain_->present(canvasImage_));
-    return presented == gpu::Presented::SurfaceLost ? makeSwapchain() : Result<void>();
+    if (presented == gpu::Presented::Shown)
+        surfacesLost_ = 0;
+    if (presented != gpu::Presented::SurfaceLost)
+        return {};
+    (void)window_->size(); // asks the window system, which may say why
+    GLINT_CHECK(checkWindow());
+    if (++surfacesLost_ > kMostSurfacesLost)
+        return makeError(ErrorCode::Io, "the window system takes the window's surface away again and again");
+    return makeSwapchain();
 }
 
 /// Something to see while a scene is read.
@@ -369,7 +394,9 @@ Result<void> Viewer::serve(const Request& request) {
     switch (request.kind) {
     case Request::Kind::Screenshot: return screenshot(request.text);
     case Request::Kind::Picture: return savePicture(request.text);
-    case Request::Kind::Stats: return writeFile(request.text, figuresJson(state_.figures, state_.stats));
+    case Request::Kind::Stats:
+        return writeFile(request.text,
+                         figuresJson(state_.figures, state_.stats, pictures_->picture().session().deviceBytes()));
     case Request::Kind::Save: return saveSettings(request.text);
     case Request::Kind::Open:
         GLINT_CHECK(openFile(request.text));

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "glint/glint.hpp"
+#include "gpu/memory.hpp"
 #include "gpu/transfer.hpp"
 #include "render/job_environment.hpp"
 #include "render/job_inputs.hpp"
@@ -446,6 +447,10 @@ RayInspection JobSession::inspection() const {
 
 const std::vector<std::string>& JobSession::notes() const {
     return state_->reflections_->notes();
+}
+
+size_t JobSession::deviceBytes() const {
+    return gpu::allocatedBytes(state_->context_.allocator()) + gpu::allocatedBytes(state_->library_->gpu().allocator());
 }
 
 const JobInputs& JobSession::inputs() const {

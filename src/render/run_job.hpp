@@ -66,6 +66,9 @@ public:
     /// Of the pixel inspected last.
     RayInspection inspection() const;
     const std::vector<std::string>& notes() const;
+    /// Memory of the device that this session's context and library have, bytes; what others have in that context
+    /// counts too.
+    size_t deviceBytes() const;
     const JobInputs& inputs() const;
     View view() const;
 
