@@ -71,11 +71,13 @@ FrameFigures RecentTimes::figures() const {
     return frameFigures(medians, over([](const Frame& frame) { return frame.intervalMs; }));
 }
 
-std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats, size_t deviceBytes) {
+std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats,
+                        const std::vector<std::string>& lastFrame, size_t deviceBytes) {
     std::string passes;
     for (const auto& [name, milliseconds] : stats.passes)
-        passes +=
-            fmt::format("{}\n    {{\"name\": \"{}\", \"ms\": {}}}", passes.empty() ? "" : ",", name, milliseconds);
+        if (std::ranges::find(lastFrame, name) != lastFrame.end())
+            passes +=
+                fmt::format("{}\n    {{\"name\": \"{}\", \"ms\": {}}}", passes.empty() ? "" : ",", name, milliseconds);
     std::string text = "{\n";
     for (const auto& [name, value] : {std::pair("gpuComputeMs", figures.computeMs),
                                       std::pair("gpuRenderMs", figures.renderMs), std::pair("gpuMs", figures.totalMs),

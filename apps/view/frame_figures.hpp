@@ -39,8 +39,9 @@ private:
     std::deque<Frame> frames_;
 };
 
-/// {"gpuComputeMs", "gpuRenderMs", "gpuMs", "cpuMs", "intervalMs"}: what the help panel shows; "passes" as --stats has
-/// them; "deviceBytes".
-std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats, size_t deviceBytes);
+/// {"gpuComputeMs", "gpuRenderMs", "gpuMs", "cpuMs", "intervalMs"}: what the help panel shows; "deviceBytes"; "passes"
+/// as --stats has them, but only those of `lastFrame`: what was done once, for the first frame, is no frame's cost.
+std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats,
+                        const std::vector<std::string>& lastFrame, size_t deviceBytes);
 
 } // namespace glint::view

@@ -395,8 +395,8 @@ Result<void> Viewer::serve(const Request& request) {
     case Request::Kind::Screenshot: return screenshot(request.text);
     case Request::Kind::Picture: return savePicture(request.text);
     case Request::Kind::Stats:
-        return writeFile(request.text,
-                         figuresJson(state_.figures, state_.stats, pictures_->picture().session().deviceBytes()));
+        return writeFile(request.text, figuresJson(state_.figures, state_.stats, state_.history.passes(),
+                                                   pictures_->picture().session().deviceBytes()));
     case Request::Kind::Save: return saveSettings(request.text);
     case Request::Kind::Open:
         GLINT_CHECK(openFile(request.text));

@@ -161,9 +161,21 @@ std::string WindowTest::bytes(const std::string& name) const {
     return readAll(path(name));
 }
 
-bool WindowTest::waitFor(const std::string& name) {
+std::string WindowTest::waitForWindow(const std::string& scene) {
+    const Ended found = tool({"search", "--sync", "--onlyvisible", "--name", "Glint: " + scene});
+    EXPECT_EQ(found.code, 0) << found.error;
+    return found.out.substr(0, found.out.find('\n'));
+}
+
+void WindowTest::endDisplay() {
+    kill(server_, SIGKILL);
+    waitpid(server_, nullptr, 0);
+    server_ = -1;
+}
+
+bool WindowTest::waitFor(const std::string& name, double seconds) {
     std::error_code ignored;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < seconds * 50; ++i) {
         if (std::filesystem::exists(path(name), ignored))
             return true;
         pause();

@@ -55,8 +55,11 @@ protected:
     /// `xdotool ARGUMENTS`
     Ended tool(std::vector<std::string> arguments);
     std::string path(const std::string& name) const { return folder_ + name; }
-    std::string bytes(const std::string& name) const; ///< of a file in the folder; empty: there is none
-    bool waitFor(const std::string& name);            ///< a file in the folder
+    std::string bytes(const std::string& name) const;           ///< of a file in the folder; empty: there is none
+    bool waitFor(const std::string& name, double seconds = 30); ///< a file in the folder
+    /// Until the window of `glint view SCENE` can be seen; its number, as xdotool has it.
+    std::string waitForWindow(const std::string& scene);
+    void endDisplay(); ///< under the feet of whoever is on it
 
     TempFolder folder_;
 

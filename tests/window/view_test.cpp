@@ -194,21 +194,6 @@ TEST_F(WindowTest, OddSizesMinimizedAndBack) {
     EXPECT_TRUE(same(bytes("before.png"), bytes("after.png")));
 }
 
-TEST_F(WindowTest, ResizingLeavesMemoryAsItIs) {
-    std::string script = "still\n";
-    for (int i = 0; i < 300; ++i) // the first third warms up what keeps memory for good: the driver's own caches
-        script += "resize " + std::to_string(40 + i % 7) + " " + std::to_string(30 + i % 5) + "\nframe 1\n" +
-                  (i == 100 ? "screenshot middle.png\n" : "");
-    std::ofstream(path("script.txt")) << script << "screenshot end.png\nframe 16000\n";
-    auto viewer = start({"view", "builtin:exact", "--size", "64x48", "--script", "script.txt"});
-    ASSERT_TRUE(waitFor("middle.png"));
-    const long middle = viewer->residentKilobytes();
-    ASSERT_TRUE(waitFor("end.png"));
-    const long end = viewer->residentKilobytes();
-    EXPECT_GT(middle, 0);
-    EXPECT_LT(end, middle + 16 * 1024) << "kB after 100 sizes: " << middle << ", after 300: " << end;
-}
-
 TEST_F(WindowTest, WithoutADisplayOneLineSaysWhatToDo) {
     Running viewer({GLINT_RUN, GLINT_PROGRAM, "view", "builtin:exact"}, folder_.path(), {"DISPLAY", "WAYLAND_DISPLAY"});
     const Ended ended = viewer.wait();
