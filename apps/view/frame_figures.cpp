@@ -55,12 +55,13 @@ FrameFigures RecentTimes::figures() const {
     };
     const auto passes = [&](Passes render::FrameTimes::*list) {
         Passes result = frames_.back().times.*list;
-        for (auto& [name, milliseconds] : result)
-            milliseconds = over([&](const Frame& frame) {
-                for (const auto& [other, ms] : frame.times.*list)
-                    if (other == name)
-                        return ms;
-                return -1.0; // not in this frame
+        for (size_t i = 0; i < result.size(); ++i)
+            result[i].second = over([&, name = result[i].first](const Frame& frame) {
+                const Passes& other = frame.times.*list;
+                if (i < other.size() && other[i].first == name) // one name may stand for several passes
+                    return other[i].second;
+                const auto same = std::ranges::find(other, name, &Passes::value_type::first);
+                return same == other.end() ? -1.0 : same->second;
             });
         return result;
     };

@@ -3,12 +3,14 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "canvas.hpp"
+#include "command_line.hpp"
 #include "frame_pace.hpp"
 #include "gpu/swapchain.hpp"
 #include "gpu/transfer.hpp"
 #include "gui.hpp"
 #include "input_handler.hpp"
 #include "inspect_output.hpp"
+#include "live_shaders.hpp"
 #include "panels.hpp"
 #include "picture_pair.hpp"
 #include "ray_overlay.hpp"
@@ -17,7 +19,6 @@
 #include "render_output.hpp"
 #include "scene/image_file.hpp"
 #include "script_player.hpp"
-#include "shader_reload.hpp"
 #include "window.hpp"
 
 #include <imgui.h>
@@ -34,7 +35,6 @@ namespace {
 
 constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, where nobody says
 constexpr double kScriptFrame = 1.0 / 60;        ///< seconds that a frame of a script lasts, however long it took
-constexpr double kShaderLook = 1;                ///< seconds between looks for changed shaders
 constexpr uint32_t kMostSurfacesLost = 10;       ///< in a row
 constexpr double kIdle = 0.1;                    ///< seconds to sleep where nothing happens
 
@@ -46,16 +46,6 @@ std::string ending(const std::string& path) {
     std::string text = std::filesystem::path(path).extension().string();
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
-}
-
-std::string shellWord(const std::string& text) {
-    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-";
-    if (!text.empty() && text.find_first_not_of(kPlain) == text.npos)
-        return text;
-    std::string quoted = "'";
-    for (const char c : text)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 class Viewer {
@@ -88,23 +78,16 @@ private:
     Result<void> openFile(const std::string& path);
     Result<void> openOtherScene(const std::string& path);
     Result<void> openEnvironment(const std::string& path);
-    Result<void> followShaders();
-    void lookForShaders();
-    Result<void> reloadShaders(bool all);
     Result<void> remakePipelines();
     Result<void> startCapture();
     void endCapture();
     std::string probesElsewhere() const;
-    bool cameraIsLost() const;
-    std::string commandLine() const;
 
     ViewOptions options_;
     render::RenderJob job_;
     ViewerState state_;
     // In the order in which they need each other.
-    std::optional<ShaderReload> shaders_;
-    bool followsShaders_ = false; ///< by itself, not only when asked
-    double lookedAt_ = 0;
+    LiveShaders shaders_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<gpu::Context> context_;
     std::unique_ptr<gpu::Swapchain> swapchain_;
@@ -114,10 +97,6 @@ private:
     std::optional<PicturePair> pictures_;
     InputHandler handler_;
     ScriptPlayer script_;
-    struct SavedCamera {
-        std::string path;
-        scene::Camera camera; ///< as the file has it
-    };
     std::optional<SavedCamera> savedCamera_;
     std::optional<RenderDoc> capturing_;
     bool scripted_ = false;
@@ -132,7 +111,7 @@ Result<void> Viewer::open() {
         GLINT_TRY(steps, readScript(text, options_.script));
         script_ = ScriptPlayer(std::move(steps));
     }
-    GLINT_CHECK(followShaders());
+    GLINT_CHECK(shaders_.follow(options_.shaders));
     GLINT_TRY(window, Window::create("Glint: " + job_.scene, job_.width, job_.height));
     window_ = std::move(window);
     gpu::ContextDesc desc = {job_.device, job_.validate};
@@ -245,7 +224,8 @@ Result<void> Viewer::run() {
         if (closeIsAllThatIsAsked()) // nobody waits for one frame more
             break;
         advanceTime(step);
-        lookForShaders();
+        if (!scripted_) // a script says itself when
+            shaders_.look(state_);
         if (capturing_)
             capturing_->start();
         GLINT_CHECK(pictures_->update(state_, window_->size()));
@@ -403,8 +383,10 @@ Result<void> Viewer::serve(const Request& request) {
         state_.recent.add(request.text);
         return {};
     case Request::Kind::CopyCommandLine:
-        window_->setClipboard(commandLine());
-        state_.say((cameraIsLost() ? "copied without the camera, which Ctrl+S saves: " : "copied: ") + commandLine());
+        window_->setClipboard(commandLine(state_, job_, savedCamera_));
+        state_.say(
+            (cameraIsLost(state_, savedCamera_) ? "copied without the camera, which Ctrl+S saves: " : "copied: ") +
+            commandLine(state_, job_, savedCamera_));
         return {};
     case Request::Kind::CopyRay: {
         render::RenderResult result;
@@ -418,7 +400,8 @@ Result<void> Viewer::serve(const Request& request) {
         return {};
     }
     case Request::Kind::Capture: return startCapture();
-    case Request::Kind::ReloadShaders: return reloadShaders(request.text == "all");
+    case Request::Kind::ReloadShaders:
+        return shaders_.reload(request.text == "all", *context_, state_, [this] { return remakePipelines(); });
     case Request::Kind::Close: closing_ = true; return {};
     }
     return {};
@@ -494,53 +477,6 @@ Result<void> Viewer::openFile(const std::string& path) {
     return {};
 }
 
-/// Those that were asked for; else those of the sources, where the program was started from their folder.
-Result<void> Viewer::followShaders() {
-    const std::string folder = options_.shaders.empty() ? "shaders" : options_.shaders;
-    if (options_.shaders.empty() && !ShaderReload::isShaderFolder(folder))
-        return {};
-    GLINT_TRY(shaders, ShaderReload::create(folder));
-    shaders_.emplace(std::move(shaders));
-    followsShaders_ = !options_.shaders.empty() && !script_.playing(); // a script says itself when
-    return {};
-}
-
-void Viewer::lookForShaders() {
-    if (!followsShaders_ || state_.now - lookedAt_ < kShaderLook)
-        return;
-    lookedAt_ = state_.now;
-    if (shaders_->look())
-        state_.ask(Request::Kind::ReloadShaders);
-}
-
-Result<void> Viewer::reloadShaders(bool all) {
-    if (!shaders_)
-        return makeError(ErrorCode::NotFound, "no shaders to reload: start with --shaders FOLDER");
-    shaders_->look();
-    if (all)
-        shaders_->markAll();
-    auto compiled = shaders_->compile();
-    if (!compiled) {
-        state_.shaderError = compiled.error().message;
-        return {};
-    }
-    if (compiled->count == 0) {
-        state_.say("no shader has changed");
-        return {};
-    }
-    const gpu::ShaderReplacements before = context_->replacedShaders();
-    context_->replaceShaders(compiled->shaders);
-    if (auto made = remakePipelines(); !made) {
-        context_->replaceShaders(before);
-        state_.shaderError = made.error().message;
-        return made.error().code == ErrorCode::DeviceLost ? made : Result<void>();
-    }
-    shaders_->take(*compiled);
-    state_.shaderError.clear();
-    state_.say(fmt::format("{} {} reloaded", compiled->count, compiled->count == 1 ? "shader" : "shaders"));
-    return {};
-}
-
 /// All or nothing.
 Result<void> Viewer::remakePipelines() {
     GLINT_TRY(renderer, GuiRenderer::create(*context_));
@@ -605,36 +541,6 @@ Result<void> Viewer::openEnvironment(const std::string& path) {
     state_.cameraIndex = cameraIndex;
     savedCamera_ = saved;
     return {};
-}
-
-/// No option of `glint render` makes the camera that is shown.
-bool Viewer::cameraIsLost() const {
-    return state_.camera.moved() && !(savedCamera_ && sameCamera(savedCamera_->camera, state_.camera.camera()));
-}
-
-/// Without a camera where cameraIsLost().
-std::string Viewer::commandLine() const {
-    std::string text = "glint render " + shellWord(state_.scene);
-    if (state_.camera.moved())
-        text += cameraIsLost() ? "" : " --camera " + shellWord(savedCamera_->path);
-    else if (!job_.camera.empty() && state_.cameraIndex < 0)
-        text += " --camera " + shellWord(job_.camera);
-    else if (state_.cameraIndex > 0)
-        text += fmt::format(" --camera {}", state_.cameraIndex);
-    if (!job_.environment.empty())
-        text += " --env " + shellWord(job_.environment);
-    if (!job_.probes.empty())
-        text += " --probes " + shellWord(job_.probes);
-    text += fmt::format(" --size {}x{}", state_.width, state_.height);
-    if (state_.animation.seconds != 0)
-        text += fmt::format(" --time {}", state_.animation.seconds);
-    if (state_.frames > 1)
-        text += fmt::format(" --frames {}", state_.frames);
-    if (job_.seed != 0)
-        text += fmt::format(" --seed {}", job_.seed);
-    if (state_.view != "composite")
-        text += " --view " + state_.view;
-    return text + " " + state_.settings.options() + " -o picture.png";
 }
 
 Result<void> Viewer::validated() const {
