@@ -76,6 +76,7 @@ Result<void> PicturePair::remake() {
     shownSecond_.clear();
     heatOf_.clear();
     imagesOf_.clear();
+    recentOf_.clear();
     complete_ = false;
     return {};
 }

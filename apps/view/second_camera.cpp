@@ -52,7 +52,8 @@ void SecondCamera::lookAt(const RayInspection& ray, const render::View& asked, s
         const glm::uvec2 cell(i % kPlaces, i / kPlaces % kPlaces);
         const glm::uvec2 px = (cell * 2u + 1u) * glm::uvec2(asked.width, asked.height) / (2 * kPlaces);
         const float open = std::min(askedDepth[px.y * asked.width + px.x], 4 * length);
-        const float share = static_cast<float>(i / (kPlaces * kPlaces)) / kShares; // the first: from the eye itself
+        const uint32_t step = i / (kPlaces * kPlaces);
+        const float share = static_cast<float>(step) / kShares; // the first: from the eye itself
         const glm::vec3 place = pointAt(asked, glm::vec2(px) + 0.5f, std::max(open * share * 0.9f, 1e-3f));
         const glm::vec3 sight = middle - place;
         const float far = std::max(glm::length(sight), 1e-3f);
