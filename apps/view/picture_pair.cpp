@@ -213,6 +213,8 @@ Result<void> PicturePair::placeSecond(ViewerState& state) {
         return {};
     }
     GLINT_TRY(depth, depths(*picture_));
+    if (depth.size() != size_t{asked.width} * asked.height)
+        return {}; // not drawn in this size yet: in the next frame
     state.second.lookAt(*state.ray, state.rayView, depth, state.camera.camera());
     return {};
 }
