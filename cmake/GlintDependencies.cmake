@@ -12,6 +12,7 @@ find_path(VMA_INCLUDE_DIR vk_mem_alloc.h HINTS ${PROJECT_SOURCE_DIR}/.deps/vma/i
 add_library(glint_vma INTERFACE)
 target_include_directories(glint_vma SYSTEM INTERFACE $<BUILD_INTERFACE:${VMA_INCLUDE_DIR}>)
 
-# Reflection of SPIR-V happens at build time only; Debian ships SPIRV-Cross as a C library.
+# SPIR-V is reflected at build time, and in the viewer where it compiles shaders anew; never in the library. Debian ships
+# SPIRV-Cross as a C library.
 find_library(SPIRV_CROSS_C spirv-cross-c-shared REQUIRED)
 find_path(SPIRV_CROSS_C_INCLUDE_DIR spirv_cross_c.h PATH_SUFFIXES spirv_cross REQUIRED)

@@ -1,9 +1,13 @@
 # GLSL -> SPIR-V (validated) -> one C++ file per set, with the reflected bindings beside the words.
 
+# Shared with the viewer, which reflects what it compiles while it runs.
+add_library(glint_shader_reflection STATIC ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_reflection.cpp)
+target_include_directories(glint_shader_reflection PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+target_include_directories(glint_shader_reflection SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
+target_link_libraries(glint_shader_reflection PUBLIC fmt::fmt PRIVATE ${SPIRV_CROSS_C} glint_warnings)
+
 add_executable(glint_shader_pack ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_pack.cpp)
-target_include_directories(glint_shader_pack PRIVATE ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
-target_include_directories(glint_shader_pack SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
-target_link_libraries(glint_shader_pack PRIVATE ${SPIRV_CROSS_C} fmt::fmt glint_warnings)
+target_link_libraries(glint_shader_pack PRIVATE glint_shader_reflection glint_warnings)
 set_target_properties(glint_shader_pack PROPERTIES CROSSCOMPILING_EMULATOR "")
 
 # glint_embed_shaders(TARGET SET name FOLDERS shaders/trace ... [ROOT tests/gpu/shaders])

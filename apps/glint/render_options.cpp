@@ -61,12 +61,9 @@ std::vector<std::string> sceneDefaults(std::string_view scene) {
 }
 
 Result<render::MirrorSearch> mirrorSearch(const std::string& text) {
-    if (text == "none")
-        return render::MirrorSearch::None;
-    if (text == "named")
-        return render::MirrorSearch::Named;
-    if (text == "auto")
-        return render::MirrorSearch::Auto;
+    const auto found = std::ranges::find(render::kMirrorSearchNames, text);
+    if (found != render::kMirrorSearchNames.end())
+        return static_cast<render::MirrorSearch>(found - render::kMirrorSearchNames.begin());
     return invalidArgument("--planar {}: none, named or auto", printable(text));
 }
 

@@ -40,6 +40,7 @@ constexpr std::array kWords = {
     Word{"drop", Kind::Drop, Rest::Text, 0, "drop FILE"},
     Word{"screenshot", Kind::Screenshot, Rest::Text, 0, "screenshot FILE.png"},
     Word{"picture", Kind::Picture, Rest::Text, 0, "picture FILE"},
+    Word{"stats", Kind::Stats, Rest::Text, 0, "stats FILE.json"},
     Word{"save", Kind::Save, Rest::Text, 0, "save FILE.json"},
     Word{"close", Kind::Close, Rest::Nothing, 0, "close"},
 };

@@ -31,6 +31,7 @@ struct ScriptStep {
         Screenshot,  ///< screenshot FILE.png: the window with its panels
         Picture,     ///< picture FILE.png|.exr: the picture alone, as `glint render` writes it
         Save,        ///< save FILE.json: settings, and beside them FILE.camera.json
+        Stats,       ///< stats FILE.json: what the help panel shows
         Close,       ///< close
     };
     Kind kind = Kind::Frame;

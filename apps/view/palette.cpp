@@ -10,14 +10,6 @@
 namespace glint::view {
 namespace {
 
-bool pressed(ImGuiKey key) {
-#if IMGUI_VERSION_NUM < 18700
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-#else
-    return ImGui::IsKeyPressed(key);
-#endif
-}
-
 void drawEntry(ViewerState& state, const PaletteEntry& entry, bool chosen, bool run) {
     if (entry.setting) {
         ImGui::PushStyleColor(ImGuiCol_Text, chosen ? ImVec4(1, 1, 0.6f, 1) : ImVec4(0.75f, 0.8f, 0.9f, 1));
@@ -70,6 +62,14 @@ void figuresLine(const ViewerState& state) {
 
 } // namespace
 
+bool keyPressed(int key) {
+#if IMGUI_VERSION_NUM < 18700
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#else
+    return ImGui::IsKeyPressed(static_cast<ImGuiKey>(key));
+#endif
+}
+
 void drawPalette(ViewerState& state) {
     if (!state.showPalette)
         return;
@@ -90,9 +90,9 @@ void drawPalette(ViewerState& state) {
         state.paletteChoice = 0;
     figuresLine(state);
     const int pageCount = static_cast<int>(palettePages().size());
-    if (pressed(ImGuiKey_PageDown))
+    if (keyPressed(ImGuiKey_PageDown))
         state.palettePage = (state.palettePage + 1) % pageCount;
-    if (pressed(ImGuiKey_PageUp))
+    if (keyPressed(ImGuiKey_PageUp))
         state.palettePage = (state.palettePage + pageCount - 1) % pageCount;
     if (state.paletteText.empty())
         pageTabs(state);
@@ -100,12 +100,12 @@ void drawPalette(ViewerState& state) {
                                                   ? palettePages()[static_cast<size_t>(state.palettePage)].entries
                                                   : searchPalette(state.paletteText);
     const int count = static_cast<int>(entries.size());
-    if (pressed(ImGuiKey_DownArrow))
+    if (keyPressed(ImGuiKey_DownArrow))
         ++state.paletteChoice;
-    if (pressed(ImGuiKey_UpArrow))
+    if (keyPressed(ImGuiKey_UpArrow))
         --state.paletteChoice;
     state.paletteChoice = std::clamp(state.paletteChoice, 0, std::max(count - 1, 0));
-    const bool enter = pressed(ImGuiKey_Enter);
+    const bool enter = keyPressed(ImGuiKey_Enter);
     ImGui::BeginChild("entries");
     for (int i = 0; i < count; ++i) {
         ImGui::PushID(i);

@@ -44,16 +44,46 @@ std::vector<uint8_t> difference(const std::vector<uint8_t>& a, const std::vector
     return out;
 }
 
+/// Metres along the view axis, a number a pixel.
+Result<std::vector<float>> depths(ScenePicture& picture) {
+    GLINT_TRY(view, picture.session().readView("depth"));
+    std::vector<float> depth(view.rgba.size() / 4);
+    for (size_t i = 0; i < depth.size(); ++i)
+        depth[i] = view.rgba[i * 4];
+    return depth;
+}
+
 } // namespace
 
 Result<void> PicturePair::open(const render::RenderJob& job) {
     GLINT_TRY(picture, ScenePicture::create(context_, job));
     picture_ = std::move(picture);
     beside_.reset();
+    second_.reset();
     job_ = job;
     shown_.clear();
     complete_ = false;
     return {};
+}
+
+Result<void> PicturePair::remake() {
+    GLINT_CHECK(picture_->remake());
+    beside_.reset(); // made when it is looked at
+    second_.reset();
+    heat_ = {};
+    shown_.clear();
+    shownBeside_.clear();
+    shownSecond_.clear();
+    heatOf_.clear();
+    imagesOf_.clear();
+    recentOf_.clear();
+    complete_ = false;
+    return {};
+}
+
+void PicturePair::restart() {
+    picture_->restart();
+    complete_ = false;
 }
 
 bool PicturePair::moved(const ViewerState& state, glm::uvec2 window) {
@@ -91,10 +121,12 @@ Result<void> PicturePair::update(ViewerState& state, glm::uvec2 window) {
     GLINT_CHECK(updatePicture(state, size, divisor));
     GLINT_CHECK(updateBeside(state, size));
     GLINT_CHECK(updateHeat(state));
-    complete_ =
-        divisor == 1 && picture_->complete() && (state.beside != Beside::Settings || (beside_ && beside_->complete()));
     if (divisor == 1)
         GLINT_CHECK(answer(state));
+    GLINT_CHECK(updateSecond(state));
+    complete_ = divisor == 1 && picture_->complete() &&
+                (state.beside != Beside::Settings || (beside_ && beside_->complete())) &&
+                (!state.second.shown || state.second.size == glm::uvec2(0) || (second_ && second_->complete()));
     return {};
 }
 
@@ -119,7 +151,12 @@ void PicturePair::note(ViewerState& state) {
     const double now = seconds();
     const double interval =
         frameStart_ > 0 && now - frameStart_ < 2 * times.wallMs / 1000 ? (now - frameStart_) * 1000 : 0;
-    state.figures = frameFigures(times, interval);
+    const std::string of =
+        fmt::format("{}x{} {}", picture_->width(), picture_->height(), state.settings.version()); // as --stats counts
+    if (std::exchange(recentOf_, of) != of)
+        recent_.clear();
+    recent_.add(times, interval);
+    state.figures = recent_.figures();
     std::vector<std::pair<std::string, double>> passes = times.hostPasses;
     passes.insert(passes.end(), times.effectPasses.begin(), times.effectPasses.end());
     state.history.add(passes);
@@ -167,6 +204,61 @@ Result<void> PicturePair::updateBeside(ViewerState& state, glm::uvec2 size) {
         return {};
     shownBeside_ = wanted;
     return beside_->show(state.view);
+}
+
+Result<void> PicturePair::placeSecond(ViewerState& state) {
+    const render::View asked = picture_->session().view();
+    if (!state.asked || !state.ray || asked.width != state.rayView.width || asked.height != state.rayView.height) {
+        state.second.lookAt(state.camera);
+        return {};
+    }
+    GLINT_TRY(depth, depths(*picture_));
+    if (depth.size() != size_t{asked.width} * asked.height)
+        return {}; // not drawn in this size yet: in the next frame
+    state.second.lookAt(*state.ray, state.rayView, depth, state.camera.camera());
+    return {};
+}
+
+/// The same settings from elsewhere, in the size of its pane, with the depths that hide parts of the ray.
+Result<void> PicturePair::updateSecond(ViewerState& state) {
+    SecondCamera& second = state.second;
+    if (!second.shown) {
+        second_.reset();
+        second.depth.clear();
+        return {};
+    }
+    const bool asked = state.asked && state.ray;
+    if (!second.placed || (asked && !second.sawRay && !second.turned))
+        GLINT_CHECK(placeSecond(state));
+    second.sawRay = asked;
+    if (second.size == glm::uvec2(0))
+        return {};
+    if (!second_) {
+        render::RenderJob job = job_;
+        job.settings = state.settings.settings();
+        job.statistics = false;
+        job.inspect.reset();
+        GLINT_TRY(made, ScenePicture::create(context_, job));
+        second_ = std::move(made);
+        shownSecond_.clear();
+    }
+    GLINT_CHECK(second_->resize(second.size.x, second.size.y));
+    GLINT_CHECK(second_->setTime(state.animation.seconds));
+    GLINT_CHECK(second_->setSettings(state.settings.settings()));
+    scene::Camera camera = second.camera.camera();
+    camera.near = std::max(camera.near, second.cut);
+    second_->setCamera(camera);
+    if (!second_->complete())
+        GLINT_CHECK(second_->render());
+    const std::string wanted = fmt::format("{} {} {}", state.view, second_->version(), second_->images());
+    if (wanted == shownSecond_)
+        return {};
+    shownSecond_ = wanted;
+    GLINT_CHECK(second_->show(state.view));
+    GLINT_TRY(depth, depths(*second_));
+    second.depth = std::move(depth);
+    second.view = second_->session().view();
+    return {};
 }
 
 /// Of an accumulating reference anew each time when its frames have doubled: work is in the metric, not in the picture.
@@ -222,6 +314,7 @@ Result<void> PicturePair::answer(ViewerState& state) {
     rayOf_ = wanted;
     GLINT_TRY(ray, picture_->session().inspect(pixel.x, pixel.y));
     state.ray = std::move(ray);
+    state.rayView = picture_->session().view();
     if (std::exchange(state.focusAsked, false) && !state.ray->background) {
         const Float3& point = state.ray->positionWS;
         state.camera.focus({point[0], point[1], point[2]});
@@ -230,14 +323,15 @@ Result<void> PicturePair::answer(ViewerState& state) {
 }
 
 bool PicturePair::imagesChanged() {
-    const std::string now =
-        fmt::format("{} {} {}", picture_->images(), beside_ ? beside_->images() : 0, static_cast<bool>(heat_));
+    const std::string now = fmt::format("{} {} {} {}", picture_->images(), beside_ ? beside_->images() : 0,
+                                        second_ ? second_->images() : 0, static_cast<bool>(heat_));
     return std::exchange(imagesOf_, now) != now;
 }
 
 std::vector<const gpu::Image*> PicturePair::images() const {
     const gpu::Image& none = picture_->secondImage();
-    return {&picture_->image(), &none, beside_ ? &beside_->image() : &none, heat_ ? &heat_ : &none};
+    return {&picture_->image(), &none, beside_ ? &beside_->image() : &none, heat_ ? &heat_ : &none,
+            second_ ? &second_->image() : &none};
 }
 
 } // namespace glint::view

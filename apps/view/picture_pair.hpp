@@ -15,6 +15,7 @@ public:
     static constexpr uint32_t kBesideView = 1;
     static constexpr uint32_t kBesideSettings = 2;
     static constexpr uint32_t kHeat = 3;
+    static constexpr uint32_t kSecondCamera = 4;
 
     explicit PicturePair(gpu::Context& context) : context_(context) {}
 
@@ -25,6 +26,11 @@ public:
     /// writes figures and the asked ray into `state`. Does nothing for a window without area.
     /// Errors: DeviceLost, OutOfMemory; settings that the device cannot have are taken back with a message instead.
     Result<void> update(ViewerState& state, glm::uvec2 window);
+    /// Everything on the device anew, as after gpu::Context::replaceShaders; what is shown stays if that fails.
+    /// Errors: as ScenePicture::remake.
+    Result<void> remake();
+    /// Renders anew although nothing has changed.
+    void restart();
     /// More updates would change nothing.
     bool complete() const { return complete_; }
     /// The images changed since the last call: the panels' renderer has to be told.
@@ -38,6 +44,8 @@ private:
     Result<void> prepare(ScenePicture& picture, const ViewerState& state, glm::uvec2 size);
     Result<void> updatePicture(ViewerState& state, glm::uvec2 size, uint32_t divisor);
     Result<void> updateBeside(ViewerState& state, glm::uvec2 size);
+    Result<void> placeSecond(ViewerState& state);
+    Result<void> updateSecond(ViewerState& state);
     Result<void> updateHeat(ViewerState& state);
     Result<void> answer(ViewerState& state);
     void note(ViewerState& state);
@@ -46,8 +54,11 @@ private:
     render::RenderJob job_;
     std::unique_ptr<ScenePicture> picture_;
     std::unique_ptr<ScenePicture> beside_; ///< with other settings; absent until asked for
+    std::unique_ptr<ScenePicture> second_; ///< from another camera; absent until asked for
     gpu::Image heat_;
     FramePace pace_;
+    RecentTimes recent_;
+    std::string recentOf_; ///< what size and which settings they are of
     bool complete_ = false;
     double frameStart_ = 0;
 
@@ -58,6 +69,7 @@ private:
     glm::uvec2 lastWindow_ = glm::uvec2(0);
     std::string shown_;       ///< view and versions in picture_'s image
     std::string shownBeside_; ///< the same of what stands beside
+    std::string shownSecond_;
     std::string heatOf_;
     std::string rayOf_;
     std::string imagesOf_;

@@ -83,6 +83,12 @@ Result<void> ScenePicture::resize(uint32_t width, uint32_t height) {
     return makeImages();
 }
 
+Result<void> ScenePicture::remake() {
+    GLINT_CHECK(session_.remake());
+    changed();
+    return {};
+}
+
 Result<void> ScenePicture::render() {
     GLINT_TRY(times, session_.renderFrame(frames_));
     times_ = std::move(times);

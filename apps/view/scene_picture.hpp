@@ -20,6 +20,11 @@ public:
     Result<void> setTime(double seconds);
     Result<void> resize(uint32_t width, uint32_t height);
 
+    /// Everything on the device anew (JobSession::remake). After an error the picture is as it was.
+    Result<void> remake();
+    /// Starts anew although nothing has changed.
+    void restart() { changed(); }
+
     /// Renders one frame more: as `glint render --frames` with frames() + 1. Errors: DeviceLost, OutOfMemory.
     Result<void> render();
     /// Frames since something changed; the picture is that of the last one.

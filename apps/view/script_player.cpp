@@ -102,6 +102,7 @@ void ScriptPlayer::start(const ScriptStep& step, const ScriptTarget& target) {
     }
     case Kind::Screenshot:
     case Kind::Picture:
+    case Kind::Stats:
     case Kind::Save: target.request(step); break;
     case Kind::Close: {
         InputEvent event;

@@ -14,7 +14,7 @@ struct ScriptTarget {
     std::function<void(uint32_t, uint32_t)> resize;
     std::function<void()> minimize;
     std::function<void()> restore;
-    std::function<void(const ScriptStep&)> request; ///< Screenshot, Picture, Save
+    std::function<void(const ScriptStep&)> request; ///< Screenshot, Picture, Stats, Save
 };
 
 class ScriptPlayer {

@@ -138,6 +138,22 @@ void drawViewBar(ViewerState& state) {
     ImGui::End();
 }
 
+void drawShaderError(ViewerState& state) {
+    if (state.shaderError.empty())
+        return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0, size.y}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowSize({size.x, 0});
+    constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs |
+                                        ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings;
+    ImGui::Begin("##shaders", nullptr, kFlags);
+    ImGui::TextDisabled("the shaders of before are shown:");
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored({1, 0.5f, 0.4f, 1}, "%s", state.shaderError.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::End();
+}
+
 void drawMessage(ViewerState& state) {
     if (state.message.empty() || state.now > state.messageUntil)
         return;

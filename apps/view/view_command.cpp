@@ -14,6 +14,8 @@ void addViewCommand(CLI::App& program, cli::Command& chosen) {
     command->add_option("--screenshot", options->screenshot,
                         "Write the window as .png after --frames frames, then close it");
     command->add_option("--script", options->script, "A file of keys and clicks to do (docs/viewer.md)");
+    command->add_option("--shaders", options->shaders,
+                        "Follow these shader sources: what changes there is compiled and shown (for developers)");
     command->callback([&chosen, options] { chosen = [options] { return runViewer(*options); }; });
 }
 

@@ -35,8 +35,8 @@ void zoom(ViewerState& state, float factor) {
 }
 
 void escape(ViewerState& state) {
-    if (state.showPalette) {
-        state.showPalette = false;
+    if (state.showPalette || state.open.shown) {
+        state.showPalette = state.open.shown = false;
     } else {
         state.asked.reset();
         state.askFollows = false;
@@ -46,6 +46,14 @@ void escape(ViewerState& state) {
 void togglePalette(ViewerState& state) {
     state.showPalette = !state.showPalette;
     state.paletteOpens = state.showPalette;
+    state.open.shown = false;
+}
+
+void toggleOpenPanel(ViewerState& state) {
+    state.open.shown = !state.open.shown;
+    state.open.begins = state.open.shown;
+    state.open.text.clear();
+    state.showPalette = false;
 }
 
 std::vector<ViewCommand> makeCommands() {
@@ -63,6 +71,7 @@ std::vector<ViewCommand> makeCommands() {
         {"Split screen: the reference beside", "B", toggleBeside},
         {"Error against what is beside: none, difference, FLIP", "N", nextHeat},
         {"Ask the pixel under the mouse", "Home", [](ViewerState& s) { s.askFollows = !s.askFollows; }},
+        {"Second camera: the asked ray in the world", "O", [](ViewerState& s) { s.second.shown = !s.second.shown; }},
         {"Close, or ask no pixel", "Escape", escape, true},
         {"Play or pause the animation", "Space", [](ViewerState& s) { s.animation.playing = !s.animation.playing; }},
         {"Zoom in to single pixels", "PageUp", [](ViewerState& s) { zoom(s, 2); }},
@@ -81,9 +90,12 @@ std::vector<ViewCommand> makeCommands() {
          [](ViewerState& s) { s.ask(Request::Kind::Picture, freeName(".png")); }, true},
         {"Picture as glint render writes it (EXR)", "F10",
          [](ViewerState& s) { s.ask(Request::Kind::Picture, freeName(".exr")); }, true},
+        {"Capture a frame with RenderDoc", "F9", [](ViewerState& s) { s.ask(Request::Kind::Capture); }, true},
+        {"Reload the shaders that have changed", "F5", [](ViewerState& s) { s.ask(Request::Kind::ReloadShaders); },
+         true},
+        {"Reload all shaders", "Shift+F5", [](ViewerState& s) { s.ask(Request::Kind::ReloadShaders, "all"); }, true},
         {"Save settings and camera", "Ctrl+S", [](ViewerState& s) { s.ask(Request::Kind::Save, s.fileText); }},
-        {"Open the file of the settings panel", "Ctrl+O",
-         [](ViewerState& s) { s.ask(Request::Kind::Open, s.fileText); }},
+        {"Open a file, or what was opened lately", "Ctrl+O", toggleOpenPanel, true},
         {"Copy as command line", "Ctrl+L", [](ViewerState& s) { s.ask(Request::Kind::CopyCommandLine); }},
         {"Copy the asked ray as JSON", "Ctrl+J", [](ViewerState& s) { s.ask(Request::Kind::CopyRay); }},
         {"Close the window", "Ctrl+Q", [](ViewerState& s) { s.ask(Request::Kind::Close); }},

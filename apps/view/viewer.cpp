@@ -3,16 +3,19 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "canvas.hpp"
+#include "command_line.hpp"
 #include "frame_pace.hpp"
 #include "gpu/swapchain.hpp"
 #include "gpu/transfer.hpp"
 #include "gui.hpp"
 #include "input_handler.hpp"
 #include "inspect_output.hpp"
+#include "live_shaders.hpp"
 #include "panels.hpp"
 #include "picture_pair.hpp"
 #include "ray_overlay.hpp"
 #include "render/views.hpp"
+#include "render_doc.hpp"
 #include "render_output.hpp"
 #include "scene/image_file.hpp"
 #include "script_player.hpp"
@@ -32,6 +35,7 @@ namespace {
 
 constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, where nobody says
 constexpr double kScriptFrame = 1.0 / 60;        ///< seconds that a frame of a script lasts, however long it took
+constexpr uint32_t kMostSurfacesLost = 10;       ///< in a row
 constexpr double kIdle = 0.1;                    ///< seconds to sleep where nothing happens
 
 double seconds() {
@@ -42,16 +46,6 @@ std::string ending(const std::string& path) {
     std::string text = std::filesystem::path(path).extension().string();
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
-}
-
-std::string shellWord(const std::string& text) {
-    constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=,+-";
-    if (!text.empty() && text.find_first_not_of(kPlain) == text.npos)
-        return text;
-    std::string quoted = "'";
-    for (const char c : text)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 class Viewer {
@@ -72,6 +66,8 @@ private:
     Result<void> drawLoading();
     Result<void> resizeCanvas(glm::uvec2 size);
     Result<void> present();
+    Result<void> checkWindow() const;
+    bool closeIsAllThatIsAsked() const;
     Result<void> drawWindow(std::span<const InputEvent> events, double step);
     void drawPictures();
     Result<void> serveRequests();
@@ -82,14 +78,16 @@ private:
     Result<void> openFile(const std::string& path);
     Result<void> openOtherScene(const std::string& path);
     Result<void> openEnvironment(const std::string& path);
+    Result<void> remakePipelines();
+    Result<void> startCapture();
+    void endCapture();
     std::string probesElsewhere() const;
-    bool cameraIsLost() const;
-    std::string commandLine() const;
 
     ViewOptions options_;
     render::RenderJob job_;
     ViewerState state_;
     // In the order in which they need each other.
+    LiveShaders shaders_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<gpu::Context> context_;
     std::unique_ptr<gpu::Swapchain> swapchain_;
@@ -99,13 +97,11 @@ private:
     std::optional<PicturePair> pictures_;
     InputHandler handler_;
     ScriptPlayer script_;
-    struct SavedCamera {
-        std::string path;
-        scene::Camera camera; ///< as the file has it
-    };
     std::optional<SavedCamera> savedCamera_;
+    std::optional<RenderDoc> capturing_;
     bool scripted_ = false;
     uint32_t shownFrames_ = 0;
+    uint32_t surfacesLost_ = 0; ///< in a row
     bool closing_ = false;
 };
 
@@ -115,6 +111,7 @@ Result<void> Viewer::open() {
         GLINT_TRY(steps, readScript(text, options_.script));
         script_ = ScriptPlayer(std::move(steps));
     }
+    GLINT_CHECK(shaders_.follow(options_.shaders));
     GLINT_TRY(window, Window::create("Glint: " + job_.scene, job_.width, job_.height));
     window_ = std::move(window);
     gpu::ContextDesc desc = {job_.device, job_.validate};
@@ -132,7 +129,10 @@ Result<void> Viewer::open() {
     renderer_.emplace(std::move(renderer));
     pictures_.emplace(*context_);
     GLINT_CHECK(drawLoading());
-    return openScene(job_);
+    GLINT_CHECK(openScene(job_));
+    state_.recent = RecentFiles(RecentFiles::usualFile());
+    state_.recent.add(job_.scene);
+    return {};
 }
 
 Result<void> Viewer::makeSwapchain() {
@@ -167,6 +167,7 @@ Result<void> Viewer::openScene(const render::RenderJob& job) {
     savedCamera_.reset();
     state_.asked.reset();
     state_.ray.reset();
+    state_.second.placed = false;
     state_.showSettings = job.width >= 640; // in a smaller window it would be all that is seen
     handler_.setScale(size);
     window_->setTitle("Glint: " + printable(job.scene));
@@ -186,6 +187,7 @@ std::vector<InputEvent> Viewer::input() {
         [this](const ScriptStep& step) {
             state_.ask(step.kind == ScriptStep::Kind::Screenshot ? Request::Kind::Screenshot
                        : step.kind == ScriptStep::Kind::Picture  ? Request::Kind::Picture
+                       : step.kind == ScriptStep::Kind::Stats    ? Request::Kind::Stats
                                                                  : Request::Kind::Save,
                        step.text);
         },
@@ -218,9 +220,17 @@ Result<void> Viewer::run() {
         last = now;
         state_.now += step;
         handler_.handle(events, state_, *gui_, window_->size(), step);
+        GLINT_CHECK(checkWindow());
+        if (closeIsAllThatIsAsked()) // nobody waits for one frame more
+            break;
         advanceTime(step);
+        if (!scripted_) // a script says itself when
+            shaders_.look(state_);
+        if (capturing_)
+            capturing_->start();
         GLINT_CHECK(pictures_->update(state_, window_->size()));
         GLINT_CHECK(drawWindow(events, step));
+        endCapture();
         GLINT_CHECK(serveRequests());
         if (!options_.screenshot.empty() && !script_.playing() && pictures_->complete() &&
             shownFrames_ >= options_.scene.frames) {
@@ -231,6 +241,16 @@ Result<void> Viewer::run() {
             closing_ = true;
     }
     return {};
+}
+
+Result<void> Viewer::checkWindow() const {
+    if (window_->lost())
+        return makeError(ErrorCode::Io, "the window is gone: something else has destroyed it");
+    return {};
+}
+
+bool Viewer::closeIsAllThatIsAsked() const {
+    return state_.requests.size() == 1 && state_.requests.front().kind == Request::Kind::Close;
 }
 
 /// Left of the line the picture, right of it what stands beside.
@@ -274,7 +294,15 @@ Result<void> Viewer::resizeCanvas(glm::uvec2 size) {
 Result<void> Viewer::present() {
     GLINT_CHECK(renderer_->draw(*ImGui::GetDrawData(), canvasImage_));
     GLINT_TRY(presented, swapchain_->present(canvasImage_));
-    return presented == gpu::Presented::SurfaceLost ? makeSwapchain() : Result<void>();
+    if (presented == gpu::Presented::Shown)
+        surfacesLost_ = 0;
+    if (presented != gpu::Presented::SurfaceLost)
+        return {};
+    (void)window_->size(); // asks the window system, which may say why
+    GLINT_CHECK(checkWindow());
+    if (++surfacesLost_ > kMostSurfacesLost)
+        return makeError(ErrorCode::Io, "the window system takes the window's surface away again and again");
+    return makeSwapchain();
 }
 
 /// Something to see while a scene is read.
@@ -308,9 +336,12 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
         drawHelpPanel(state_);
         drawTimesPanel(state_);
         drawRayPanel(state_);
+        drawSecondPanel(state_);
     }
     state_.placePanels = false;
     drawPalette(state_);
+    drawOpenPanel(state_);
+    drawShaderError(state_);
     drawMessage(state_);
     gui_->end();
     GLINT_CHECK(present());
@@ -322,7 +353,7 @@ Result<void> Viewer::serveRequests() {
     std::vector<Request> later;
     for (const Request& request : std::exchange(state_.requests, {})) {
         const bool whole = request.kind == Request::Kind::Picture || request.kind == Request::Kind::Save;
-        const bool writes = whole || request.kind == Request::Kind::Screenshot;
+        const bool writes = whole || request.kind == Request::Kind::Screenshot || request.kind == Request::Kind::Stats;
         if (whole && !pictures_->complete()) { // not of a coarse picture that is just being moved
             later.push_back(request);
             continue;
@@ -343,11 +374,19 @@ Result<void> Viewer::serve(const Request& request) {
     switch (request.kind) {
     case Request::Kind::Screenshot: return screenshot(request.text);
     case Request::Kind::Picture: return savePicture(request.text);
+    case Request::Kind::Stats:
+        return writeFile(request.text, figuresJson(state_.figures, state_.stats, state_.history.passes(),
+                                                   pictures_->picture().session().deviceBytes()));
     case Request::Kind::Save: return saveSettings(request.text);
-    case Request::Kind::Open: return openFile(request.text);
+    case Request::Kind::Open:
+        GLINT_CHECK(openFile(request.text));
+        state_.recent.add(request.text);
+        return {};
     case Request::Kind::CopyCommandLine:
-        window_->setClipboard(commandLine());
-        state_.say((cameraIsLost() ? "copied without the camera, which Ctrl+S saves: " : "copied: ") + commandLine());
+        window_->setClipboard(commandLine(state_, job_, savedCamera_));
+        state_.say(
+            (cameraIsLost(state_, savedCamera_) ? "copied without the camera, which Ctrl+S saves: " : "copied: ") +
+            commandLine(state_, job_, savedCamera_));
         return {};
     case Request::Kind::CopyRay: {
         render::RenderResult result;
@@ -360,6 +399,9 @@ Result<void> Viewer::serve(const Request& request) {
         state_.say(result.inspection ? "copied the ray as JSON" : "no pixel was asked");
         return {};
     }
+    case Request::Kind::Capture: return startCapture();
+    case Request::Kind::ReloadShaders:
+        return shaders_.reload(request.text == "all", *context_, state_, [this] { return remakePipelines(); });
     case Request::Kind::Close: closing_ = true; return {};
     }
     return {};
@@ -435,6 +477,32 @@ Result<void> Viewer::openFile(const std::string& path) {
     return {};
 }
 
+/// All or nothing.
+Result<void> Viewer::remakePipelines() {
+    GLINT_TRY(renderer, GuiRenderer::create(*context_));
+    GLINT_CHECK(pictures_->remake());
+    renderer_.emplace(std::move(renderer));
+    return {};
+}
+
+/// From the next frame's first pass to its last, the scene's among them.
+Result<void> Viewer::startCapture() {
+    capturing_ = RenderDoc::find();
+    if (!capturing_)
+        return makeError(ErrorCode::NotFound, "RenderDoc is not here: start `renderdoccmd capture glint view ...`, or "
+                                              "the program from within qrenderdoc");
+    pictures_->restart();
+    return {};
+}
+
+void Viewer::endCapture() {
+    if (!capturing_)
+        return;
+    const bool captured = capturing_->end();
+    state_.say(captured ? "captured a frame for RenderDoc" : "RenderDoc captured nothing", !captured);
+    capturing_.reset();
+}
+
 /// A file's probes fit one scene in one light; others can be found or baked.
 std::string Viewer::probesElsewhere() const {
     return job_.probes == "auto" ? job_.probes : std::string();
@@ -473,38 +541,6 @@ Result<void> Viewer::openEnvironment(const std::string& path) {
     state_.cameraIndex = cameraIndex;
     savedCamera_ = saved;
     return {};
-}
-
-/// No option of `glint render` makes the camera that is shown.
-bool Viewer::cameraIsLost() const {
-    return state_.camera.moved() && !(savedCamera_ && sameCamera(savedCamera_->camera, state_.camera.camera()));
-}
-
-/// Without a camera where cameraIsLost().
-std::string Viewer::commandLine() const {
-    std::string text = "glint render " + shellWord(state_.scene);
-    if (state_.camera.moved())
-        text += cameraIsLost() ? "" : " --camera " + shellWord(savedCamera_->path);
-    else if (!job_.camera.empty() && state_.cameraIndex < 0)
-        text += " --camera " + shellWord(job_.camera);
-    else if (state_.cameraIndex > 0)
-        text += fmt::format(" --camera {}", state_.cameraIndex);
-    if (!job_.environment.empty())
-        text += " --env " + shellWord(job_.environment);
-    if (!job_.probes.empty())
-        text += " --probes " + shellWord(job_.probes);
-    if (options_.scene.planar != "none")
-        text += " --planar " + shellWord(options_.scene.planar);
-    text += fmt::format(" --size {}x{}", state_.width, state_.height);
-    if (state_.animation.seconds != 0)
-        text += fmt::format(" --time {}", state_.animation.seconds);
-    if (state_.frames > 1)
-        text += fmt::format(" --frames {}", state_.frames);
-    if (job_.seed != 0)
-        text += fmt::format(" --seed {}", job_.seed);
-    if (state_.view != "composite")
-        text += " --view " + state_.view;
-    return text + " " + state_.settings.options() + " -o picture.png";
 }
 
 Result<void> Viewer::validated() const {

@@ -3,8 +3,11 @@
 #pragma once
 
 #include "frame_figures.hpp"
+#include "open_list.hpp"
 #include "orbit_camera.hpp"
+#include "recent_files.hpp"
 #include "render/run_job.hpp"
+#include "second_camera.hpp"
 #include "settings_model.hpp"
 #include "time_history.hpp"
 
@@ -24,10 +27,13 @@ struct Request {
     enum class Kind {
         Screenshot,      ///< of the window, into `text`
         Picture,         ///< of the scene alone, .png or .exr, into `text`
+        Stats,           ///< what the help panel shows, into `text`
         Save,            ///< settings into `text`, the camera beside them
         Open,            ///< `text`: a scene, an environment, settings or a camera
         CopyCommandLine, ///< into the clipboard
         CopyRay,         ///< what `glint inspect` would print
+        Capture,         ///< the next frame, by RenderDoc
+        ReloadShaders,   ///< `text` "all": also those that have not changed
         Close,
     };
     Kind kind = Kind::Close;
@@ -71,6 +77,8 @@ struct ViewerState {
     bool askFollows = false;        ///< the mouse
     bool focusAsked = false;        ///< turn to it as soon as it is known
     std::optional<RayInspection> ray;
+    render::View rayView; ///< that it was asked in
+    SecondCamera second;
 
     bool showSettings = true;
     bool showHelp = false;
@@ -82,6 +90,8 @@ struct ViewerState {
     int palettePage = 0;
     std::string paletteText;
     int paletteChoice = 0;
+    OpenPanel open;
+    RecentFiles recent;
     std::string settingsText; ///< what is searched for
     std::string fileText = "view.json";
 
@@ -97,7 +107,8 @@ struct ViewerState {
     std::string message;
     bool messageIsError = false;
     double messageUntil = 0;
-    double now = 0; ///< seconds since the start
+    std::string shaderError; ///< of the compiler or the device; stays until shaders are taken again
+    double now = 0;          ///< seconds since the start
     std::vector<Request> requests;
 
     void say(std::string text, bool isError = false) {

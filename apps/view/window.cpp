@@ -1,6 +1,7 @@
 #include "window.hpp"
 
 #include "base/text.hpp"
+#include "lost_window.hpp"
 
 #include <vulkan/vulkan.h>
 // After Vulkan's header: GLFW declares its own Vulkan functions only then.
@@ -106,6 +107,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, uint32_
     }
     std::unique_ptr<Window> window(new Window(made));
     window->listen();
+    watchForLostWindow();
     return window;
 }
 
@@ -153,7 +155,13 @@ glm::uvec2 Window::size() const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     const bool hidden = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-    return hidden ? glm::uvec2(0) : glm::uvec2(std::max(width, 0), std::max(height, 0));
+    if (hidden || lost()) // of a lost one the size is anything
+        return glm::uvec2(0);
+    return glm::uvec2(std::max(width, 0), std::max(height, 0));
+}
+
+bool Window::lost() const {
+    return windowIsLost();
 }
 
 float Window::scale() const {

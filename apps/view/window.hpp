@@ -28,7 +28,8 @@ public:
 
     /// What happened since the last call; waits at most `seconds` for something to happen.
     std::vector<InputEvent> poll(double seconds);
-    glm::uvec2 size() const; ///< pixels; 0 x 0 while minimized
+    glm::uvec2 size() const; ///< pixels; 0 x 0 while minimized or lost
+    bool lost() const;       ///< something else has destroyed it; that shows as soon as it is asked for something
     float scale() const;     ///< how much larger than on an ordinary screen texts should be
     void resize(uint32_t width, uint32_t height);
     void minimize();

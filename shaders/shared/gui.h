@@ -6,7 +6,7 @@
 
 GLINT_SHARED_BEGIN
 
-GLINT_CONSTANT(uint, kGuiTextures, 9u); ///< the font, and two for each of four pictures
+GLINT_CONSTANT(uint, kGuiTextures, 11u); ///< the font, and two for each of five pictures
 
 struct GuiVertex {
     float2 positionPX;

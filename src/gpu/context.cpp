@@ -386,8 +386,10 @@ Result<const EmbeddedShader*> Context::findShader(std::string_view name) const {
     std::vector<std::string_view> names;
     for (const auto& set : shaderSets_)
         for (const EmbeddedShader& shader : set) {
-            if (shader.name == name)
-                return &shader;
+            if (shader.name == name) {
+                const auto replaced = replacements_.find(name);
+                return replaced == replacements_.end() ? &shader : replaced->second;
+            }
             names.push_back(shader.name);
         }
     return makeError(ErrorCode::NotFound, "no shader '{}'; the nearest name is '{}'", name, nearestText(name, names));

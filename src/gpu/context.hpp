@@ -80,6 +80,10 @@ public:
     /// Makes a set of embedded shaders known; sets are static data and stay known for good. Saying it twice
     /// does no harm.
     void addShaders(std::span<const EmbeddedShader> shaders);
+    /// From here on pipelines are made of these where they bear an embedded shader's name; those that are there stay as
+    /// they are. They must outlive every pipeline, and another text is another object: by it pipelines are shared.
+    void replaceShaders(ShaderReplacements replacements) { replacements_ = std::move(replacements); }
+    const ShaderReplacements& replacedShaders() const { return replacements_; }
     /// Errors: NotFound, with the nearest name.
     Result<const EmbeddedShader*> findShader(std::string_view name) const;
 
@@ -131,6 +135,7 @@ private:
     double timestampPeriodNs_ = 0;
     VkSampler samplers_[static_cast<size_t>(SamplerKind::Count)] = {};
     std::vector<std::span<const EmbeddedShader>> shaderSets_;
+    ShaderReplacements replacements_;
     std::map<std::string, std::weak_ptr<void>> pipelines_;
     std::vector<std::string> validationMessages_;
 };

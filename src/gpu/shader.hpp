@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace glint::gpu {
@@ -35,6 +37,9 @@ struct EmbeddedShader {
         return false;
     }
 };
+
+/// What stands in for embedded shaders, by their names.
+using ShaderReplacements = std::map<std::string, const EmbeddedShader*, std::less<>>;
 
 /// The sets that this program embeds; see glint_embed_shaders in cmake/GlintShaders.cmake.
 namespace shaders {

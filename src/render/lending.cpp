@@ -17,8 +17,10 @@ Matrix4 toMatrix4(const glm::mat4& matrix) {
 
 Result<Context> adoptDevice(gpu::Context& context) {
     const gpu::AdoptedDevice handles = context.handles();
-    return Context::adopt({handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
-                           handles.getInstanceProcAddr, handles.rayQuery});
+    GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
+                                       handles.getInstanceProcAddr, handles.rayQuery}));
+    library.gpu().replaceShaders(context.replacedShaders());
+    return library;
 }
 
 HostImage lend(gpu::Frame& frame, gpu::Image& image) {

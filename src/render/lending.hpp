@@ -12,7 +12,7 @@ inline constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                       VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
                                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 
-/// Our device, as the library adopts a host's. Errors: as Context::adopt.
+/// Our device, as the library adopts a host's, with the shaders that we have replaced. Errors: as Context::adopt.
 Result<Context> adoptDevice(gpu::Context& context);
 
 /// Ours, as the library takes it: brought into the layout that we promise.

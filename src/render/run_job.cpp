@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "glint/glint.hpp"
+#include "gpu/memory.hpp"
 #include "gpu/transfer.hpp"
 #include "render/find_mirrors.hpp"
 #include "render/job_environment.hpp"
@@ -66,15 +67,19 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 struct JobSession::State {
     State(gpu::Context& context, RenderJob job) : context_(context), job_(std::move(job)) {}
 
-    Result<void> create() {
+    Result<void> load() {
         GLINT_TRY(inputs, loadJobInputs(job_));
         inputs_ = std::move(inputs);
+        parameters_.camera = inputs_.camera;
+        return {};
+    }
+
+    Result<void> create() {
         const RenderSettings& settings = job_.settings.render;
         context_.addShaders(gpu::shaders::render());
         GLINT_TRY(environment, makeEnvironment(context_, inputs_, settings));
         GLINT_TRY(renderer, Renderer::create(context_, *inputs_.scene, inputs_.pose, std::move(environment), settings));
         renderer_ = std::make_unique<Renderer>(std::move(renderer));
-        parameters_.camera = inputs_.camera;
         GLINT_TRY(viewPass, ViewPass::create(context_));
         viewPass_ = std::move(viewPass);
 
@@ -427,8 +432,21 @@ JobSession& JobSession::operator=(JobSession&&) noexcept = default;
 
 Result<JobSession> JobSession::create(gpu::Context& context, const RenderJob& job) {
     auto state = std::make_unique<State>(context, job);
+    GLINT_CHECK(state->load());
     GLINT_CHECK(state->create());
     return JobSession(std::move(state));
+}
+
+Result<void> JobSession::remake() {
+    auto made = std::make_unique<State>(state_->context_, state_->job_);
+    made->parameters_.camera = state_->parameters_.camera;
+    made->inputs_ = std::move(state_->inputs_); // lent: both are never drawn from at a time
+    if (auto created = made->create(); !created) {
+        state_->inputs_ = std::move(made->inputs_);
+        return created;
+    }
+    state_ = std::move(made);
+    return {};
 }
 
 Result<void> JobSession::setSettings(const ProgramSettings& settings) {
@@ -473,6 +491,10 @@ RayInspection JobSession::inspection() const {
 
 const std::vector<std::string>& JobSession::notes() const {
     return state_->reflections_->notes();
+}
+
+size_t JobSession::deviceBytes() const {
+    return gpu::allocatedBytes(state_->context_.allocator()) + gpu::allocatedBytes(state_->library_->gpu().allocator());
 }
 
 const JobInputs& JobSession::inputs() const {

@@ -40,6 +40,9 @@ public:
     JobSession(JobSession&&) noexcept;
     JobSession& operator=(JobSession&&) noexcept;
 
+    /// Makes everything on the device anew from what has been read, as after Context::replaceShaders. After an error
+    /// all is as it was. Errors: as create.
+    Result<void> remake();
     /// Forgets the pass times so far.
     Result<void> setSettings(const ProgramSettings& settings);
     Result<void> resize(uint32_t width, uint32_t height);
@@ -63,6 +66,9 @@ public:
     /// Of the pixel inspected last.
     RayInspection inspection() const;
     const std::vector<std::string>& notes() const;
+    /// Memory of the device that this session's context and library have, bytes; what others have in that context
+    /// counts too.
+    size_t deviceBytes() const;
     const JobInputs& inputs() const;
     View view() const;
 

@@ -23,6 +23,27 @@ TEST(FrameFigures, SayWhatTheStatsSay) {
     EXPECT_DOUBLE_EQ(FrameFigures().load(3), 0);
 }
 
+TEST(RecentTimes, AreReadAsMediansOfTheLastFrames) {
+    RecentTimes recent;
+    EXPECT_EQ(recent.figures().totalMs, 0);
+    for (const double ms : {1.0, 9.0, 2.0, 3.0, 100.0}) {
+        render::FrameTimes times;
+        times.wallMs = 10 * ms;
+        times.hostPasses = {{"render/surface", ms}};
+        times.effectPasses = {{"trace/hiz", 2 * ms}};
+        if (ms > 5)
+            times.effectPasses.emplace_back("rays/now_and_then", 1.0); // not in the last frame's neighbours
+        recent.add(times, 20 * ms);
+    }
+    EXPECT_DOUBLE_EQ(recent.figures().renderMs, 3);
+    EXPECT_DOUBLE_EQ(recent.figures().computeMs, 6);
+    EXPECT_DOUBLE_EQ(recent.figures().totalMs, 10);
+    EXPECT_DOUBLE_EQ(recent.figures().intervalMs, 60);
+    for (size_t i = 0; i < RecentTimes::kFrames; ++i)
+        recent.add({}, 7);
+    EXPECT_DOUBLE_EQ(recent.figures().intervalMs, 7);
+}
+
 TEST(FramePace, CoarseWhileMovingWholeWhenStill) {
     FramePace pace;
     EXPECT_EQ(pace.divisor(0), 1u);

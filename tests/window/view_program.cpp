@@ -134,11 +134,14 @@ void WindowTest::TearDown() {
     }
 }
 
-std::unique_ptr<Running> WindowTest::start(std::vector<std::string> arguments) {
+std::unique_ptr<Running> WindowTest::start(std::vector<std::string> arguments, std::vector<std::string> environment) {
     std::vector<std::string> command = {GLINT_RUN, GLINT_PROGRAM};
     command.insert(command.end(), arguments.begin(), arguments.end());
-    return std::make_unique<Running>(command, folder_.path(),
-                                     std::vector<std::string>{"DISPLAY=" + display_, "WAYLAND_DISPLAY", "XAUTHORITY"});
+    // What the viewer remembers is not for this machine's people.
+    for (const std::string& always : {"DISPLAY=" + display_, std::string("WAYLAND_DISPLAY"), std::string("XAUTHORITY"),
+                                      "XDG_STATE_HOME=" + path("state")})
+        environment.push_back(always);
+    return std::make_unique<Running>(command, folder_.path(), environment);
 }
 
 Ended WindowTest::runScript(const std::string& script, std::vector<std::string> arguments) {
@@ -158,9 +161,21 @@ std::string WindowTest::bytes(const std::string& name) const {
     return readAll(path(name));
 }
 
-bool WindowTest::waitFor(const std::string& name) {
+std::string WindowTest::waitForWindow(const std::string& scene) {
+    const Ended found = tool({"search", "--sync", "--onlyvisible", "--name", "Glint: " + scene});
+    EXPECT_EQ(found.code, 0) << found.error;
+    return found.out.substr(0, found.out.find('\n'));
+}
+
+void WindowTest::endDisplay() {
+    kill(server_, SIGKILL);
+    waitpid(server_, nullptr, 0);
+    server_ = -1;
+}
+
+bool WindowTest::waitFor(const std::string& name, double seconds) {
     std::error_code ignored;
-    for (int i = 0; i < 1500; ++i) {
+    for (int i = 0; i < seconds * 50; ++i) {
         if (std::filesystem::exists(path(name), ignored))
             return true;
         pause();

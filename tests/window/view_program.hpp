@@ -47,16 +47,19 @@ protected:
     void SetUp() override;
     void TearDown() override;
 
-    /// `glint ARGUMENTS` in `folder_`, on the test's own display.
-    std::unique_ptr<Running> start(std::vector<std::string> arguments);
+    /// `glint ARGUMENTS` in `folder_`, on the test's own display, with more of an environment.
+    std::unique_ptr<Running> start(std::vector<std::string> arguments, std::vector<std::string> environment = {});
     Ended run(std::vector<std::string> arguments) { return start(std::move(arguments))->wait(); }
     /// `glint view builtin:exact --size 320x180 --validate --script ...`, with more arguments.
     Ended runScript(const std::string& script, std::vector<std::string> arguments = {});
     /// `xdotool ARGUMENTS`
     Ended tool(std::vector<std::string> arguments);
     std::string path(const std::string& name) const { return folder_ + name; }
-    std::string bytes(const std::string& name) const; ///< of a file in the folder; empty: there is none
-    bool waitFor(const std::string& name);            ///< a file in the folder
+    std::string bytes(const std::string& name) const;           ///< of a file in the folder; empty: there is none
+    bool waitFor(const std::string& name, double seconds = 30); ///< a file in the folder
+    /// Until the window of `glint view SCENE` can be seen; its number, as xdotool has it.
+    std::string waitForWindow(const std::string& scene);
+    void endDisplay(); ///< under the feet of whoever is on it
 
     TempFolder folder_;
 

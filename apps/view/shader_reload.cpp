@@ -1,0 +1,159 @@
+#include "shader_reload.hpp"
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "child_process.hpp"
+#include "shaders.hpp"
+
+#include <algorithm>
+
+namespace glint::view {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kLongestShader = 1 << 20; ///< bytes of a source file
+constexpr int kErrorLines = 4;             ///< of the compiler's, in a message
+
+/// The shaders that can be replaced, by name.
+std::vector<std::string_view> knownShaders() {
+    std::vector<std::string_view> names;
+    for (const auto& set : {gpu::shaders::reflect(), gpu::shaders::render(), gpu::shaders::view()})
+        for (const gpu::EmbeddedShader& shader : set)
+            names.push_back(shader.name);
+    return names;
+}
+
+/// What stands in the quotes of `#include "..."`, line by line; also where a comment or #if takes it away: a shader too
+/// many is compiled then.
+std::vector<std::string> includes(std::string_view text) {
+    std::vector<std::string> found;
+    constexpr std::string_view kWord = "#include \"";
+    for (size_t at = text.find(kWord); at != text.npos; at = text.find(kWord, at)) {
+        at += kWord.size();
+        const size_t end = text.find_first_of("\"\n", at);
+        if (end != text.npos && text[end] == '"')
+            found.emplace_back(text.substr(at, end - at));
+    }
+    return found;
+}
+
+std::string firstLines(std::string text, const std::string& folder) {
+    for (size_t at = text.find(folder + "/"); at != text.npos; at = text.find(folder + "/"))
+        text.erase(at, folder.size() + 1);
+    size_t end = 0;
+    for (int line = 0; line < kErrorLines && end != text.npos; ++line)
+        end = text.find('\n', end == 0 ? 0 : end + 1);
+    text = text.substr(0, end);
+    while (text.ends_with('\n'))
+        text.pop_back();
+    return text;
+}
+
+} // namespace
+
+bool ShaderReload::isShaderFolder(const std::string& folder) {
+    std::error_code ignored;
+    return fs::exists(fs::path(folder) / gpu::shaderFile(gpu::shaders::view().front().name), ignored);
+}
+
+Result<ShaderReload> ShaderReload::create(const std::string& folder) {
+    if (!isShaderFolder(folder))
+        return invalidArgument("{}: no folder of Glint's shaders: it must hold {}", printable(folder),
+                               gpu::shaderFile(gpu::shaders::view().front().name));
+    ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // as it stands before a name
+    reload.seen_ = reload.stamps();
+    return reload;
+}
+
+std::map<std::string, ShaderReload::Stamp> ShaderReload::stamps() const {
+    std::map<std::string, Stamp> found;
+    std::error_code error;
+    for (fs::recursive_directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
+        std::error_code gone; // an editor may just have taken the file away
+        const Stamp stamp = {fs::last_write_time(it->path(), gone), gone ? 0 : fs::file_size(it->path(), gone)};
+        if (!gone)
+            found[fs::relative(it->path(), folder_, gone).generic_string()] = stamp;
+    }
+    return found;
+}
+
+/// A file and all that it includes, by path in the folder.
+std::set<std::string> ShaderReload::filesOf(const std::string& file) const {
+    std::set<std::string> known = {file};
+    std::vector<std::string> open = {file};
+    std::error_code ignored;
+    while (!open.empty()) {
+        const fs::path here = open.back();
+        open.pop_back();
+        const auto text = readFile((fs::path(folder_) / here).string(), kLongestShader);
+        for (const std::string& name : text ? includes(*text) : std::vector<std::string>()) {
+            const fs::path beside = (here.parent_path() / name).lexically_normal(); // glslc looks there first
+            const bool found = fs::exists(fs::path(folder_) / beside, ignored);
+            const std::string path =
+                found ? beside.generic_string() : fs::path(name).lexically_normal().generic_string();
+            if (known.insert(path).second)
+                open.push_back(path);
+        }
+    }
+    return known;
+}
+
+bool ShaderReload::look() {
+    std::map<std::string, Stamp> now = stamps();
+    std::set<std::string> changed;
+    for (const auto& [file, stamp] : now)
+        if (const auto before = seen_.find(file); before == seen_.end() || before->second != stamp)
+            changed.insert(file);
+    for (const auto& [file, stamp] : seen_)
+        if (!now.contains(file))
+            changed.insert(file);
+    seen_ = std::move(now);
+    if (changed.empty())
+        return false;
+    bool any = false;
+    for (const std::string_view name : knownShaders()) {
+        const std::set<std::string> files = filesOf(gpu::shaderFile(name));
+        if (std::ranges::any_of(files, [&](const std::string& file) { return changed.contains(file); })) {
+            waiting_.insert(std::string(name));
+            any = true;
+        }
+    }
+    return any;
+}
+
+void ShaderReload::markAll() {
+    for (const std::string_view name : knownShaders())
+        waiting_.insert(std::string(name));
+}
+
+/// As cmake/GlintShaders.cmake does it.
+Result<gpu::ReflectedShader> ShaderReload::compileOne(const std::string& name) const {
+    const std::string file = (fs::path(folder_) / gpu::shaderFile(name)).string();
+    GLINT_TRY(output, runProgram({"glslc", "--target-env=vulkan1.3", "--target-spv=spv1.5", "-std=460", "-Werror", "-I",
+                                  folder_, "-o", "-", file}));
+    if (output.code != 0)
+        return invalidInput("{}", firstLines(output.error, folder_));
+    return gpu::reflectShader(output.out, gpu::shaderFile(name));
+}
+
+Result<ShaderReload::Compiled> ShaderReload::compile() {
+    Compiled compiled = {taken_, waiting_.size()};
+    for (const std::string& name : waiting_) {
+        GLINT_TRY(reflected, compileOne(name));
+        auto version = std::make_unique<Version>();
+        version->name = name;
+        version->reflected = std::move(reflected);
+        version->shader = version->reflected.embedded(version->name);
+        compiled.shaders[name] = &version->shader;
+        versions_.push_back(std::move(version));
+    }
+    return compiled;
+}
+
+void ShaderReload::take(const Compiled& compiled) {
+    taken_ = compiled.shaders;
+    waiting_.clear();
+}
+
+} // namespace glint::view

@@ -1,0 +1,80 @@
+#include "child_process.hpp"
+#include "shader_reload.hpp"
+
+#include "base/file.hpp"
+#include "support/temp_folder.hpp"
+
+#include <gmock/gmock.h>
+
+namespace glint::view {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(ChildProcess, BothOutputsAndTheCodeComeBack) {
+    const auto said = runProgram({"sh", "-c", "printf out; printf wrong >&2; exit 3"});
+    ASSERT_TRUE(said);
+    EXPECT_EQ(said->code, 3);
+    EXPECT_EQ(said->out, "out");
+    EXPECT_EQ(said->error, "wrong");
+    const auto much = runProgram({"sh", "-c", "head -c 300000 /dev/zero; head -c 300000 /dev/zero >&2; kill -9 $$"});
+    ASSERT_TRUE(much);
+    EXPECT_EQ(much->code, 128 + 9);
+    EXPECT_EQ(much->out.size(), 300000u);
+    EXPECT_EQ(much->error.size(), 300000u);
+    const auto none = runProgram({"no-such-program"});
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::NotFound);
+}
+
+class ShaderReloadTest : public testing::Test {
+protected:
+    ShaderReloadTest() : shaders_(folder_ + "shaders") {
+        std::filesystem::copy(std::string(GLINT_SOURCE_DIR) + "/shaders", shaders_,
+                              std::filesystem::copy_options::recursive);
+    }
+    void append(const std::string& file, const std::string& text) {
+        const auto before = readFile(shaders_ + "/" + file, 1 << 20);
+        ASSERT_TRUE(before);
+        ASSERT_TRUE(writeFile(shaders_ + "/" + file, *before + text));
+    }
+    test::TempFolder folder_;
+    std::string shaders_;
+};
+
+TEST_F(ShaderReloadTest, CompilesWhatIncludesTheChange) {
+    auto reload = ShaderReload::create(shaders_);
+    ASSERT_TRUE(reload) << reload.error().message;
+    EXPECT_FALSE(reload->look());
+    EXPECT_EQ(reload->compile()->count, 0u);
+
+    append("lib/tonemap.glsl", "\n// seen\n");
+    EXPECT_TRUE(reload->look());
+    EXPECT_FALSE(reload->look()); // once
+    const auto compiled = reload->compile();
+    ASSERT_TRUE(compiled) << compiled.error().message;
+    EXPECT_TRUE(compiled->shaders.contains("display/tonemap"));
+    EXPECT_FALSE(compiled->shaders.contains("trace/hiz"));
+    EXPECT_EQ(compiled->shaders.at("display/tonemap")->name, "display/tonemap");
+    EXPECT_GT(compiled->shaders.at("display/tonemap")->pushConstantSize, 0u);
+    EXPECT_EQ(reload->compile()->count, compiled->count); // nobody took them
+    reload->take(*compiled);
+    EXPECT_EQ(reload->compile()->count, 0u);
+    EXPECT_TRUE(reload->compile()->shaders.contains("display/tonemap")); // still in force
+}
+
+TEST_F(ShaderReloadTest, AMistakeIsSaidInItsFirstLinesUntilItIsMended) {
+    auto reload = ShaderReload::create(shaders_);
+    ASSERT_TRUE(reload) << reload.error().message;
+    append("view/gui.frag", "mistake\n");
+    EXPECT_TRUE(reload->look());
+    for (int twice = 0; twice < 2; ++twice) {
+        const auto compiled = reload->compile();
+        ASSERT_FALSE(compiled);
+        EXPECT_THAT(compiled.error().message, HasSubstr("view/gui.frag:"));
+        EXPECT_THAT(compiled.error().message, testing::Not(HasSubstr(folder_.path())));
+    }
+}
+
+} // namespace
+} // namespace glint::view

@@ -1,0 +1,88 @@
+// Shaders changed while `glint view` runs.
+#include "window/view_program.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace glint::test {
+namespace {
+
+class ShaderReloadTest : public WindowTest {
+protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        if (IsSkipped())
+            return;
+        std::filesystem::copy(std::string(GLINT_SOURCE_DIR) + "/shaders", path("shaders"),
+                              std::filesystem::copy_options::recursive);
+    }
+    /// Puts `to` in the place of `from`, which must be there.
+    void edit(const std::string& file, const std::string& from, const std::string& to) {
+        std::string text = bytes("shaders/" + file);
+        const size_t at = text.find(from);
+        ASSERT_NE(at, text.npos) << file << " has no " << from;
+        std::ofstream(path("shaders/" + file)) << text.replace(at, from.size(), to);
+    }
+    void press(const char* key) { EXPECT_EQ(tool({"key", key}).code, 0); }
+    /// The next file of F11 or F12.
+    std::string shot(const char* key) {
+        const std::string name = "glint-" + std::to_string(++shots_) + ".png";
+        press(key);
+        EXPECT_TRUE(waitFor(name)) << name;
+        return bytes(name);
+    }
+
+private:
+    int shots_ = 0;
+};
+
+TEST_F(ShaderReloadTest, AChangeIsShownAndAMistakeLeavesThePictureAsItWas) {
+    auto viewer = start({"view", "builtin:exact", "--size", "320x180", "--validate", "--shaders", "shaders"});
+    ASSERT_FALSE(waitForWindow("builtin:exact").empty());
+    const std::string before = shot("F11");
+
+    // A shader of the library's, then what several of our own include.
+    edit("composite/composite.comp", "vec4(result, stored.a)", "vec4(result.brg, stored.a)");
+    press("F5");
+    const std::string turned = shot("F11");
+    EXPECT_TRUE(turned != before && !turned.empty());
+    edit("lib/color.glsl", "vec3 encodeSrgb(vec3 ",
+         "vec3 encodeSrgb(vec3 unused) { return vec3(0.5); }\nvec3 no(vec3 ");
+    press("F5");
+    const std::string grey = shot("F11");
+    EXPECT_TRUE(grey != turned && !grey.empty());
+
+    press("F5"); // nothing has changed: whatever stands in the window then, it is no mistake
+    edit("composite/composite.comp", "void main() {", "void main() { mistake");
+    press("F5");
+    EXPECT_TRUE(shot("F11") == grey);
+    const std::string said = shot("F12");
+
+    // What compiles and is no shader of this pass is refused by the program, and no less gently.
+    edit("composite/composite.comp", "mistake", "");
+    edit("composite/composite.comp", "image2D composite;", "image2D other;");
+    edit("composite/composite.comp", "imageStore(composite", "imageStore(other");
+    press("F5");
+    EXPECT_TRUE(shot("F11") == grey);
+
+    edit("composite/composite.comp", "image2D other;", "image2D composite;");
+    edit("composite/composite.comp", "imageStore(other", "imageStore(composite");
+    edit("composite/composite.comp", "result.brg", "result");
+    std::filesystem::copy_file(std::string(GLINT_SOURCE_DIR) + "/shaders/lib/color.glsl",
+                               path("shaders/lib/color.glsl"), std::filesystem::copy_options::overwrite_existing);
+    press("F5");
+    EXPECT_TRUE(shot("F11") == before);
+    EXPECT_TRUE(shot("F12") != said);
+    press("ctrl+q");
+    const Ended ended = viewer->wait();
+    EXPECT_EQ(ended.code, 0) << ended.error;
+}
+
+TEST_F(ShaderReloadTest, WhatIsNoFolderOfShadersIsSaid) {
+    const Ended ended = run({"view", "builtin:exact", "--shaders", "shaders/lib"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.error, "glint: error: shaders/lib: no folder of Glint's shaders: it must hold view/gui.frag\n");
+}
+
+} // namespace
+} // namespace glint::test
