@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace glint::render {
 namespace {
@@ -105,41 +106,60 @@ SurfaceMesh surfaceMesh(GpuScene& gpuScene, const GpuItem& item) {
 
 } // namespace
 
-Result<RayWorld> RayWorld::create(gpu::Context& context, Context& library, GpuScene& gpuScene,
-                                  const scene::Scene& scene, const scene::Pose& pose,
-                                  std::span<const shared::Light> lights, RayBackend backend) {
-    std::vector<RayMesh> rayMeshes;
+/// What a pose is in the words of a ray scene and a surface table.
+struct RayWorld::Gathered {
+    std::vector<Part> parts;
     std::vector<RayInstance> rayInstances;
     std::vector<SurfaceMesh> meshes;
     std::vector<SurfaceInstance> instances;
     std::vector<uint32_t> items;
+};
+
+RayWorld::Gathered RayWorld::gather(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose) {
+    Gathered all;
+    std::unordered_set<const scene::Geometry*> deformed;
+    for (const auto& geometry : pose.deformed)
+        deformed.insert(geometry.get());
     std::unordered_map<const scene::Geometry*, uint32_t> numbers;
-    const scene::Material defaultMaterial;
     for (size_t i = 0; i < pose.items.size(); ++i) {
         const scene::DrawItem& drawn = pose.items[i];
         const GpuItem& item = gpuScene.items()[i];
         const scene::Geometry& geometry = *drawn.geometry;
         if (item.topology != scene::Topology::Triangles || item.surface == SurfaceClass::Transparent)
             continue;
-        const auto [known, isNew] = numbers.try_emplace(&geometry, static_cast<uint32_t>(rayMeshes.size()));
+        const auto [known, isNew] = numbers.try_emplace(&geometry, static_cast<uint32_t>(all.parts.size()));
         if (isNew) {
-            RayMesh mesh;
-            mesh.positions = &geometry.positions.data()->x;
-            mesh.vertexCount = static_cast<uint32_t>(geometry.positions.size());
-            mesh.indices = std::span(geometry.indices).first(geometry.indices.size() / 3 * 3);
-            rayMeshes.push_back(mesh);
-            meshes.push_back(surfaceMesh(gpuScene, item));
+            all.parts.push_back(
+                {&geometry, deformed.contains(&geometry), geometry.positions.size(), geometry.indices.size() / 3 * 3});
+            all.meshes.push_back(surfaceMesh(gpuScene, item));
         }
         RayInstance placed;
         placed.mesh = known->second;
         std::copy_n(glm::value_ptr(drawn.localToWorld), 16, placed.localToWorld.begin());
         placed.opaque = item.surface == SurfaceClass::Opaque;
         placed.doubleSided = item.doubleSided;
-        rayInstances.push_back(placed);
+        all.rayInstances.push_back(placed);
         const size_t material = drawn.material < 0 ? scene.materials.size() : static_cast<size_t>(drawn.material);
-        instances.push_back({placed.mesh, static_cast<uint32_t>(material), placed.localToWorld});
-        items.push_back(static_cast<uint32_t>(i));
+        all.instances.push_back({placed.mesh, static_cast<uint32_t>(material), placed.localToWorld});
+        all.items.push_back(static_cast<uint32_t>(i));
     }
+    return all;
+}
+
+Result<RayWorld> RayWorld::create(gpu::Context& context, Context& library, GpuScene& gpuScene,
+                                  const scene::Scene& scene, const scene::Pose& pose,
+                                  std::span<const shared::Light> lights, RayBackend backend) {
+    Gathered all = gather(gpuScene, scene, pose);
+    std::vector<RayMesh> rayMeshes;
+    for (const Part& part : all.parts) {
+        RayMesh mesh;
+        mesh.positions = &part.geometry->positions.data()->x;
+        mesh.vertexCount = static_cast<uint32_t>(part.vertices);
+        mesh.indices = std::span(part.geometry->indices).first(part.indices);
+        mesh.deforms = part.deforms;
+        rayMeshes.push_back(mesh);
+    }
+    const scene::Material defaultMaterial;
     std::vector<SurfaceMaterial> materials;
     for (const scene::Material& material : scene.materials)
         materials.push_back(surfaceMaterial(gpuScene, material));
@@ -150,22 +170,45 @@ Result<RayWorld> RayWorld::create(gpu::Context& context, Context& library, GpuSc
 
     RaySceneDesc rayDesc;
     rayDesc.meshes = rayMeshes;
-    rayDesc.instances = rayInstances;
+    rayDesc.instances = all.rayInstances;
     rayDesc.backend = backend;
     GLINT_TRY(rays, RayScene::create(library, rayDesc));
     SurfaceTableDesc desc;
     desc.textures = textures;
     desc.materials = materials;
-    desc.meshes = meshes;
-    desc.instances = instances;
+    desc.meshes = all.meshes;
+    desc.instances = all.instances;
     desc.maxLights = shared::kMaxLights;
     const std::vector<SurfaceLight> shining = surfaceLights(lights);
     desc.lights = shining;
     GLINT_TRY(surfaces, SurfaceTable::create(library, desc));
+    std::vector<uint32_t> items = all.items;
     if (items.empty())
         items.push_back(0); // no buffer is empty; nobody asks for it
     GLINT_TRY(itemBuffer, gpu::uploadBuffer(context, "rays/items", items, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
-    return RayWorld(std::move(rays), std::move(surfaces), std::move(itemBuffer));
+    RayWorld world(std::move(rays), std::move(surfaces), std::move(itemBuffer));
+    world.itemNumbers_ = std::move(all.items);
+    world.parts_ = std::move(all.parts);
+    return world;
+}
+
+Result<bool> RayWorld::setPose(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose) {
+    Gathered all = gather(gpuScene, scene, pose);
+    const auto isSame = [](const Part& a, const Part& b) {
+        return a.deforms == b.deforms && a.vertices == b.vertices && a.indices == b.indices &&
+               (a.deforms || a.geometry == b.geometry);
+    };
+    if (all.items != itemNumbers_ || !std::ranges::equal(all.parts, parts_, isSame))
+        return false;
+    for (size_t i = 0; i < all.parts.size(); ++i)
+        if (all.parts[i].deforms)
+            GLINT_CHECK(rays_.deform(static_cast<uint32_t>(i), &all.parts[i].geometry->positions.data()->x,
+                                     static_cast<uint32_t>(all.parts[i].vertices)));
+    GLINT_CHECK(rays_.setInstances(all.rayInstances));
+    GLINT_CHECK(surfaces_.setMeshes(all.meshes)); // the renderer's buffers may be others by now
+    GLINT_CHECK(surfaces_.setInstances(all.instances));
+    parts_ = std::move(all.parts);
+    return true;
 }
 
 void RayWorld::bindForShadows(gpu::Pass& pass) {

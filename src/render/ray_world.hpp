@@ -7,6 +7,8 @@
 #include "render/gpu_scene.hpp"
 #include "shared/light.h"
 
+#include <vector>
+
 namespace glint::render {
 
 class RayWorld {
@@ -17,6 +19,11 @@ public:
     static Result<RayWorld> create(gpu::Context& context, Context& library, GpuScene& gpuScene,
                                    const scene::Scene& scene, const scene::Pose& pose,
                                    std::span<const shared::Light> lights, RayBackend backend);
+
+    /// Another moment of the scene that it was made for, which `gpuScene` shows by now: instances are placed anew, and
+    /// hierarchies fitted to geometry that has changed its shape. False: the scene has other parts by now, and a world
+    /// has to be made for them. Errors: OutOfMemory.
+    Result<bool> setPose(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose);
 
     /// Before the first frame and after changes.
     void record(VkCommandBuffer commands) {
@@ -35,12 +42,24 @@ public:
     SurfaceTable& surfaces() { return surfaces_; }
 
 private:
+    /// A mesh of the ray scene.
+    struct Part {
+        const scene::Geometry* geometry; ///< while it is drawn
+        bool deforms;                    ///< it is another Geometry in each pose
+        size_t vertices;
+        size_t indices;
+    };
+    struct Gathered;
+    static Gathered gather(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose);
+
     RayWorld(RayScene&& rays, SurfaceTable&& surfaces, gpu::Buffer&& items)
         : rays_(std::move(rays)), surfaces_(std::move(surfaces)), items_(std::move(items)) {}
 
     RayScene rays_;
     SurfaceTable surfaces_;
-    gpu::Buffer items_; ///< uint32: by the ray scene's instances, the draw's
+    gpu::Buffer items_;                 ///< uint32: by the ray scene's instances, the draw's
+    std::vector<uint32_t> itemNumbers_; ///< what is in it
+    std::vector<Part> parts_;
 };
 
 } // namespace glint::render

@@ -309,7 +309,12 @@ struct JobSession::State {
         GLINT_CHECK(moveMirrors());
         if (!rayWorld_)
             return {};
-        const auto old = std::move(rayWorld_); // rays go through the pose that they were made with
+        GLINT_TRY(kept, rayWorld_->setPose(renderer_->scene(), *inputs_.scene, inputs_.pose));
+        if (kept) { // shadows by rays are drawn before the frame records what rays go through
+            GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
+            return giveRays();
+        }
+        const auto old = std::move(rayWorld_);
         GLINT_CHECK(makeRayWorld());
         if (!rayWorld_) // nobody asks for rays any more
             GLINT_CHECK(renderer_->setRayWorld(nullptr));
