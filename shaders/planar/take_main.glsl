@@ -21,7 +21,8 @@ layout(push_constant, scalar) uniform PushBlock {
 /// How much a texel counts where many are read together. A rough surface sees what is close to it at wide angles, so
 /// that little of it falls into its lobe but right there; in the picture, which is the eye's, it lies no wider than what
 /// is far behind it. With s, the part of the way from the eye that comes after the mirror, its lean grows by 1/s, and
-/// GGX' density of half vectors falls with up to the fourth power of that. The square, 2 / (1 + 1/s^2), came nearest to
+/// GGX' density of half vectors falls with up to the fourth power of that, at the lobe's middle not at all. The square,
+/// 2 / (1 + 1/s^2), stands between.
 float weightOf(vec2 uv, float z) {
     const float kLeast = 1.0e-3;
     if (z >= kBackgroundZ || isOrthographic(frame.constants))

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/text.hpp"
 #include "reflect/frame.hpp"
+#include "reflect/host_image.hpp"
 #include "reflect/outcomes.hpp"
 #include "reflect/views.hpp"
 
@@ -14,33 +15,16 @@
 namespace glint {
 namespace {
 
+using reflect::borrow;
+using reflect::giveBack;
+using reflect::handOut;
+using reflect::isInNoLayout;
+using reflect::kHandedOut;
+
 constexpr uint32_t kMaxSize = 16384; ///< pixels a side: what every Vulkan 1.3 desktop device can hold
 
-/// The library's own images are handed out ready for sampling by whatever comes next.
-constexpr gpu::Use kHandedOut = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                 VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
-                                 VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-
-gpu::Image borrow(const HostImage& host, const char* name, uint32_t mips = 1, uint32_t layers = 1) {
-    if (!host)
-        return {};
-    gpu::ResourceState state;
-    state.writeStages = host.stages;
-    state.writeAccess = host.access;
-    state.layout = host.layout;
-    return gpu::Image::borrow(
-        host.image, host.view,
-        {name, host.format, host.width, host.height, mips, layers, gpu::ImageShape::Flat, 0, host.samples}, state);
-}
-
-HostImage handOut(const gpu::Image& image) {
-    return {image.handle(),    image.view(),    image.desc().format,
-            image.width(),     image.height(),  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-            kHandedOut.stages, VK_ACCESS_2_NONE};
-}
-
 Result<void> checkLayout(const HostImage& image, const char* name) {
-    if (image.layout == VK_IMAGE_LAYOUT_UNDEFINED || image.layout == VK_IMAGE_LAYOUT_PREINITIALIZED)
+    if (isInNoLayout(image))
         return invalidArgument(
             "`{}` is in no layout (VkImageLayout {}), so it shows nothing: state the one that it is in", name,
             static_cast<int>(image.layout));
@@ -160,21 +144,17 @@ void Reflections::State::lendInputs() {
 
 /// The host finds its images in the layouts in which it gave them.
 void Reflections::State::giveBackInputs(gpu::Frame& recording) {
-    const auto giveBack = [&](gpu::Image& image, const HostImage& original) {
-        if (image)
-            recording.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
-    };
     reflect::Inputs& inputs = frame->inputs;
-    giveBack(inputs.depth, gbuffer.depth);
-    giveBack(inputs.normal, gbuffer.normal);
-    giveBack(inputs.material, gbuffer.material);
-    giveBack(inputs.baseColor, gbuffer.baseColor);
-    giveBack(inputs.litRadiance, gbuffer.litRadiance);
-    giveBack(inputs.fallbackSpecular, gbuffer.fallbackSpecular);
-    giveBack(inputs.backDepth, gbuffer.backDepth);
-    giveBack(inputs.motion, gbuffer.motion);
-    giveBack(inputs.environment, environment.cube);
-    giveBack(inputs.environmentDiffuse, environment.diffuse);
+    giveBack(recording, inputs.depth, gbuffer.depth);
+    giveBack(recording, inputs.normal, gbuffer.normal);
+    giveBack(recording, inputs.material, gbuffer.material);
+    giveBack(recording, inputs.baseColor, gbuffer.baseColor);
+    giveBack(recording, inputs.litRadiance, gbuffer.litRadiance);
+    giveBack(recording, inputs.fallbackSpecular, gbuffer.fallbackSpecular);
+    giveBack(recording, inputs.backDepth, gbuffer.backDepth);
+    giveBack(recording, inputs.motion, gbuffer.motion);
+    giveBack(recording, inputs.environment, environment.cube);
+    giveBack(recording, inputs.environmentDiffuse, environment.diffuse);
 }
 
 /// What settings and inputs together leave undone.

@@ -113,22 +113,21 @@ Result<void> MirrorWorld::record(VkCommandBuffer commands, const ViewParameters&
 /// `except`: the mirror in whose picture we are.
 Result<void> MirrorWorld::drawPictures(const Seen& seen, size_t level, const ViewParameters& parameters,
                                        size_t except) {
+    const gpu::Image& picture = levels_[level].target.gbuffer.litRadiance;
+    const View view = makeView(parameters.camera, picture.width(), picture.height(), parameters.jitterPX);
     for (size_t i = 0; i < list_.size(); ++i) {
-        const RenderTarget& target = levels_[level].target;
-        const View view = makeView(parameters.camera, target.gbuffer.litRadiance.width(),
-                                   target.gbuffer.litRadiance.height(), parameters.jitterPX);
         levels_[level].mirrors.skip(static_cast<uint32_t>(i));
         if (i != except && facesView(list_[i], libraryView(view, 0, 0)) && isInPicture(list_[i], view))
-            GLINT_CHECK(drawPicture(seen, level, i, parameters));
+            GLINT_CHECK(drawPicture(seen, level, i, parameters, view));
     }
     return {};
 }
 
-Result<void> MirrorWorld::drawPicture(const Seen& seen, size_t level, size_t mirror, const ViewParameters& parameters) {
+/// `view`: of `parameters`, in which the mirror is seen.
+Result<void> MirrorWorld::drawPicture(const Seen& seen, size_t level, size_t mirror, const ViewParameters& parameters,
+                                      const View& view) {
     Level& here = levels_[level];
     RenderTarget& target = here.target;
-    const View view = makeView(parameters.camera, target.gbuffer.litRadiance.width(),
-                               target.gbuffer.litRadiance.height(), parameters.jitterPX);
     const glint::View mirroredLibraryView = mirroredView(libraryView(view, seen.frameIndex, seen.seed), list_[mirror]);
     ViewParameters mirrored = parameters;
     mirrored.camera = mirroredCamera(parameters.camera, mirroredLibraryView);

@@ -43,7 +43,8 @@ private:
 
     explicit MirrorWorld(Renderer& renderer) : renderer_(&renderer) {}
     Result<void> drawPictures(const Seen& seen, size_t level, const ViewParameters& parameters, size_t except);
-    Result<void> drawPicture(const Seen& seen, size_t level, size_t mirror, const ViewParameters& parameters);
+    Result<void> drawPicture(const Seen& seen, size_t level, size_t mirror, const ViewParameters& parameters,
+                             const View& view);
 
     Renderer* renderer_;
     gpu::Context* context_ = nullptr;

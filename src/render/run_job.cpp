@@ -87,6 +87,7 @@ struct JobSession::State {
         library_ = std::make_unique<Context>(std::move(library));
         GLINT_CHECK(makeRayWorld());
         GLINT_CHECK(makeProbes());
+        findMirrors();
         GLINT_CHECK(resizeGBuffer());
         GLINT_TRY(timers, gpu::Timers::create(context_));
         timers_ = std::move(timers);
@@ -150,14 +151,20 @@ struct JobSession::State {
         return {};
     }
 
+    /// Once a pose: it looks at every triangle.
+    void findMirrors() { mirrors_ = render::findMirrors(*inputs_.scene, inputs_.pose, job_.planar, kMaxPlanarMirrors); }
+    /// The best of those that were found.
+    std::vector<PlanarMirror> wantedMirrors() const {
+        const auto most = static_cast<size_t>(job_.settings.render.mirrors.most);
+        const size_t count = job_.settings.reflections.planar.enabled ? std::min(mirrors_.size(), most) : 0;
+        return {mirrors_.begin(), mirrors_.begin() + static_cast<std::ptrdiff_t>(count)};
+    }
+
     /// Their pictures are as large as the frame, and are drawn and reflect with its settings. Those that were there go
     /// when nothing knows them any more.
     Result<void> makeMirrors() {
         const auto old = std::move(mirrorWorld_);
-        const auto most = static_cast<size_t>(job_.settings.render.mirrors.most);
-        const std::vector<PlanarMirror> mirrors = job_.settings.reflections.planar.enabled
-                                                      ? findMirrors(*inputs_.scene, inputs_.pose, job_.planar, most)
-                                                      : std::vector<PlanarMirror>();
+        const std::vector<PlanarMirror> mirrors = wantedMirrors();
         if (mirrors.empty())
             return {};
         GLINT_TRY(world, MirrorWorld::create(context_, *library_, *renderer_, mirrors,
@@ -169,10 +176,8 @@ struct JobSession::State {
 
     /// After things have moved.
     Result<void> moveMirrors() {
-        if (job_.planar == MirrorSearch::None || !job_.settings.reflections.planar.enabled)
-            return {};
-        const auto most = static_cast<size_t>(job_.settings.render.mirrors.most);
-        const std::vector<PlanarMirror> mirrors = findMirrors(*inputs_.scene, inputs_.pose, job_.planar, most);
+        findMirrors();
+        const std::vector<PlanarMirror> mirrors = wantedMirrors();
         if (mirrorWorld_) {
             GLINT_TRY(fits, mirrorWorld_->setMirrors(mirrors));
             if (fits)
@@ -419,6 +424,7 @@ struct JobSession::State {
     std::unique_ptr<RayWorld> rayWorld_;        ///< absent until settings ask for rays
     std::unique_ptr<RayWorld> retiredRayWorld_; ///< the one before, as long as `reflections_` may know it
     RayBackend rayBackend_ = RayBackend::Auto;
+    std::vector<PlanarMirror> mirrors_;        ///< that the pose has, the best first
     std::unique_ptr<MirrorWorld> mirrorWorld_; ///< absent unless the job asks for mirrors and the scene has some
     std::unique_ptr<Reflections> reflections_;
     std::unique_ptr<gpu::Timers> timers_;

@@ -2,16 +2,11 @@
 #pragma once
 
 #include "glint/planar.hpp"
-
-#include <glm/glm.hpp>
+#include "reflect/host_numbers.hpp"
 
 #include <algorithm>
 
 namespace glint::reflect {
-
-inline glm::vec3 toVec(const std::array<float, 3>& v) {
-    return {v[0], v[1], v[2]};
-}
 
 /// Metres off the plane within which surfaces are the mirror's own.
 inline float toleranceOf(const PlanarMirror& mirror) {

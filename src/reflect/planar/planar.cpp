@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "base/text.hpp"
 #include "reflect/conventions.hpp"
+#include "reflect/host_image.hpp"
 #include "reflect/planar/mirrored_view.hpp"
 
 #include <algorithm>
@@ -12,15 +13,7 @@
 namespace glint::reflect {
 namespace {
 
-constexpr uint32_t kLargestPicture = 16384;
-constexpr float kLongest = 1e9f; ///< metres: beyond, single precision has no room for a mirror
-
-constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
-                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-
-bool within(std::span<const float> values, float low, float high) {
-    return std::ranges::all_of(values, [&](float value) { return value >= low && value <= high; });
-}
+constexpr uint32_t kLargestPicture = 16384; ///< pixels a side: what every Vulkan 1.3 desktop device can hold
 
 Result<void> checkMirror(const PlanarMirror& mirror, size_t number) {
     if (!within(mirror.centerWS, -kLongest, kLongest))
@@ -47,19 +40,9 @@ Result<void> checkPicture(const HostImage& image, const char* name, uint32_t mir
     if (!image.image || !image.view || image.width < 1 || image.height < 1)
         return invalidArgument("mirror {}: its picture's `{}` is missing: hand over an image and its view", mirror,
                                name);
-    if (image.layout == VK_IMAGE_LAYOUT_UNDEFINED || image.layout == VK_IMAGE_LAYOUT_PREINITIALIZED)
+    if (isInNoLayout(image))
         return invalidArgument("mirror {}: its picture's `{}` is in no layout, so it shows nothing", mirror, name);
     return {};
-}
-
-gpu::Image borrow(const HostImage& host, const char* name) {
-    gpu::ResourceState state;
-    state.writeStages = host.stages;
-    state.writeAccess = host.access;
-    state.layout = host.layout;
-    return gpu::Image::borrow(
-        host.image, host.view,
-        {name, host.format, host.width, host.height, 1, 1, gpu::ImageShape::Flat, 0, host.samples}, state);
 }
 
 } // namespace
@@ -160,11 +143,8 @@ Result<void> PlanarState::record(VkCommandBuffer commands, uint32_t mirror, cons
     gpu::Image depth = borrow(picture.depth, "planar/hostDepth");
     take(frame, slots_[mirror], radiance, depth,
          makeFrameConstants(picture.view, conventions_, picture.depth.width, picture.depth.height));
-    const auto giveBack = [&](gpu::Image& image, const HostImage& original) {
-        frame.hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, original.layout});
-    };
-    giveBack(radiance, picture.radiance);
-    giveBack(depth, picture.depth);
+    giveBack(frame, radiance, picture.radiance);
+    giveBack(frame, depth, picture.depth);
     slots_[mirror].shown = true;
     return {};
 }
@@ -189,8 +169,8 @@ void PlanarState::take(gpu::Frame& frame, Slot& slot, gpu::Image& radiance, gpu:
             .readWrite("finer", slot.radiance, mip - 1)
             .write("coarser", slot.radiance, mip)
             .dispatch(std::max(slot.radiance.width() >> mip, 1u), std::max(slot.radiance.height() >> mip, 1u));
-    frame.hand(slot.radiance, kSampled);
-    frame.hand(slot.viewZ, kSampled);
+    frame.hand(slot.radiance, kHandedOut);
+    frame.hand(slot.viewZ, kHandedOut);
 }
 
 std::vector<shared::PlanarRecord> PlanarState::records(const shared::FrameConstants& constants) const {

@@ -2,6 +2,8 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "reflect/host_image.hpp"
+#include "reflect/host_numbers.hpp"
 #include "reflect/probes/probe_grid.hpp"
 
 #include <glm/gtc/constants.hpp>
@@ -16,19 +18,6 @@ namespace {
 
 constexpr uint32_t kSmallestFace = 16; ///< two mips
 constexpr uint32_t kLargestFace = 1024;
-constexpr float kLongest = 1e9f; ///< metres: beyond, single precision has no room for a probe
-
-constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                               VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
-                               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-
-glm::vec3 toVec(const std::array<float, 3>& v) {
-    return {v[0], v[1], v[2]};
-}
-
-bool within(std::span<const float> values, float low, float high) {
-    return std::ranges::all_of(values, [&](float value) { return value >= low && value <= high; });
-}
 
 Result<void> checkVolume(const ProbeVolume& volume, size_t extents, const char* name, size_t number) {
     const auto& q = volume.rotation;
@@ -65,7 +54,7 @@ Result<void> checkCube(const Probe& probe, size_t number) {
     const HostImage& cube = probe.cube;
     if (!cube.image || !cube.view || cube.width != cube.height || cube.width < 1 || probe.mips < 1)
         return invalidArgument("probe {} needs a cube image with square faces, its view, and at least one mip", number);
-    if (cube.layout == VK_IMAGE_LAYOUT_UNDEFINED || cube.layout == VK_IMAGE_LAYOUT_PREINITIALIZED)
+    if (isInNoLayout(cube))
         return invalidArgument("probe {}: its cube is in no layout (VkImageLayout {}), so it shows nothing", number,
                                static_cast<int>(cube.layout));
     if (probe.prefiltered && cube.layout != VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL)
@@ -220,19 +209,12 @@ void ProbesState::refilter(uint32_t probe) {
 
 void ProbesState::filter(gpu::Frame& frame, uint32_t probe) {
     Cube& cube = cubes_[probe];
-    gpu::ResourceState state;
-    state.writeStages = cube.host.stages;
-    state.writeAccess = cube.host.access;
-    state.layout = cube.host.layout;
-    gpu::Image host = gpu::Image::borrow(
-        cube.host.image, cube.host.view,
-        {"probe", cube.host.format, cube.host.width, cube.host.height, cube.hostMips, 6, gpu::ImageShape::Flat, 0},
-        state);
+    gpu::Image host = borrow(cube.host, "probe", cube.hostMips, 6);
     gpu::Image& source = *std::ranges::find(sources_, cube.filtered.width(), &gpu::Image::width);
     prefilter_.copy(frame, host, source, cube.filtered);
     prefilter_.filter(frame, source, cube.filtered);
-    frame.hand(cube.filtered, kSampled);
-    frame.hand(host, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, cube.host.layout});
+    frame.hand(cube.filtered, kHandedOut);
+    giveBack(frame, host, cube.host);
     cube.stale = false;
 }
 
@@ -249,11 +231,7 @@ void ProbesState::record(VkCommandBuffer commands) {
 HostImage ProbesState::cube(uint32_t probe) const {
     GLINT_ASSERT(probe < cubes_.size(), "probe {} of {}", probe, cubes_.size());
     const Cube& cube = cubes_[probe];
-    if (!cube.filtered)
-        return cube.host;
-    return {cube.filtered.handle(), cube.filtered.view(),   cube.filtered.desc().format,
-            cube.filtered.width(),  cube.filtered.height(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL,
-            kSampled.stages,        VK_ACCESS_2_NONE};
+    return cube.filtered ? handOut(cube.filtered) : cube.host;
 }
 
 gpu::Pass& ProbesState::bind(gpu::Pass& pass) {

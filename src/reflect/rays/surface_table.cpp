@@ -1,5 +1,6 @@
 #include "reflect/rays/surface_table.hpp"
 
+#include "reflect/host_numbers.hpp"
 #include "shared/light.h"
 #include "shared/material.h"
 #include "shared/surface_table.h"
@@ -9,10 +10,6 @@
 
 namespace glint::reflect {
 namespace {
-
-glm::vec3 toVec(const std::array<float, 3>& v) {
-    return {v[0], v[1], v[2]};
-}
 
 // ---------------------------------------------------------------- materials
 
