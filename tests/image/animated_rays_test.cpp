@@ -1,24 +1,16 @@
 // Scenes that move while rays go through them: the ray scene is fitted to the new pose, and shows what one that was
 // made for that pose shows.
 #include "base/file.hpp"
-#include "render/run_job.hpp"
+#include "image/job_test.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace glint::test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 /// A mirror floor, a square that is carried over it, and one whose upper corners are pulled sideways (a morph target).
 std::string movingScene(const std::string& path) {
@@ -68,30 +60,17 @@ std::string movingScene(const std::string& path) {
     return path;
 }
 
-class AnimatedRaysTest : public testing::TestWithParam<const char*> {
+class AnimatedRaysTest : public JobTest, public testing::WithParamInterface<const char*> {
 protected:
-    static gpu::Context& device() {
-        static const std::unique_ptr<gpu::Context> context =
-            must(gpu::Context::create({.device = {}, .validation = true}));
-        return *context;
-    }
     void SetUp() override {
         if (std::string(GetParam()) == "query" && !device().info().rayQuery)
             GTEST_SKIP() << device().info().name << " has no ray query";
-        messagesBefore_ = device().validationMessages().size();
-    }
-    void TearDown() override {
-        const std::vector<std::string>& messages = device().validationMessages();
-        for (size_t i = messagesBefore_; i < messages.size(); ++i)
-            ADD_FAILURE() << "validation: " << messages[i];
+        JobTest::SetUp();
     }
     static std::vector<float> picture(render::JobSession& session) {
         EXPECT_TRUE(session.renderFrame(0));
         return must(session.readView("composite")).rgba;
     }
-
-private:
-    size_t messagesBefore_ = 0;
 };
 
 TEST_P(AnimatedRaysTest, aPoseLaterIsAsIfMadeForIt) {
@@ -101,12 +80,8 @@ TEST_P(AnimatedRaysTest, aPoseLaterIsAsIfMadeForIt) {
     job.width = 160;
     job.height = 90;
     job.views = {"composite"};
-    job.settings =
-        must(render::loadSettings({.defaults = {},
-                                   .preset = {},
-                                   .file = {},
-                                   .assignments = {"screen.enabled=false", "rays.enabled=true", "lights.shadows=rays",
-                                                   std::string("rays.backend=") + GetParam()}}));
+    job.settings = settingsOf({"screen.enabled=false", "rays.enabled=true", "lights.shadows=rays",
+                               std::string("rays.backend=") + GetParam()});
     render::JobSession moved = must(render::JobSession::create(device(), job));
     std::vector<float> before = picture(moved);
     for (const double time : {0.4, 1.0, 0.0, 0.7}) {

@@ -1,6 +1,7 @@
 // Benchmarks: points as planned, times that belong to the effect, and a share of mirrors that is the share asked for.
 #include "bench.hpp"
 #include "gpu/context.hpp"
+#include "support/must.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -9,13 +10,6 @@
 
 namespace glint::test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 render::ProgramSettings settings(const std::vector<std::string>& assignments) {
     return must(render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = assignments}));

@@ -2,6 +2,7 @@
 #include "comparison_output.hpp"
 #include "config_option.hpp"
 #include "gpu/context.hpp"
+#include "support/must.hpp"
 #include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -12,13 +13,6 @@
 
 namespace glint::test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 cli::ComparedConfig config(const std::string& scene, const std::string& text) {
     cli::ComparedConfig config;

@@ -1,37 +1,17 @@
 // The hybrid on whole scenes: screen first, rays for what is left, and hardly worse than rays for everything.
 #include "exact_report.hpp"
+#include "image/job_test.hpp"
 #include "measure/image_error.hpp"
-#include "render/run_job.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 
 namespace glint::test {
 namespace {
 
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
-
-class HybridTest : public testing::Test {
+class HybridTest : public JobTest {
 protected:
-    static gpu::Context& device() {
-        static const std::unique_ptr<gpu::Context> context =
-            must(gpu::Context::create({.device = {}, .validation = true}));
-        return *context;
-    }
-    void SetUp() override { messagesBefore_ = device().validationMessages().size(); }
-    void TearDown() override {
-        const std::vector<std::string>& messages = device().validationMessages();
-        for (size_t i = messagesBefore_; i < messages.size(); ++i)
-            ADD_FAILURE() << "validation: " << messages[i];
-    }
-
     struct Drawn {
         measure::MirrorError error;
         Statistics::SceneRays rays;
@@ -45,8 +25,7 @@ protected:
         job.height = 360;
         job.views = {"composite"};
         job.statistics = true;
-        job.settings = must(
-            render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = std::move(assignments)}));
+        job.settings = settingsOf(std::move(assignments));
         const render::RenderResult result = must(render::runJob(device(), job));
         return {must(cli::measureExact(job, result)), result.stats.scene};
     }
@@ -60,9 +39,6 @@ protected:
         }
         return wrong / pixels;
     }
-
-private:
-    size_t messagesBefore_ = 0;
 };
 
 TEST_F(HybridTest, MirrorsInMirrorsAreRightForFewerRaysThanRaysAlone) {
@@ -97,8 +73,7 @@ TEST_F(HybridTest, MirrorsOfTheHallAreAlmostThoseOfRaysAlone) {
         job.height = 360;
         job.views = {"composite", "roughness", "reflectivity"};
         job.statistics = true;
-        job.settings = must(
-            render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = std::move(assignments)}));
+        job.settings = settingsOf(std::move(assignments));
         return must(render::runJob(device(), job));
     };
     const render::RenderResult hybrid = draw({});

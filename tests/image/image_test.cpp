@@ -2,7 +2,7 @@
 // GLINT_UPDATE_GOLDENS=1 writes the goldens instead; look at each before it is committed.
 #include "image/golden.hpp"
 #include "image/image_case.hpp"
-#include "render/run_job.hpp"
+#include "image/job_test.hpp"
 #include "render/views.hpp"
 
 #include <gtest/gtest.h>
@@ -38,17 +38,6 @@ std::vector<std::string> caseNames() {
     return names;
 }
 
-/// One device for the whole program.
-gpu::Context& device() {
-    static const std::unique_ptr<gpu::Context> context = [] {
-        auto created = gpu::Context::create({.device = {}, .validation = true});
-        if (!created)
-            throw std::runtime_error(created.error().message);
-        return std::move(created).value();
-    }();
-    return *context;
-}
-
 /// As the program writes it to a PNG file.
 Result<std::vector<uint8_t>> displayed(const render::RenderedView& view) {
     GLINT_TRY(info, render::findView(view.name));
@@ -56,7 +45,7 @@ Result<std::vector<uint8_t>> displayed(const render::RenderedView& view) {
 }
 
 /// The test of one case.
-class ImageTest : public testing::Test {
+class ImageTest : public JobTest {
 public:
     explicit ImageTest(std::string name) : name_(std::move(name)) {}
 
@@ -69,11 +58,8 @@ public:
 
         const auto job = cli::makeRenderJob(imageCase->options);
         ASSERT_TRUE(job.ok()) << job.error().message;
-        const size_t messagesBefore = device().validationMessages().size();
         const auto result = render::runJob(device(), *job);
         ASSERT_TRUE(result.ok()) << result.error().message;
-        for (size_t i = messagesBefore; i < device().validationMessages().size(); ++i)
-            ADD_FAILURE() << "validation: " << device().validationMessages()[i];
 
         ASSERT_EQ(result->views.size(), 1u);
         const auto rgb = displayed(result->views.front());

@@ -1,8 +1,8 @@
 // --planar on whole scenes: flat mirrors show what rays show, mirrors in mirrors too, and sources go together.
 #include "base/file.hpp"
 #include "exact_report.hpp"
+#include "image/job_test.hpp"
 #include "measure/image_error.hpp"
-#include "render/run_job.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temp_folder.hpp"
 
@@ -10,32 +10,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace glint::test {
 namespace {
 
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
-
-class PlanarTest : public testing::Test {
+class PlanarTest : public JobTest {
 protected:
-    static gpu::Context& device() {
-        static const std::unique_ptr<gpu::Context> context =
-            must(gpu::Context::create({.device = {}, .validation = true}));
-        return *context;
-    }
-    void SetUp() override { messagesBefore_ = device().validationMessages().size(); }
-    void TearDown() override {
-        const std::vector<std::string>& messages = device().validationMessages();
-        for (size_t i = messagesBefore_; i < messages.size(); ++i)
-            ADD_FAILURE() << "validation: " << messages[i];
-    }
-
     static render::RenderJob makeJob(const std::string& scene, const std::vector<std::string>& assignments,
                                      uint32_t width = 320, uint32_t height = 180) {
         render::RenderJob job;
@@ -44,8 +24,7 @@ protected:
         job.height = height;
         job.views = {"composite"};
         job.planar = render::MirrorSearch::Auto;
-        job.settings =
-            must(render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = assignments}));
+        job.settings = settingsOf(assignments);
         return job;
     }
     static const std::vector<float>& view(const render::RenderResult& result, const std::string& name) {
@@ -53,9 +32,6 @@ protected:
         EXPECT_NE(found, result.views.end()) << name;
         return found->rgba;
     }
-
-private:
-    size_t messagesBefore_ = 0;
 };
 
 /// A room of three emissive walls in stripes on a floor of metal whose normals wave by `tilt` (a slope), roughness

@@ -1,8 +1,8 @@
 // glint bake and --probes on whole scenes: probes show what is there, and a file that does not belong is refused.
 #include "base/file.hpp"
+#include "image/job_test.hpp"
 #include "render/bake_job.hpp"
 #include "render/probe_world.hpp"
-#include "render/run_job.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temp_folder.hpp"
 
@@ -11,32 +11,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <memory>
 
 namespace glint::test {
 namespace {
 
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
-
-class BakedProbesTest : public testing::Test {
+class BakedProbesTest : public JobTest {
 protected:
-    static gpu::Context& device() {
-        static const std::unique_ptr<gpu::Context> context =
-            must(gpu::Context::create({.device = {}, .validation = true}));
-        return *context;
-    }
-    void SetUp() override { messagesBefore_ = device().validationMessages().size(); }
-    void TearDown() override {
-        const std::vector<std::string>& messages = device().validationMessages();
-        for (size_t i = messagesBefore_; i < messages.size(); ++i)
-            ADD_FAILURE() << "validation: " << messages[i];
-    }
-
     static render::RenderJob makeJob(const std::string& scene, const std::vector<std::string>& assignments) {
         render::RenderJob job;
         job.scene = scene;
@@ -44,8 +24,7 @@ protected:
         job.height = 90;
         job.views = {"reflection", "roughness", "weightProbes"};
         job.display = true;
-        job.settings =
-            must(render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = assignments}));
+        job.settings = settingsOf(assignments);
         return job;
     }
     static std::string errorOf(const render::RenderJob& job) {
@@ -55,9 +34,6 @@ protected:
         EXPECT_EQ(result.error().code, ErrorCode::InvalidInput); // exit code 2
         return result.error().message;
     }
-
-private:
-    size_t messagesBefore_ = 0;
 };
 
 /// Mean difference of two pictures of reflections as displayed, over smooth surfaces.

@@ -1,6 +1,7 @@
 // Times of the ray back ends: every figure there, the same rays met by both, and a scene with the triangles asked for.
 #include "gpu/context.hpp"
 #include "ray_bench.hpp"
+#include "support/must.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -9,13 +10,6 @@
 
 namespace glint::test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 TEST(RayBench, TimesEveryBackEndOnTheSameRays) {
     const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));

@@ -1,12 +1,11 @@
 // What the program promises on whole scenes, in figures: mirrors where geometry puts them, wrong pixels against the
 // exact picture, nothing changed when nothing reflects, and no validation message on any sample model.
 #include "exact_report.hpp"
-#include "gpu/context.hpp"
 #include "hits_report.hpp"
+#include "image/job_test.hpp"
 #include "inspect_output.hpp"
 #include "inspect_overlay.hpp"
 #include "render/job_inputs.hpp"
-#include "render/run_job.hpp"
 #include "render/view.hpp"
 #include "scene/builtin.hpp"
 #include "support/assets.hpp"
@@ -16,17 +15,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
 namespace glint::test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
 
 render::RenderJob makeJob(const std::string& scene, uint32_t width, uint32_t height, std::vector<std::string> views,
                           const std::vector<std::string>& assignments) {
@@ -36,28 +27,13 @@ render::RenderJob makeJob(const std::string& scene, uint32_t width, uint32_t hei
     job.height = height;
     job.views = std::move(views);
     job.statistics = true;
-    job.settings = must(render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = assignments}));
+    job.settings = settingsOf(assignments);
     return job;
 }
 
-class ScenesTest : public testing::Test {
+class ScenesTest : public JobTest {
 protected:
-    /// One device for the program; any validation message fails the test that caused it.
-    static gpu::Context& device() {
-        static const std::unique_ptr<gpu::Context> context =
-            must(gpu::Context::create({.device = {}, .validation = true}));
-        return *context;
-    }
-    void SetUp() override { messagesBefore_ = device().validationMessages().size(); }
-    void TearDown() override {
-        const std::vector<std::string>& messages = device().validationMessages();
-        for (size_t i = messagesBefore_; i < messages.size(); ++i)
-            ADD_FAILURE() << "validation: " << messages[i];
-    }
     static render::RenderResult run(const render::RenderJob& job) { return must(render::runJob(device(), job)); }
-
-private:
-    size_t messagesBefore_ = 0;
 };
 
 /// Where a world point is in the picture, pixels (centres at .5).

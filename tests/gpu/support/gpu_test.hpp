@@ -4,24 +4,13 @@
 
 #include "glint/context.hpp"
 #include "gpu/transfer.hpp"
+#include "support/must.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
 namespace glint::test {
-
-/// The value, or a fatal failure with the error's message.
-template <class T>
-T must(Result<T> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-    return std::move(result).value();
-}
-inline void must(Result<void> result) {
-    if (!result)
-        throw std::runtime_error(result.error().message);
-}
 
 class GpuTest : public testing::Test {
 protected:
