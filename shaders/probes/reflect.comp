@@ -7,9 +7,8 @@
 
 #include "hierarchy/taken_before.glsl"
 #include "lib/camera.glsl"
-#include "lib/probe.glsl"
-#include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
+#include "probes/probe_cubes.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -18,37 +17,10 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 } frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(scalar, set = 0, binding = 7) readonly buffer ProbesBlock {
-    ProbeRecord list[];
-} probes;
-layout(scalar, set = 0, binding = 8) readonly buffer CellsBlock {
-    uint first[];
-} probeCells;
-layout(scalar, set = 0, binding = 9) readonly buffer ListsBlock {
-    uint probe[];
-} probeLists;
-layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D probesAnswer; // mean radiance, weight
-layout(set = 1, binding = 0) uniform samplerCube cubes[];
+layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D answers; // mean radiance, weight
 layout(push_constant, scalar) uniform PushBlock {
     ProbesConstants constants;
 };
-
-vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness) {
-    ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, perceptualRoughness, constants.flags);
-    float mip = lookup.perceptualRoughness * probe.lastMip;
-    vec3 radiance = textureLod(cubes[nonuniformEXT(probe.cube)], lookup.directionWS, mip).rgb;
-    return sanitize(sanitize(radiance) * probe.strength);
-}
-
-/// Of the cell that holds this position; empty outside of the grid.
-uvec2 probesAround(vec3 positionWS) {
-    vec3 at = (positionWS - constants.gridOriginWS) * constants.cellsPerMetre;
-    if (any(lessThan(at, vec3(0.0))) || any(greaterThanEqual(at, vec3(constants.gridSize))))
-        return uvec2(0u);
-    uvec3 cell = min(uvec3(at), constants.gridSize - 1u);
-    uint index = (cell.z * constants.gridSize.y + cell.y) * constants.gridSize.x + cell.x;
-    return uvec2(probeCells.first[index], probeCells.first[index + 1u]);
-}
 
 vec4 answer(ivec2 px, float z) {
     float left = 1.0 - takenBefore(constants.before, px);
@@ -61,18 +33,7 @@ vec4 answer(ivec2 px, float z) {
     vec3 normalWS = mat3(frame.constants.viewToWorld) * here.normalVS;
     vec3 directionWS =
         mat3(frame.constants.viewToWorld) * reflect(viewDirection(frame.constants, positionVS), here.normalVS);
-    uvec2 range = probesAround(positionWS);
-    vec3 sum = vec3(0.0);
-    float total = 0.0;
-    for (uint i = range.x; i < range.y && total < left; ++i) {
-        ProbeRecord probe = probes.list[probeLists.probe[i]];
-        float weight = min(probeWeight(probe, positionWS, normalWS, directionWS), left - total);
-        if (weight <= 0.0)
-            continue;
-        sum += weight * probeRadiance(probe, positionWS, directionWS, here.perceptualRoughness);
-        total += weight;
-    }
-    return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
+    return probesAnswer(positionWS, normalWS, directionWS, here.perceptualRoughness, left, constants.flags);
 }
 
 void main() {
@@ -80,5 +41,5 @@ void main() {
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
     float z = texelFetch(viewZ, px, 0).r;
-    imageStore(probesAnswer, px, z < kBackgroundZ ? answer(px, z) : vec4(0.0));
+    imageStore(answers, px, z < kBackgroundZ ? answer(px, z) : vec4(0.0));
 }

@@ -31,14 +31,17 @@ struct ProbeRecord {
     float3 capturePositionWS;
 };
 
-// The grid over all influence volumes: cell c has the probes lists[cells[c]] up to, not with, lists[cells[c + 1]],
-// smallest volume first.
-struct ProbesConstants {
-    float3 gridOriginWS;
-    uint flags; // kProbes*
-    float3 cellsPerMetre;
+// The grid over all influence volumes, in front of its cells: cell c has the probes lists[cells[c]] up to, not with,
+// lists[cells[c + 1]], smallest volume first. Without probes all of it is 0.
+struct ProbeGridHeader {
+    float3 originWS;
     uint probeCount;
-    uint3 gridSize;
+    float3 cellsPerMetre;
+    uint3 size; // cells
+};
+
+struct ProbesConstants {
+    uint flags;  // kProbes*
     uint before; // bit s: source s (shared/hierarchy.h) is asked before
 };
 

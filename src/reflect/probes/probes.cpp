@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace glint::reflect {
 namespace {
@@ -145,7 +146,8 @@ Result<std::unique_ptr<ProbesState>> ProbesState::create(gpu::Context& context, 
     const size_t count = desc.probes.size();
     GLINT_CHECK(state->records_.create(context, "probes/records", count * sizeof(shared::ProbeRecord)));
     const size_t most = count == 0 ? 1 : kMaxProbeCells + 1; // the finest grid that any volumes may need
-    GLINT_CHECK(state->cells_.create(context, "probes/cells", most * sizeof(uint32_t)));
+    GLINT_CHECK(
+        state->cells_.create(context, "probes/cells", sizeof(shared::ProbeGridHeader) + most * sizeof(uint32_t)));
     GLINT_CHECK(state->lists_.create(context, "probes/lists", (count == 0 ? 1 : kMaxProbeListed) * sizeof(uint32_t)));
     GLINT_CHECK(state->setVolumes(desc.probes));
     return state;
@@ -190,14 +192,15 @@ Result<void> ProbesState::setVolumes(std::span<const Probe> probes) {
         bounds.push_back(boundsOf(probe));
     }
     const ProbeGrid grid = ProbeGrid::build(bounds);
-    nextConstants_.gridOriginWS = grid.originWS;
-    nextConstants_.cellsPerMetre = grid.cellsPerMetre;
-    nextConstants_.gridSize = grid.size;
-    nextConstants_.probeCount = static_cast<uint32_t>(records.size());
     if (records.empty())
         return {};
+    const shared::ProbeGridHeader header = {grid.originWS, static_cast<uint32_t>(records.size()), grid.cellsPerMetre,
+                                            grid.size};
+    std::vector<uint32_t> cells(sizeof(header) / sizeof(uint32_t));
+    std::memcpy(cells.data(), &header, sizeof(header));
+    cells.insert(cells.end(), grid.first.begin(), grid.first.end());
     records_.set(records);
-    cells_.set(grid.first);
+    cells_.set(cells);
     lists_.set(grid.listed);
     return {};
 }
@@ -219,7 +222,6 @@ void ProbesState::filter(gpu::Frame& frame, uint32_t probe) {
 }
 
 void ProbesState::record(VkCommandBuffer commands) {
-    constants_ = nextConstants_;
     gpu::Frame frame(context_, commands);
     for (uint32_t i = 0; i < count(); ++i)
         if (cubes_[i].stale)
@@ -234,11 +236,10 @@ HostImage ProbesState::cube(uint32_t probe) const {
     return cube.filtered ? handOut(cube.filtered) : cube.host;
 }
 
-gpu::Pass& ProbesState::bind(gpu::Pass& pass) {
+gpu::Pass& ProbesState::bindLists(gpu::Pass& pass) {
     return pass.read("probes", records_.buffer())
         .read("probeCells", cells_.buffer())
-        .read("probeLists", lists_.buffer())
-        .table(table_.set());
+        .read("probeLists", lists_.buffer());
 }
 
 } // namespace glint::reflect

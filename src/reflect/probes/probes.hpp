@@ -23,10 +23,10 @@ public:
     HostImage cube(uint32_t probe) const;
     uint32_t cubeMips(uint32_t probe) const { return cubes_[probe].mips; }
     VkDescriptorSetLayout cubesLayout() const { return table_.layout(); }
-    /// Without the flags.
-    const shared::ProbesConstants& constants() const { return constants_; }
-    /// Gives the pass all of it, as shaders/probes/reflect.comp declares it.
-    gpu::Pass& bind(gpu::Pass& pass);
+    /// Gives the pass the volumes, as shaders/probes/probe_lists.glsl declares them.
+    gpu::Pass& bindLists(gpu::Pass& pass);
+    /// And the cubes, as shaders/probes/probe_cubes.glsl does.
+    gpu::Pass& bind(gpu::Pass& pass) { return bindLists(pass).table(table_.set()); }
 
 private:
     explicit ProbesState(gpu::Context& context) : context_(context) {}
@@ -46,10 +46,8 @@ private:
     std::vector<gpu::Image> sources_; ///< cubes with all mips that others are filtered from, one a size
     std::vector<Cube> cubes_;
     gpu::TextureTable table_;
-    shared::ProbesConstants constants_ = {};     ///< of what the buffers hold
-    shared::ProbesConstants nextConstants_ = {}; ///< of what the next record brings there
     TableBuffer records_;
-    TableBuffer cells_;
+    TableBuffer cells_; ///< shared::ProbeGridHeader, then the cells
     TableBuffer lists_;
 };
 

@@ -20,8 +20,7 @@ Result<void> ProbesSource::setProbes(ProbesState& probes) {
 }
 
 void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs) {
-    shared::ProbesConstants constants = probes_->constants();
-    constants.before = inputs.earlier.before;
+    shared::ProbesConstants constants = {0, inputs.earlier.before};
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(settings.probes.parallax, shared::kProbesParallax);
     flag(settings.probes.distanceRoughness, shared::kProbesDistanceRoughness);
@@ -29,7 +28,7 @@ void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const Pro
     pass.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
-        .write("probesAnswer", answer_);
+        .write("answers", answer_);
     inputs.earlier.bind(pass);
     probes_->bind(pass).push(constants).dispatch(answer_.width(), answer_.height());
 }

@@ -1,0 +1,33 @@
+// What the probes around a place show in a direction, smallest volume first, each getting at most what is left.
+#ifndef GLINT_PROBES_PROBE_CUBES_GLSL
+#define GLINT_PROBES_PROBE_CUBES_GLSL
+
+#include "lib/sanitize.glsl"
+#include "probes/probe_lists.glsl"
+
+layout(set = 1, binding = 0) uniform samplerCube cubes[];
+
+vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
+    ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, perceptualRoughness, flags);
+    float mip = lookup.perceptualRoughness * probe.lastMip;
+    vec3 radiance = textureLod(cubes[nonuniformEXT(probe.cube)], lookup.directionWS, mip).rgb;
+    return sanitize(sanitize(radiance) * probe.strength);
+}
+
+/// Mean radiance and weight, at most `left`. `flags`: kProbes*.
+vec4 probesAnswer(vec3 positionWS, vec3 normalWS, vec3 directionWS, float perceptualRoughness, float left, uint flags) {
+    uvec2 range = probesAround(positionWS);
+    vec3 sum = vec3(0.0);
+    float total = 0.0;
+    for (uint i = range.x; i < range.y && total < left; ++i) {
+        ProbeRecord probe = probes.list[probeLists.probe[i]];
+        float weight = min(probeWeight(probe, positionWS, normalWS, directionWS), left - total);
+        if (weight <= 0.0)
+            continue;
+        sum += weight * probeRadiance(probe, positionWS, directionWS, perceptualRoughness, flags);
+        total += weight;
+    }
+    return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
+}
+
+#endif
