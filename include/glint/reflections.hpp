@@ -11,6 +11,7 @@
 #include "glint/ray_scene.hpp"
 #include "glint/settings.hpp"
 #include "glint/surface_table.hpp"
+#include "glint/transparent_layer.hpp"
 #include "glint/view.hpp"
 
 #include <memory>
@@ -37,9 +38,10 @@ struct ReflectionsDesc {
     uint32_t width = 0; ///< pixels, of every image of the G-buffer
     uint32_t height = 0;
     Settings settings;
-    bool statistics = false; ///< count outcomes and lookups each frame (a small pass more)
-    bool views = false;      ///< keep an image for debug views
-    bool inspection = false; ///< make what recordInspection needs: a pipeline a marcher more, and 256 KiB
+    bool statistics = false;        ///< count outcomes and lookups each frame (a small pass more)
+    bool views = false;             ///< keep an image for debug views
+    bool inspection = false;        ///< make what recordInspection needs: a pipeline a marcher more, and 256 KiB
+    bool transparentLayers = false; ///< make what recordLayer needs: the picture once more, with mips
 };
 
 struct PassTime {
@@ -120,6 +122,15 @@ public:
     /// What the host draws over it is seen in the next frame's reflections with screen.colorSource previous, which
     /// reads it once more: leave it in its layout.
     HostImage record(VkCommandBuffer commands, const View& view);
+
+    /// Records a transparent layer over the picture of the frame recorded last, in place (needs
+    /// ReflectionsDesc::transparentLayers): call it for each layer, the farthest first, before anything else reads the
+    /// picture. `picture` is what record, or the layer before, returned. Refraction and reflection have a walk of their
+    /// own: screen, by the depth pyramid, probes, sky. What the host draws between layers is seen through the next.
+    /// With refraction.enabled off layers are not drawn, and `picture` comes back: a host has its own way then.
+    /// Cost: two short marches and up to 40 lookups a pixel of the layer, and the picture's mips.
+    /// Errors: InvalidArgument says which image is missing or of another size, or that no frame was recorded.
+    Result<HostImage> recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, const HostImage& picture);
 
     /// Records a debug view of the frame recorded last into an RGBA32F image (needs ReflectionsDesc::views): raw
     /// values, metres and unit vectors, not scaled for display.

@@ -24,6 +24,8 @@ GLINT_SETTING_ENUM(ColorSource, Current, Previous)
 GLINT_SETTING_ENUM(ThresholdOn, F0, F0TimesStrength)
 GLINT_SETTING_ENUM(FadeBorder, None, Smooth, Linear)
 GLINT_SETTING_ENUM(CompositeModel, Physical, Lerp)
+GLINT_SETTING_ENUM(RefractionModel, Material, None, Sphere, Plane, Thin)
+GLINT_SETTING_ENUM(RefractionProjection, Hiz, Proxy)
 GLINT_SETTING_ENUM(RayLobe, Ggx, Mirror, MirrorIfOne)
 
 struct ScreenSettings {
@@ -59,6 +61,9 @@ struct ProbesSettings {
 struct SkySettings {
     GLINT_SKY_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct RefractionSettings {
+    GLINT_REFRACTION_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct OrderSettings {
     GLINT_ORDER_SETTINGS(GLINT_SETTING_MEMBER)
 };
@@ -91,6 +96,7 @@ struct Settings {
     PlanarSettings planar;
     ProbesSettings probes;
     SkySettings sky;
+    RefractionSettings refraction;
     OrderSettings order;
     CompositeSettings composite;
     GBufferSettings gbuffer;

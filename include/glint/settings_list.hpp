@@ -212,6 +212,59 @@
         "The environment answers for what the sources before it left; without one it adds nothing",                    \
         "")
 
+#define GLINT_REFRACTION_SETTINGS(SETTING)                                                                             \
+    SETTING(bool, enabled, true, "", "",                                                                               \
+        "Light comes through transparent surfaces that the host hands over as layers, and they reflect; off: recordLayer only lays them over", \
+        "")                                                                                                            \
+    SETTING(RefractionModel, model, RefractionModel::Material, "", "",                                                 \
+        "What bodies are taken for: material, as the host says; none, nothing is bent; sphere, plane, or thin, a plate of 5 mm", \
+        "hdrp:refractionModel")                                                                                        \
+    SETTING(RefractionProjection, projection, RefractionProjection::Hiz, "", "",                                       \
+        "Where light that has left a body comes from: hiz, marched; proxy, met on the volume of the probe that holds the object", \
+        "hdrp:ssRayModel")                                                                                             \
+    SETTING(bool, screen, true, "", "",                                                                                \
+        "Layers ask the picture first; off: probes and the environment alone",                                         \
+        "")                                                                                                            \
+    SETTING(bool, reflections, true, "", "",                                                                           \
+        "Layers reflect by screen, probes and sky; off: they keep the host's fallback specular",                       \
+        "")                                                                                                            \
+    SETTING(float, borderWidth, 0.05f, "[0, 0.5]", "UV",                                                               \
+        "Refracted light fades to probes and sky this far from the border of the picture",                             \
+        "hdrp:refraction:screenWeightDistance")                                                                        \
+    SETTING(int, hizMinLevel, 0, "[0, 14]", "",                                                                        \
+        "Finest level of the depth pyramid that a layer's rays visit",                                                 \
+        "hdrp:refraction:rayMinLevel")                                                                                 \
+    SETTING(int, hizMaxLevel, 10, "[0, 14]", "",                                                                       \
+        "Coarsest level that they visit",                                                                              \
+        "hdrp:refraction:rayMaxLevel")                                                                                 \
+    SETTING(int, hizMaxIterations, 64, "[1, 1024]", "",                                                                \
+        "Cells that such a ray looks at; one that uses them up is a miss",                                             \
+        "hdrp:refraction:rayMaxIterations")                                                                            \
+    SETTING(float, hizDepthBias, 0.001f, "[0, 1]", "of viewZ",                                                         \
+        "Slab behind each depth sample in which it ends too",                                                          \
+        "hdrp:refraction:rayDepthSuccessBias")                                                                         \
+    SETTING(float, ior, 0, "[0, 5]", "",                                                                               \
+        "Index of refraction of every body; 0: its material's",                                                        \
+        "")                                                                                                            \
+    SETTING(float, thickness, -1, "[-1, 1e3]", "m",                                                                    \
+        "Thickness of every body; below 0: its material's",                                                            \
+        "")                                                                                                            \
+    SETTING(float, thicknessMultiplier, 1, "[0, 100]", "",                                                             \
+        "Factor on the thickness of every body",                                                                       \
+        "hdrp:thicknessMultiplier")                                                                                    \
+    SETTING(float, transmittanceRed, -1, "[-1, 1]", "",                                                                \
+        "Colour that white light has taken after the absorption distance; below 0, all three: the materials' own",     \
+        "")                                                                                                            \
+    SETTING(float, transmittanceGreen, -1, "[-1, 1]", "",                                                              \
+        "Its green",                                                                                                   \
+        "")                                                                                                            \
+    SETTING(float, transmittanceBlue, -1, "[-1, 1]", "",                                                               \
+        "Its blue",                                                                                                    \
+        "")                                                                                                            \
+    SETTING(float, absorptionDistance, -1, "[-1, 1e6]", "m",                                                           \
+        "Distance after which it has; 0: bodies are clear; below 0: the materials' own",                               \
+        "hdrp:absorptionDistance")
+
 #define GLINT_ORDER_SETTINGS(SETTING)                                                                                  \
     SETTING(int, screen, 1, "[0, 9]", "",                                                                              \
         "Place of the screen source in the walk: smaller is asked first, equal ones in the order of this list",        \

@@ -27,6 +27,8 @@ layout(set = 0, binding = 7, rgba32f) uniform writeonly image2D view;
 layout(set = 0, binding = 8) uniform sampler2D material;
 layout(set = 0, binding = 9) uniform sampler2D probesAnswer;
 layout(set = 0, binding = 10) uniform sampler2D planarAnswer;
+layout(set = 0, binding = 11) uniform sampler2D refracted;         // one texel without layers
+layout(set = 0, binding = 12) uniform sampler2D refractionWeights;
 layout(push_constant, scalar) uniform PushBlock {
     ViewConstants settings;
 };
@@ -148,6 +150,13 @@ void main() {
         break;
     case kViewWeightPlanar:
         value.rgb = vec3(sourceWeight(shares, kSourcePlanar));
+        break;
+    case kViewRefraction:
+        value.rgb = any(greaterThanEqual(px, textureSize(refracted, 0))) ? vec3(0.0) : texelFetch(refracted, px, 0).rgb;
+        break;
+    case kViewRefractionWeights:
+        if (all(lessThan(px, textureSize(refractionWeights, 0))))
+            value.rgb = texelFetch(refractionWeights, px, 0).rgb;
         break;
     case kViewRay:
         value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));

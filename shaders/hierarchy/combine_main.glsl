@@ -2,7 +2,6 @@
 // Replace, never add twice. The order is the user's (settings order.*).
 #include "hierarchy/source_log.glsl"
 #include "lib/camera.glsl"
-#include "lib/sanitize.glsl"
 #include "lib/source_weights.glsl"
 #include "lib/surface.glsl"
 #include "shared/rays_constants.h"
@@ -27,16 +26,11 @@ layout(push_constant, scalar) uniform PushBlock {
     HierarchyConstants settings;
 };
 
+#include "hierarchy/environment_radiance.glsl"
+
 /// What is left of a weight of `wanted` after `taken`.
 float takeRest(float wanted, float taken) {
     return clamp(min(wanted, 1.0 - taken), 0.0, 1.0);
-}
-
-vec3 environmentRadiance(vec3 directionVS, float perceptualRoughness) {
-    vec3 directionWS = mat3(frame.constants.viewToWorld) * directionVS;
-    vec3 direction = mat3(frame.constants.worldToEnvironment) * directionWS;
-    float mip = perceptualRoughness * max(frame.constants.environmentMips - 1.0, 0.0);
-    return sanitize(sanitize(textureLod(environment, direction, mip).rgb) * frame.constants.environmentStrength);
 }
 
 /// The sky has an answer for everything.
@@ -46,7 +40,8 @@ vec4 skyAnswer(ivec2 px, float z) {
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
-    return vec4(environmentRadiance(reflect(toSurfaceVS, here.normalVS), here.perceptualRoughness), 1.0);
+    vec3 directionWS = mat3(frame.constants.viewToWorld) * reflect(toSurfaceVS, here.normalVS);
+    return vec4(environmentRadiance(environment, directionWS, here.perceptualRoughness), 1.0);
 }
 
 /// Of those pixels rays have found something better.

@@ -40,6 +40,12 @@ float dielectricF0(float ior) {
     return ior == 0.0 ? 1.0 : square((ior - 1.0) / (ior + 1.0));
 }
 
+/// F90 that belongs to a dielectric's F0. Everything reflects all at grazing angles, but what is hardly denser than air:
+/// Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering 3.0", section 3.1.3: from 2 % on.
+float edgeReflectance(float f0) {
+    return saturate(50.0 * f0);
+}
+
 /// What a lobe reflects of uniform light, from the split-sum table: Karis 2013, "Real Shading in Unreal Engine 4".
 /// `dfg`: x multiplies f0, y multiplies f90.
 vec3 directionalAlbedo(vec3 f0, float f90, vec2 dfg) {

@@ -76,9 +76,9 @@ void applyMetallicRoughness(inout MaterialSample result, Material material, Surf
     float specular = material.specularFactor * sampleSlot(material.specularTexture, point).a;
     vec3 specularColor = material.specularColorFactor * sampleSlot(material.specularColorTexture, point).rgb;
     result.dielectricF0 = min(dielectricF0(material.ior) * specularColor, vec3(1.0)) * specular;
-    result.dielectricF90 = specular;
+    result.dielectricF90 = specular * edgeReflectance(dielectricF0(material.ior));
     result.f0 = mix(result.dielectricF0, result.baseColor, metallic);
-    result.f90 = mix(specular, 1.0, metallic);
+    result.f90 = mix(result.dielectricF90, 1.0, metallic);
     result.transmission =
         material.transmissionFactor * sampleSlot(material.transmissionTexture, point).r * (1.0 - metallic);
     result.diffuseColor = result.baseColor * (1.0 - metallic) * (1.0 - result.transmission);

@@ -30,4 +30,23 @@ vec4 probesAnswer(vec3 positionWS, vec3 normalWS, vec3 directionWS, float percep
     return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
 }
 
+/// The same for light that leaves an object at `positionWS`: all of it asks the probes that hold the object's centre, so
+/// that no seam of theirs runs across it.
+vec4 probesAnswerOfObject(vec3 centerWS, vec3 positionWS, vec3 directionWS, float perceptualRoughness, float left,
+                          uint flags) {
+    uvec2 range = probesAround(centerWS);
+    vec3 sum = vec3(0.0);
+    float total = 0.0;
+    for (uint i = range.x; i < range.y && total < left; ++i) {
+        ProbeRecord probe = probes.list[probeLists.probe[i]];
+        float depth = influenceDepth(probe, intoVolume(probe.worldToInfluence, vec4(centerWS, 1.0)));
+        float weight = min(smoothstep(0.0, 1.0, depth) * probe.weight, left - total);
+        if (weight <= 0.0)
+            continue;
+        sum += weight * probeRadiance(probe, positionWS, directionWS, perceptualRoughness, flags);
+        total += weight;
+    }
+    return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
+}
+
 #endif

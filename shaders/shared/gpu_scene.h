@@ -28,6 +28,8 @@ struct Instance {
     uint firstIndex;     ///< of its triangles, in the index buffer
     uint vertexOffset;   ///< added to each index
     int prevVertexDelta; ///< from a vertex to where it stood in the previous frame; 0 unless it deforms
+    float3 centerWS;     ///< of its bounding box
+    uint bodyShape;      ///< kRefraction* (shared/refraction.h): what light that comes through it meets
 };
 
 /// Pushed for each draw.
@@ -39,6 +41,6 @@ GLINT_SHARED_END
 
 #ifdef __cplusplus
 static_assert(sizeof(glint::shared::VertexAttributes) == 60);
-static_assert(sizeof(glint::shared::Instance) == 148);
+static_assert(sizeof(glint::shared::Instance) == 164);
 #endif
 #endif

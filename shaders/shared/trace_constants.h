@@ -100,7 +100,9 @@ GLINT_CONSTANT(uint, kViewWeightProbes, 19);
 GLINT_CONSTANT(uint, kViewWeightSky, 20);
 GLINT_CONSTANT(uint, kViewPlanar, 21);
 GLINT_CONSTANT(uint, kViewWeightPlanar, 22);
-GLINT_CONSTANT(uint, kViewCount, 23);
+GLINT_CONSTANT(uint, kViewRefraction, 23);
+GLINT_CONSTANT(uint, kViewRefractionWeights, 24);
+GLINT_CONSTANT(uint, kViewCount, 25);
 
 GLINT_SHARED_END
 

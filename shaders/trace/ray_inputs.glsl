@@ -13,14 +13,12 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
-    RayListHeader header;
-    uint pixels[]; // of the traced image
-}
-rays;
 layout(set = 0, binding = 11) uniform sampler2D backViewZ; // of any size
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
+#ifdef GLINT_REFRACTION
+    RefractionConstants refraction;
+#endif
 };
 
 bool isOn(uint flag) {

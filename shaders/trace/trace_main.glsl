@@ -8,6 +8,12 @@
 
 layout(local_size_x = 64) in; // kRaysPerGroup
 
+layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
+    RayListHeader header;
+    uint pixels[]; // of the traced image
+}
+rays;
+
 float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float perceptualRoughness, float VoR) {
     float weight = logFade(kLoggedRoughness,
                            fadeRoughness(perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness));

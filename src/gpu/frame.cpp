@@ -15,6 +15,12 @@ Frame::Frame(Context& context, VkCommandBuffer commands, Timers* timers, std::ve
         written_->clear();
 }
 
+Frame Frame::more(Context& context, VkCommandBuffer commands, Timers& timers) {
+    Frame frame(context, commands);
+    frame.timers_ = &timers;
+    return frame;
+}
+
 Frame Frame::rehearsal(Context& context) {
     return Frame(context, VK_NULL_HANDLE);
 }

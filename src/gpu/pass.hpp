@@ -146,6 +146,8 @@ class Frame {
 public:
     Frame(Context& context, VkCommandBuffer commands, Timers* timers = nullptr,
           std::vector<WrittenImage>* written = nullptr);
+    /// More of a frame whose timers were begun before, in the same command buffer.
+    static Frame more(Context& context, VkCommandBuffer commands, Timers& timers);
     /// Records nothing, but checks every name, kind and push size on the way: a library rehearses each frame that it
     /// may have to record when it is created, so that recording cannot fail. `firstError` tells.
     static Frame rehearsal(Context& context);

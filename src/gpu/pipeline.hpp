@@ -10,7 +10,7 @@
 namespace glint::gpu {
 
 /// Most bindings that one pass may have; descriptors are pushed from a fixed array of this size.
-constexpr uint32_t kMaxBindings = 24;
+constexpr uint32_t kMaxBindings = 28;
 
 struct SpecConstant {
     uint32_t id = 0;

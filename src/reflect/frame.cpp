@@ -33,18 +33,28 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     if (desc.settings.screen.enabled) {
         classify(frame);
         prepareBackFaces(frame);
-        if (techniqueFor(desc.settings.screen.march).usesPyramid)
+        if (techniqueFor(desc.settings.screen.march).usesPyramid || expectsLayers())
             makePyramid(frame);
         trace(frame);
         denoise(frame);
     } else {
         forgetTrace(frame);
+        if (expectsLayers())
+            makePyramid(frame);
     }
     askLaterSources(frame);
     combine(frame);
     compose(frame);
     if (desc.statistics && tracesRays())
         countOutcomes(frame);
+    if (expectsLayers())
+        refraction->begin(frame, composite);
+}
+
+void FrameState::recordLayer(gpu::Frame& frame, LayerImages& layer) {
+    gpu::Image* environment = inputs.environment ? &inputs.environment : nullptr;
+    refraction->record(frame, desc.settings, layer,
+                       {frameConstants, prepared, pyramid, hostProbes, environment, dfg, black, blackCube}, composite);
 }
 
 bool FrameState::anySource() const {
@@ -186,18 +196,26 @@ void FrameState::classify(gpu::Frame& frame) {
     writeTraced(pass, traced, false).push(constants).dispatch(traced.width, traced.height);
 }
 
+/// For the rays of the screen source, if there are any; for those of layers, which are not known yet, at any rate.
 void FrameState::makePyramid(gpu::Frame& frame) {
-    const shared::TraceConstants settings = traceConstants(desc.settings, hasBackFaces);
-    const shared::PyramidConstants constants = {settings.thickness, settings.thicknessRelative, settings.flags,
-                                                pyramid.levels};
-    frame.pass(pipelines.pyramid)
-        .read("frame", frameConstants)
+    const shared::TraceConstants settings = traceConstants(desc.settings, hasBackFaces && desc.settings.screen.enabled);
+    shared::PyramidConstants constants = {settings.thickness, settings.thicknessRelative, settings.flags,
+                                          pyramid.levels};
+    if (expectsLayers()) // cells tell when a ray is behind all that they hold: for whichever rays see more there
+        constants.thicknessRelative = std::max(constants.thicknessRelative, desc.settings.refraction.hizDepthBias);
+    gpu::Pass pass = frame.pass(pipelines.pyramid);
+    pass.read("frame", frameConstants)
         .read("viewZ", prepared.viewZ)
         .read("backViewZ", prepared.backViewZ)
         .write("pyramid", pyramid.cells)
         .readWrite("tiles", pyramid.tiles)
-        .push(constants)
-        .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, pyramidGroups));
+        .push(constants);
+    constexpr uint32_t kPixelsAThread = 4;
+    if (expectsLayers())
+        pass.dispatch((desc.width + kPixelsAThread - 1) / kPixelsAThread,
+                      (desc.height + kPixelsAThread - 1) / kPixelsAThread);
+    else
+        pass.dispatchIndirect(rays.list, offsetof(shared::RayListHeader, pyramidGroups));
 }
 
 void FrameState::trace(gpu::Frame& frame) {
@@ -366,6 +384,8 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("weights", reflected.weights)
         .read("planarAnswer", usesPlanar() ? planarSource->answer() : black)
         .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
+        .read("refracted", expectsLayers() ? refraction->refracted() : black)
+        .read("refractionWeights", expectsLayers() ? refraction->weights() : black)
         .write("view", viewImage)
         .push(constants)
         .dispatch(desc.width, desc.height);
@@ -434,6 +454,10 @@ Result<std::unique_ptr<FrameState>> FrameState::create(gpu::Context& context, co
     GLINT_CHECK(state->expectBackFaces(0, 0));
     GLINT_CHECK(state->expectSamples(1));
     GLINT_CHECK(state->createRays());
+    if (desc.transparentLayers) {
+        GLINT_TRY(refraction, Refraction::create(context, desc.width, desc.height, desc.views));
+        state->refraction = std::move(refraction);
+    }
     GLINT_CHECK(state->setSettings(desc.settings));
     if (desc.inspection) {
         GLINT_TRY(inspector, Inspector::create(context));
@@ -553,8 +577,13 @@ Result<void> FrameState::setProbes(ProbesState& probes) {
         probesSource = std::move(source);
     }
     GLINT_CHECK(probesSource->setProbes(probes));
+    hostProbes = probesSource->hasProbes() ? &probes : nullptr;
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     probesSource->record(frame, desc.settings, {frameConstants, prepared, {0, black, black, traced.rayRecord, black}});
+    if (refraction) {
+        GLINT_CHECK(refraction->setProbes(probes));
+        rehearseLayer(frame);
+    }
     return frame.firstError();
 }
 
@@ -635,7 +664,8 @@ Result<void> FrameState::createPyramid() {
 
 Result<void> FrameState::setSettings(const Settings& settings) {
     GLINT_CHECK(makeImagesFor(settings));
-    if (techniqueFor(settings.screen.march).usesPyramid && !pyramid.cells)
+    const bool layers = refraction && settings.refraction.enabled;
+    if ((layers || techniqueFor(settings.screen.march).usesPyramid) && !pyramid.cells)
         GLINT_CHECK(createPyramid());
     desc.settings = settings;
     return {};
@@ -672,6 +702,11 @@ Result<void> FrameState::expectSamples(uint32_t samples) {
     return {};
 }
 
+void FrameState::rehearseLayer(gpu::Frame& frame) {
+    LayerImages layer;
+    recordLayer(frame, layer);
+}
+
 Result<void> FrameState::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     makeTables(frame);
@@ -686,6 +721,10 @@ Result<void> FrameState::rehearse() {
     compose(frame);
     if (desc.statistics)
         countOutcomes(frame);
+    if (refraction) {
+        refraction->begin(frame, composite);
+        rehearseLayer(frame);
+    }
     if (desc.views)
         recordView(frame, 0);
     for (size_t i = 0; inspector && i < techniques().size(); ++i)

@@ -10,6 +10,7 @@
 #include "reflect/planar/planar_source.hpp"
 #include "reflect/probes/probes_source.hpp"
 #include "reflect/rays/rays.hpp"
+#include "reflect/refraction/refraction.hpp"
 #include "reflect/stages.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/frame_constants.h"
@@ -59,6 +60,8 @@ struct FrameState {
     ShadeHits shadeHits;                        ///< or the host's own shading
     std::unique_ptr<PlanarSource> planarSource; ///< absent until the host hands planar mirrors over
     std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
+    std::unique_ptr<Refraction> refraction;     ///< ReflectionsDesc::transparentLayers
+    ProbesState* hostProbes = nullptr;
     History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
@@ -99,6 +102,8 @@ struct FrameState {
     bool usesProbes() const;
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
+    /// Layers may follow: there has to be a picture to lay them over, and what their rays go through.
+    bool expectsLayers() const { return refraction && desc.settings.refraction.enabled; }
     void restartAccumulation();
     /// Errors: Unsupported, OutOfMemory.
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
@@ -113,6 +118,8 @@ struct FrameState {
     Result<void> expectSamples(uint32_t samples);
     /// The frame, top to bottom.
     void record(gpu::Frame& frame, const View& view);
+    /// Lays a transparent layer over the last frame's picture.
+    void recordLayer(gpu::Frame& frame, LayerImages& layer);
     /// Prepares first what the last frame did not need.
     void recordView(gpu::Frame& frame, uint32_t view);
     /// Traces one pixel's ray once more, and writes down what it does. Prepares first, as above.
@@ -124,6 +131,7 @@ private:
     Result<void> createPyramid();
     TraceInputs traceInputs(Rays& list);
     Result<void> rehearse();
+    void rehearseLayer(gpu::Frame& frame);
     void makeTables(gpu::Frame& frame);
     void turnHistory();
     void prepare(gpu::Frame& frame, const View& view);

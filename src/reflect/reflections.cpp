@@ -20,6 +20,7 @@ using reflect::giveBack;
 using reflect::handOut;
 using reflect::isInNoLayout;
 using reflect::kHandedOut;
+using reflect::stateOf;
 
 constexpr uint32_t kMaxSize = 16384; ///< pixels a side: what every Vulkan 1.3 desktop device can hold
 
@@ -97,6 +98,32 @@ Result<void> checkEnvironment(const EnvironmentMap& environment) {
         GLINT_CHECK(checkLayout(environment.diffuse, "environment.diffuse"));
     }
     return checkLayout(environment.cube, "environment");
+}
+
+/// Of a layer: one sample a pixel, and for most there is no stand-in.
+Result<void> checkLayerImage(const HostImage& image, const char* name, bool optional, const ReflectionsDesc& desc) {
+    if (optional && !image)
+        return {};
+    if (!image.image || !image.view)
+        return invalidArgument("the layer's `{}` is missing: hand over an image and its view", name);
+    if (image.width != desc.width || image.height != desc.height)
+        return invalidArgument("the layer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
+                               image.width, image.height, desc.width, desc.height);
+    if (image.samples != 1)
+        return invalidArgument("the layer's `{}` has {} samples a pixel, but must have 1", name, image.samples);
+    return checkLayout(image, name);
+}
+
+Result<void> checkLayer(const TransparentLayer& layer, const ReflectionsDesc& desc) {
+    GLINT_CHECK(checkLayerImage(layer.depth, "depth", false, desc));
+    GLINT_CHECK(checkLayerImage(layer.normal, "normal", false, desc));
+    GLINT_CHECK(checkLayerImage(layer.material, "material", false, desc));
+    GLINT_CHECK(checkLayerImage(layer.radiance, "radiance", false, desc));
+    GLINT_CHECK(checkLayerImage(layer.fallbackSpecular, "fallbackSpecular", true, desc));
+    GLINT_CHECK(checkLayerImage(layer.transmittance, "transmittance", false, desc));
+    GLINT_CHECK(checkLayerImage(layer.absorption, "absorption", false, desc));
+    GLINT_CHECK(checkLayerImage(layer.body, "body", false, desc));
+    return checkLayerImage(layer.objectCenter, "objectCenter", true, desc);
 }
 
 /// The scene is made before it is handed over, so the setting can only ask.
@@ -264,7 +291,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     state_->lendInputs();
     state.lastView = view;
     state.recorded = true;
-    state.ranPasses = state.anySource() || state.desc.settings.debug.outcome;
+    state.ranPasses = state.anySource() || state.desc.settings.debug.outcome || state.expectsLayers();
     state.upToDate = state.ranPasses;
     if (!state.ranPasses) {
         state.historyHeld = false;
@@ -274,6 +301,46 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
     gpu::Frame frame(*state.context, commands, state.timers.get());
     state.record(frame, view);
     frame.hand(state.composite, kHandedOut);
+    state_->giveBackInputs(frame);
+    return handOut(state.composite);
+}
+
+Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer,
+                                           const HostImage& picture) {
+    reflect::FrameState& state = *state_->frame;
+    if (!state.refraction)
+        return invalidArgument(
+            "these reflections were made without transparent layers: set ReflectionsDesc::transparentLayers");
+    if (!state.recorded)
+        return invalidArgument("nothing was recorded with these settings: record a frame, then its layers");
+    GLINT_CHECK(checkLayer(layer, state.desc));
+    if (!state.expectsLayers())
+        return picture;
+    if (picture.image != state.composite.handle())
+        return invalidArgument("a layer's picture is not the one that record returned");
+    state_->lendInputs();
+    state.composite.states()[0] = stateOf(picture); // the host may have drawn over it since
+    reflect::LayerImages images = {borrow(layer.depth, "layer.depth"),
+                                   borrow(layer.normal, "layer.normal"),
+                                   borrow(layer.material, "layer.material"),
+                                   borrow(layer.radiance, "layer.radiance"),
+                                   borrow(layer.fallbackSpecular, "layer.fallbackSpecular"),
+                                   borrow(layer.transmittance, "layer.transmittance"),
+                                   borrow(layer.absorption, "layer.absorption"),
+                                   borrow(layer.body, "layer.body"),
+                                   borrow(layer.objectCenter, "layer.objectCenter")};
+    gpu::Frame frame = gpu::Frame::more(*state.context, commands, *state.timers);
+    state.recordLayer(frame, images);
+    frame.hand(state.composite, kHandedOut);
+    giveBack(frame, images.depth, layer.depth);
+    giveBack(frame, images.normal, layer.normal);
+    giveBack(frame, images.material, layer.material);
+    giveBack(frame, images.radiance, layer.radiance);
+    giveBack(frame, images.fallbackSpecular, layer.fallbackSpecular);
+    giveBack(frame, images.transmittance, layer.transmittance);
+    giveBack(frame, images.absorption, layer.absorption);
+    giveBack(frame, images.body, layer.body);
+    giveBack(frame, images.objectCenter, layer.objectCenter);
     state_->giveBackInputs(frame);
     return handOut(state.composite);
 }

@@ -10,8 +10,9 @@ namespace glint::reflect {
 
 /// In the order of kView* in shared/trace_constants.h.
 inline constexpr std::array<std::string_view, shared::kViewCount> kViewNames = {
-    "reflection",   "weight", "weights",     "source",       "outcome",   "normal", "depth",       "roughness",
-    "reflectivity", "hitUV",  "hitDistance", "lookups",      "rayDirWS",  "ray",    "color",       "hitDepth",
-    "hitSuccess",   "probes", "weightRays",  "weightProbes", "weightSky", "planar", "weightPlanar"};
+    "reflection", "weight",       "weights",    "source",           "outcome",    "normal",       "depth",
+    "roughness",  "reflectivity", "hitUV",      "hitDistance",      "lookups",    "rayDirWS",     "ray",
+    "color",      "hitDepth",     "hitSuccess", "probes",           "weightRays", "weightProbes", "weightSky",
+    "planar",     "weightPlanar", "refraction", "refractionWeights"};
 
 } // namespace glint::reflect

@@ -1,6 +1,7 @@
 #include "render/gpu_scene.hpp"
 
 #include "gpu/transfer.hpp"
+#include "render/body_shape.hpp"
 
 #include <algorithm>
 
@@ -127,6 +128,8 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.topology = item.geometry->topology;
         out.surface = surfaceClass(material);
         out.doubleSided = material.doubleSided;
+        const BodyShape shape = bodyShape(material, *item.geometry);
+        out.isBody = shape != BodyShape::Straight;
         transmitsLight_ |= render::transmitsLight(material);
         out.mirrored = glm::determinant(glm::mat3(item.localToWorld)) < 0;
         if (!bounds.empty())
@@ -138,7 +141,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
             {item.localToWorld, moved ? lastTransforms_[i] : item.localToWorld,
              item.material < 0 ? defaultMaterial : static_cast<uint32_t>(item.material),
              (out.mirrored ? shared::kInstanceMirrored : 0) | (noNormals ? shared::kInstanceNoNormals : 0),
-             range.firstIndex, range.firstVertex, range.prevVertexDelta});
+             range.firstIndex, range.firstVertex, range.prevVertexDelta, out.centerWS, static_cast<uint32_t>(shape)});
     }
     GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/instances", instances, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
     instances_ = std::move(buffer);

@@ -18,6 +18,7 @@ struct GpuItem {
     scene::Topology topology = scene::Topology::Triangles;
     SurfaceClass surface = SurfaceClass::Opaque;
     bool doubleSided = false;
+    bool isBody = false;     ///< light goes through it from its front to its back, which is not drawn
     bool mirrored = false;   ///< the transform has a negative determinant
     glm::vec3 centerWS = {}; ///< of its bounding box, for sorting
 };

@@ -53,6 +53,20 @@ glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g) {
     return inputs;
 }
 
+TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& layer) {
+    TransparentLayer inputs;
+    inputs.depth = lend(frame, depth);
+    inputs.normal = lend(frame, layer.normal);
+    inputs.material = lend(frame, layer.material);
+    inputs.radiance = lend(frame, layer.radiance);
+    inputs.fallbackSpecular = lend(frame, layer.fallbackSpecular);
+    inputs.transmittance = lend(frame, layer.transmittance);
+    inputs.absorption = lend(frame, layer.absorption);
+    inputs.body = lend(frame, layer.body);
+    inputs.objectCenter = lend(frame, layer.objectCenter);
+    return inputs;
+}
+
 EnvironmentMap lendEnvironmentMap(gpu::Frame& frame, Environment& environment, const EnvironmentSettings& settings) {
     gpu::Image& cube = environment.radiance();
     EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};

@@ -4,6 +4,7 @@
 #include "glint/reflections.hpp"
 #include "render/environment.hpp"
 #include "render/gbuffer.hpp"
+#include "render/transparent_layers.hpp"
 #include "render/view.hpp"
 
 namespace glint::render {
@@ -21,6 +22,7 @@ HostImage lend(gpu::Frame& frame, gpu::Image& image);
 gpu::Image borrow(const HostImage& image, const char* name, uint32_t mips = 1, uint32_t layers = 1);
 
 glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g);
+TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& layer);
 EnvironmentMap lendEnvironmentMap(gpu::Frame& frame, Environment& environment, const EnvironmentSettings& settings);
 glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed);
 

@@ -11,6 +11,7 @@ static std::vector<SettingInfo> makeTable() {
     GLINT_SETTING_GROUP(rows, RenderSettings, lights, GLINT_LIGHTS_SETTINGS)
     GLINT_SETTING_GROUP(rows, RenderSettings, shadows, GLINT_SHADOWS_SETTINGS)
     GLINT_SETTING_GROUP(rows, RenderSettings, mirrors, GLINT_MIRRORS_SETTINGS)
+    GLINT_SETTING_GROUP(rows, RenderSettings, transparent, GLINT_TRANSPARENT_SETTINGS)
     GLINT_SETTING_GROUP(rows, RenderSettings, display, GLINT_DISPLAY_SETTINGS)
     GLINT_SETTING_GROUP(rows, RenderSettings, measure, GLINT_MEASURE_SETTINGS)
     return rows;

@@ -56,6 +56,11 @@
         "Pictures of planar mirrors have reflections of their own, by the frame's settings but without rays",          \
         "")
 
+#define GLINT_TRANSPARENT_SETTINGS(SETTING)                                                                            \
+    SETTING(int, layers, 4, "[1, 16]", "",                                                                             \
+        "Transparent surfaces behind each other, the nearest ones, that refraction sees in scenes which transmit light", \
+        "")
+
 #define GLINT_DISPLAY_SETTINGS(SETTING)                                                                                \
     SETTING(Tonemap, tonemap, Tonemap::Neutral, "", "",                                                                \
         "From scene-referred light to the screen: none (clamped), neutral (Khronos PBR Neutral) or agx",               \
@@ -98,6 +103,9 @@ struct ShadowsSettings {
 struct MirrorsSettings {
     GLINT_MIRRORS_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct TransparentSettings {
+    GLINT_TRANSPARENT_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct DisplaySettings {
     GLINT_DISPLAY_SETTINGS(GLINT_SETTING_MEMBER)
 };
@@ -111,6 +119,7 @@ struct RenderSettings {
     LightsSettings lights;
     ShadowsSettings shadows;
     MirrorsSettings mirrors;
+    TransparentSettings transparent;
     DisplaySettings display;
     MeasureSettings measure;
 };

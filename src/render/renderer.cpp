@@ -201,6 +201,28 @@ void Renderer::drawTransparent(gpu::Frame& frame, gpu::Image& hdr, RenderTarget&
     transparent_.draw(frame, view_, scene_, lightingInputs(), target.gbuffer, target.behind, hdr);
 }
 
+Result<void> Renderer::makeLayers(uint32_t most) {
+    layers_.reset();
+    if (most == 0)
+        return {};
+    const gpu::Image& picture = target_.gbuffer.litRadiance;
+    GLINT_TRY(layers, TransparentLayers::create(*context_, scene_, gbufferOptions_, shadowRays(), picture.width(),
+                                                picture.height(), most));
+    layers_ = std::move(layers);
+    gpu::Frame frame = gpu::Frame::rehearsal(*context_);
+    peelLayers(frame);
+    drawLayer(frame, 0);
+    return frame.firstError();
+}
+
+void Renderer::peelLayers(gpu::Frame& frame) {
+    layers_->peel(frame, scene_, viewBuffer_, target_.gbuffer);
+}
+
+LayerImages& Renderer::drawLayer(gpu::Frame& frame, uint32_t layer) {
+    return layers_->draw(frame, scene_, lightingInputs(), layer);
+}
+
 void Renderer::display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr) {
     display_.draw(frame, hdr, ldr, settings_.display);
 }

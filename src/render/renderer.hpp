@@ -6,6 +6,7 @@
 #include "render/background_pass.hpp"
 #include "render/display_pass.hpp"
 #include "render/shadow_maps.hpp"
+#include "render/transparent_layers.hpp"
 #include "render/transparent_pass.hpp"
 
 #include <optional>
@@ -71,6 +72,13 @@ public:
     /// G-buffer's size), seen as in the last drawOpaque. Records nothing if the scene has none.
     void drawTransparent(gpu::Frame& frame, gpu::Image& hdr);
     void drawTransparent(gpu::Frame& frame, gpu::Image& hdr, RenderTarget& target);
+    /// Makes room for up to `most` layers of transparent surfaces in the G-buffer's size; 0: none. Call after resize,
+    /// and again when that or how it is drawn changes. Errors: OutOfMemory.
+    Result<void> makeLayers(uint32_t most);
+    /// The depths of all layers, seen as in the last drawOpaque; then each of them is drawn, from the farthest on.
+    void peelLayers(gpu::Frame& frame);
+    LayerImages& drawLayer(gpu::Frame& frame, uint32_t layer);
+    TransparentLayers* layers() { return layers_ ? &*layers_ : nullptr; }
     /// Exposure, tone map and sRGB into `ldr` (RGBA8_UNORM with STORAGE usage, of the same size).
     void display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr);
 
@@ -109,6 +117,7 @@ private:
     BackgroundPass background_;
     BackFacePass backFaces_;
     TransparentPass transparent_;
+    std::optional<TransparentLayers> layers_;
     DisplayPass display_;
     RenderTarget target_;
     GBufferOptions gbufferOptions_;

@@ -127,14 +127,23 @@ struct JobSession::State {
 
     Result<void> resizeGBuffer() {
         drawn_ = false;
-        return renderer_->resize(inputs_.width, inputs_.height,
-                                 gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias));
+        GLINT_CHECK(
+            renderer_->resize(inputs_.width, inputs_.height,
+                              gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias)));
+        const int most = job_.settings.render.transparent.layers;
+        return renderer_->makeLayers(refracts() ? static_cast<uint32_t>(most) : 0);
+    }
+
+    /// Is what comes through transparent surfaces the library's matter?
+    bool refracts() const {
+        return job_.settings.reflections.refraction.enabled && renderer_->scene().transmitsLight();
     }
 
     /// Made anew for other settings: some of them are decided when it is created.
     Result<void> makeReflections() {
-        GLINT_TRY(reflections, Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
-                                                               job_.statistics, true, job_.inspect.has_value()}));
+        GLINT_TRY(reflections,
+                  Reflections::create(*library_, {inputs_.width, inputs_.height, job_.settings.reflections,
+                                                  job_.statistics, true, job_.inspect.has_value(), refracts()}));
         const auto old = std::exchange(reflections_, std::make_unique<Reflections>(std::move(reflections)));
         if (probeWorld_)
             GLINT_CHECK(reflections_->setProbes(probeWorld_->probes()));
@@ -230,7 +239,7 @@ struct JobSession::State {
     /// The frame of a host: its own opaque picture, the reflections, then what is blended over both.
     Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan) {
         GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
-        Result<void> inputsSet, inspected, mirrored;
+        Result<void> inputsSet, inspected, mirrored, layered;
         const auto start = std::chrono::steady_clock::now();
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) {
             gpu::Frame frame(context_, commands, timers_.get());
@@ -252,14 +261,17 @@ struct JobSession::State {
             if (rayWorld_)
                 rayWorld_->record(commands);
             const View view = renderer_->view(parameters_);
-            const HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
-            composite_ = borrow(lit, "job/composite");
+            HostImage lit = reflections_->record(commands, libraryView(view, index, job_.seed));
             if (plan.inspect) // before anything is blended over it
                 inspected = reflections_->recordInspection(commands, (*plan.inspect)[0], (*plan.inspect)[1]);
-            if (plan.draw && plan.blend) {
+            const bool blends = plan.draw && plan.blend;
+            if (blends && renderer_->layers())
+                layered = drawLayers(frame, commands, lit);
+            composite_ = borrow(lit, "job/composite");
+            if (blends && !renderer_->layers())
                 renderer_->drawTransparent(frame, composite_);
+            if (blends)
                 renderer_->drawTransparent(frame, scene_);
-            }
             frame.hand(composite_, kSampled);
         }));
         FrameTimes times;
@@ -267,6 +279,7 @@ struct JobSession::State {
         GLINT_CHECK(mirrored);
         GLINT_CHECK(inputsSet);
         GLINT_CHECK(inspected);
+        GLINT_CHECK(layered);
         drawn_ = true;
         if (plan.draw)
             parameters_.prevCamera.reset();
@@ -281,6 +294,21 @@ struct JobSession::State {
             for (const auto& [name, milliseconds] : *passes)
                 passTimes_.add(name, milliseconds);
         return times;
+    }
+
+    /// Over `lit`, which the library returned; the farthest layer first.
+    Result<void> drawLayers(gpu::Frame& frame, VkCommandBuffer commands, HostImage& lit) {
+        TransparentLayers& layers = *renderer_->layers();
+        renderer_->peelLayers(frame);
+        for (uint32_t i = layers.count(); i-- > 0;) {
+            LayerImages& images = renderer_->drawLayer(frame, i);
+            const TransparentLayer layer = lendLayer(frame, layers.depth(i), images);
+            lendGBuffer(frame, renderer_->gbuffer()); // peeling may have left it in another layout
+            lendEnvironment(frame);
+            GLINT_TRY(over, reflections_->recordLayer(commands, layer, lit));
+            lit = over;
+        }
+        return {};
     }
 
     EnvironmentMap lendEnvironment(gpu::Frame& frame) {

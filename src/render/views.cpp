@@ -42,6 +42,8 @@ constexpr std::array kViews = {
     ViewInfo{"weightSky", ViewKind::Fraction, "Y", "share of the environment"},
     ViewInfo{"planar", ViewKind::Radiance, "RGB", "radiance that the planar mirrors answered with"},
     ViewInfo{"weightPlanar", ViewKind::Fraction, "Y", "share of the planar mirrors"},
+    ViewInfo{"refraction", ViewKind::Radiance, "RGB", "radiance that comes through the nearest transparent layer"},
+    ViewInfo{"refractionWeights", ViewKind::Fraction, "RGB", "where it is from: screen, probes, sky"},
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 

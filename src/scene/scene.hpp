@@ -53,6 +53,15 @@ struct TextureSlot {
 
 enum class AlphaMode : uint8_t { Opaque, Mask, Blend };
 
+/// What light that comes through a thing meets, where its author says so.
+enum class RefractionShape : uint8_t {
+    ByShape, ///< nobody says
+    None,
+    Sphere,
+    Plane,
+    Thin,
+};
+
 /// glTF's metallic-roughness material with the extensions that Glint reads. Names and defaults are glTF's.
 struct Material {
     std::string name;
@@ -94,6 +103,7 @@ struct Material {
     TextureSlot clearcoatNormalTexture;
     float clearcoatNormalScale = 1;
 
+    RefractionShape refraction = RefractionShape::ByShape; ///< extras.glint.refraction
     std::optional<bool> planarMirror; ///< extras.glint.planar: a picture from behind it is wanted, or is not
 
     bool specularGlossiness = false; ///< KHR_materials_pbrSpecularGlossiness replaces metallic-roughness

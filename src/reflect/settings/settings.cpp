@@ -23,6 +23,7 @@ static std::vector<SettingInfo> makeTable() {
     GLINT_SETTING_GROUP(rows, Settings, planar, GLINT_PLANAR_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, probes, GLINT_PROBES_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, sky, GLINT_SKY_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, refraction, GLINT_REFRACTION_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, order, GLINT_ORDER_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, composite, GLINT_COMPOSITE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, gbuffer, GLINT_GBUFFER_SETTINGS)

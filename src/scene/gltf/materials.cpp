@@ -55,6 +55,21 @@ AlphaMode readAlphaMode(const JsonObject& object) {
     return AlphaMode::Opaque;
 }
 
+RefractionShape readRefraction(const JsonObject& ours) {
+    constexpr std::pair<const char*, RefractionShape> kShapes[] = {{"none", RefractionShape::None},
+                                                                   {"sphere", RefractionShape::Sphere},
+                                                                   {"plane", RefractionShape::Plane},
+                                                                   {"thin", RefractionShape::Thin}};
+    const std::string name = ours.string("refraction");
+    for (const auto& [known, shape] : kShapes)
+        if (name == known)
+            return shape;
+    if (!name.empty())
+        ours.diagnostics().fail("{} is \"{}\", which is none of none, sphere, plane and thin",
+                                ours.pathOf("refraction"), name);
+    return RefractionShape::ByShape;
+}
+
 void readCore(const JsonObject& object, const Scene& scene, Material& material) {
     material.name = object.string("name");
     material.alphaMode = readAlphaMode(object);
@@ -135,8 +150,10 @@ void readMaterials(Document& document, Scene& scene) {
                          scene, material);
         readClearcoat(object.extension("KHR_materials_clearcoat"), scene, material);
         readSpecularGlossiness(object.extension("KHR_materials_pbrSpecularGlossiness"), scene, material);
-        if (const JsonObject ours = object.extras("glint"); ours.has("planar"))
+        const JsonObject ours = object.extras("glint");
+        if (ours.has("planar"))
             material.planarMirror = ours.boolean("planar", false);
+        material.refraction = readRefraction(ours);
         scene.materials.push_back(std::move(material));
     }
 }

@@ -1,0 +1,357 @@
+// A layer of transparent surfaces over the picture so far: what comes through them, bent, absorbed and blurred, and what
+// they reflect. Either ray has a walk of its own through the same sources: screen, probes, sky.
+// docs/techniques/refraction.md.
+#define GLINT_REFRACTION
+#include "shared/refraction.h"
+
+#include "trace/hiz_march.glsl"
+
+#include "hierarchy/environment_radiance.glsl"
+#include "lib/blurred_picture.glsl"
+#include "lib/brdf.glsl"
+#include "lib/environment.glsl"
+#include "lib/fades.glsl"
+#include "lib/host_surface.glsl"
+#include "lib/input_color.glsl"
+#include "lib/refraction.glsl"
+#include "lib/transmission.glsl"
+#ifdef GLINT_PROBES
+#include "probes/probe_cubes.glsl"
+#endif
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 23) uniform sampler2D layerDepth;
+layout(set = 0, binding = 24) uniform sampler2D layerNormal;
+layout(set = 0, binding = 25) uniform sampler2D layerMaterial;
+layout(set = 0, binding = 26) uniform sampler2D layerRadiance;
+layout(set = 0, binding = 27) uniform sampler2D layerFallback;
+layout(set = 0, binding = 28) uniform sampler2D layerTransmittance;
+layout(set = 0, binding = 29) uniform sampler2D layerAbsorption;
+layout(set = 0, binding = 30) uniform sampler2D layerBody;
+layout(set = 0, binding = 31) uniform sampler2D layerCenter;
+layout(set = 0, binding = 32) uniform sampler2D behind;  // the picture so far, with mips
+layout(set = 0, binding = 38) uniform sampler2D solid;   // the picture without layers, with mips
+layout(set = 0, binding = 39) uniform sampler2D layersZ; // viewZ of the nearest layer that `behind` shows
+layout(set = 0, binding = 33) uniform samplerCube environment;
+layout(set = 0, binding = 34) uniform sampler2D dfg;
+layout(set = 0, binding = 35, rgba16f) uniform writeonly image2D composite;
+layout(set = 0, binding = 36, rgba16f) uniform writeonly image2D refracted;         // of the nearest layer, for views
+layout(set = 0, binding = 37, rgba16f) uniform writeonly image2D refractionWeights; // screen, probes, sky
+
+/// Farther away than this things are as good as infinitely far, metres.
+const float kFar = 1e5;
+
+bool layerHas(uint flag) {
+    return (refraction.flags & flag) != 0u;
+}
+
+/// A ray that leaves a surface or a body, and how its light spreads.
+struct Leaving {
+    vec3 originVS;
+    vec3 directionVS;  // unit
+    float roughness;   // perceptual: of the lobe
+    float travelled;   // metres on which the light has spread before
+    vec3 centerWS;     // probes are chosen here
+    float layerZ;      // viewZ of the surface
+    ivec2 px;          // that shows it
+    bool mirrored;     // a reflection, of this normal
+    vec3 normalVS;
+};
+
+/// Of the picture at `uv`, which shows what lies `distance` metres along the ray at `hitZ`. What is transparent there is
+/// taken to be in the ray's way if it is farther from the eye than where the ray begins; else it is the body itself, or
+/// something beside it.
+vec3 pictureRadiance(Leaving ray, vec2 uv, float distance, float hitZ) {
+    // The lobe is a cone about as wide as that of normals; of what is far, it covers the same angle for ever.
+    float spread = square(ray.roughness) * (distance + ray.travelled);
+    float pixel = pixelExtent(frame.constants, frame.constants.uvToView, hitZ).y;
+    ivec2 px = min(ivec2(uv * frame.constants.size), ivec2(frame.constants.size) - 1);
+    float otherZ = texelFetch(layersZ, px, 0).r;
+    bool through = otherZ < kBackgroundZ && otherZ > -ray.originVS.z;
+    vec3 stored =
+        through ? blurredPicture(behind, uv, spread / pixel) : blurredPicture(solid, uv, spread / pixel);
+    return linearColor(stored, (frame.constants.flags & kOutputGamma) != 0u);
+}
+
+vec3 toWorld(vec3 directionVS) {
+    return mat3(frame.constants.viewToWorld) * directionVS;
+}
+
+// ---------------------------------------------------------------- sources
+
+/// Does the ray end in the pixel that it starts from? The march begins behind that pixel.
+bool endsInOwnPixel(Ray r, out float share) {
+    bool overX;
+    share = min(leaveCell(makeLine(r.screen), vec2(r.px), 1.0, overX), 1.0);
+    float sceneZ = texelFetch(viewZ, r.px, 0).r;
+    return rayViewZ(r.screen, share) >= sceneZ;
+}
+
+/// Through the depth pyramid. `maxDistance` in metres; `found` is where it ended.
+uint marchFrom(vec3 originVS, vec3 directionVS, vec3 normalVS, float maxDistance, out vec2 endPX, out float distance) {
+    Ray r;
+    r.originVS = originVS;
+    r.originNormalVS = normalVS;
+    r.directionVS = directionVS;
+    r.screen = makeScreenRay(frame.constants, originVS, directionVS, maxDistance);
+    endPX = r.screen.startPX;
+    distance = 0.0;
+    if (!onScreen(endPX))
+        return kOutcomeOffScreen;
+    r.px = ivec2(endPX);
+    float startZ = texelFetch(viewZ, r.px, 0).r;
+    if (rayViewZ(r.screen, 0.0) > startZ * (1.0 + kAtSurface))
+        return kOutcomeHidden; // it starts behind something
+    float share;
+    if (endsInOwnPixel(r, share)) {
+        endPX = clamp(r.screen.startPX + r.screen.deltaPX * share, vec2(r.px), vec2(r.px) + 0.999);
+        distance = max(startZ + originVS.z, 0.0) / max(-directionVS.z, 1e-3);
+        return kOutcomeHit;
+    }
+    passedBehind = false;
+    March end = march(r);
+    distance = rayDistance(r.screen, end.share);
+    endPX = isAnswered(end.outcome) ? end.hitPX : r.screen.startPX + r.screen.deltaPX * end.share;
+    return end.outcome;
+}
+
+/// 1 well inside the picture, 0 at its border.
+float borderFade(Leaving ray, vec2 uv) {
+    if (!ray.mirrored)
+        return fadeBorderLinear(uv, settings.borderWidth);
+    float weight = 1.0;
+    if (isOn(kFadeBorderSmooth))
+        weight *= fadeBorderSmooth(uv);
+    if (isOn(kFadeBorderLinear))
+        weight *= fadeBorderLinear(uv, refraction.reflectionBorderWidth);
+    return weight;
+}
+
+vec4 marchedAnswer(Leaving ray) {
+    vec2 endPX;
+    float distance;
+    uint outcome =
+        marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS, settings.maxDistance,
+                  endPX, distance);
+    // Where the picture shows the background at the ray's end, that is what the ray sees.
+    bool answered = isAnswered(outcome) || outcome == kOutcomeSky;
+    vec2 uv = endPX * frame.constants.invSize;
+    if (!answered || !onScreen(endPX))
+        return vec4(0.0);
+    vec3 endVS = ray.originVS + ray.directionVS * distance;
+    return vec4(pictureRadiance(ray, uv, distance, max(-endVS.z, 1e-4)), borderFade(ray, uv));
+}
+
+/// Where the ray meets what probes are taken to lie on: that of the first one that holds the object; else infinitely
+/// far away.
+float proxyReach(Leaving ray) {
+#ifdef GLINT_PROBES
+    vec3 originWS = (frame.constants.viewToWorld * vec4(ray.originVS, 1.0)).xyz;
+    uvec2 range = probesAround(ray.centerWS);
+    for (uint i = range.x; i < range.y; ++i) {
+        ProbeRecord probe = probes.list[probeLists.probe[i]];
+        if (influenceDepth(probe, intoVolume(probe.worldToInfluence, vec4(ray.centerWS, 1.0))) * probe.weight <= 0.0)
+            continue;
+        return probe.proxyShape == kProbeNoProxy ? kFar : proxyDistance(probe, originWS, toWorld(ray.directionVS));
+    }
+#endif
+    return kFar;
+}
+
+/// One depth sample, where the proxy says that the hit is.
+vec4 projectedAnswer(Leaving ray) {
+    float distance = proxyReach(ray);
+    vec3 hitVS = ray.originVS + ray.directionVS * distance;
+    vec4 hitH = frame.constants.viewToPixel * vec4(hitVS, 1.0);
+    if (hitH.w <= 0.0 || -hitVS.z < frame.constants.nearZ)
+        return vec4(0.0); // behind the camera
+    vec2 px = hitH.xy / hitH.w;
+    if (!onScreen(px))
+        return vec4(0.0);
+    if (texelFetch(viewZ, ivec2(px), 0).r <= ray.layerZ)
+        px = vec2(ray.px) + 0.5; // something in front of the surface: what lies straight behind it is nearer the truth
+    vec2 uv = px * frame.constants.invSize;
+    return vec4(pictureRadiance(ray, uv, distance, max(-hitVS.z, 1e-4)), borderFade(ray, uv));
+}
+
+vec4 probesAnswerFor(Leaving ray, float left) {
+#ifdef GLINT_PROBES
+    vec3 originWS = (frame.constants.viewToWorld * vec4(ray.originVS, 1.0)).xyz;
+    if (ray.mirrored)
+        return probesAnswer(originWS, toWorld(ray.normalVS), toWorld(ray.directionVS), ray.roughness, left,
+                            refraction.probeFlags);
+    return probesAnswerOfObject(ray.centerWS, originWS, toWorld(ray.directionVS), ray.roughness, left,
+                                refraction.probeFlags);
+#else
+    return vec4(0.0);
+#endif
+}
+
+/// Weighted radiance and the weights of screen, probes and sky, none counted twice.
+vec3 walk(Leaving ray, bool askScreen, bool proxy, out vec3 weights) {
+    vec3 sum = vec3(0.0);
+    weights = vec3(0.0);
+    if (askScreen) {
+        vec4 answer = proxy ? projectedAnswer(ray) : marchedAnswer(ray);
+        weights.x = saturate(answer.a);
+        sum += weights.x * answer.rgb;
+    }
+    if (layerHas(kLayerProbes) && weights.x < 1.0) {
+        vec4 answer = probesAnswerFor(ray, 1.0 - weights.x);
+        weights.y = clamp(answer.a, 0.0, 1.0 - weights.x);
+        sum += weights.y * answer.rgb;
+    }
+    if (layerHas(kLayerSky) && weights.x + weights.y < 1.0) {
+        weights.z = 1.0 - weights.x - weights.y;
+        sum += weights.z * environmentRadiance(environment, toWorld(ray.directionVS), ray.roughness);
+    }
+    return sum;
+}
+
+// ---------------------------------------------------------------- the layer
+
+/// What the host says of the pixel's surface, under the user's hand.
+struct LayerSurface {
+    HostSurface here;
+    vec3 positionVS;
+    vec3 toEyeVS;
+    uint model;
+    float ior;
+    float thickness;
+    vec3 attenuationColor;
+    float attenuationDistance;
+    vec3 centerWS;
+};
+
+LayerSurface loadLayer(ivec2 px, float z) {
+    LayerSurface s;
+    s.here.viewZ = z;
+    s.here.normalVS = hostNormalVS(frame.constants, texelFetch(layerNormal, px, 0).xyz);
+    vec4 material = texelFetch(layerMaterial, px, 0);
+    s.here.f0 = clamp(sanitize(material.rgb), 0.0, 1.0);
+    s.here.perceptualRoughness = clamp(sanitize(material.a), 0.0, 1.0);
+    s.positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+    s.toEyeVS = -viewDirection(frame.constants, s.positionVS);
+
+    vec3 body = sanitize(texelFetch(layerBody, px, 0).xyz);
+    vec4 absorption = texelFetch(layerAbsorption, px, 0);
+    uint asked = refraction.flags & kLayerModelMask;
+    s.model = asked != 0u ? asked - 1u : min(uint(body.z + 0.5), kRefractionThin);
+    s.ior = body.x;
+    if (refraction.ior > 0.0) { // and reflects as such a body does
+        s.ior = refraction.ior;
+        s.here.f0 = vec3(dielectricF0(s.ior));
+    }
+    s.thickness = (refraction.thickness >= 0.0 ? refraction.thickness : body.y) * refraction.thicknessMultiplier;
+    if (asked == kRefractionThin + 1u)
+        s.thickness = kThinWall; // of walls that the host gives no thickness too
+    vec4 override = vec4(unpackHalf2x16(refraction.transmittance.x), unpackHalf2x16(refraction.transmittance.y));
+    s.attenuationColor = override.a > 0.0 ? override.rgb : clamp(sanitize(absorption.rgb), 0.0, 1.0);
+    s.attenuationDistance = refraction.absorptionDistance >= 0.0 ? refraction.absorptionDistance : sanitize(absorption.a);
+    s.centerWS = (frame.constants.viewToWorld * vec4(s.positionVS, 1.0)).xyz;
+    if (layerHas(kLayerCenters))
+        s.centerWS = texelFetch(layerCenter, px, 0).xyz;
+    return s;
+}
+
+vec3 pictureAt(ivec2 px) {
+    return linearColor(texelFetch(behind, px, 0).rgb, (frame.constants.flags & kOutputGamma) != 0u);
+}
+
+Leaving mirrorRay(LayerSurface s, ivec2 px) {
+    vec3 direction = reflect(-s.toEyeVS, s.here.normalVS);
+    return Leaving(s.positionVS, direction, s.here.perceptualRoughness, 0.0, s.centerWS, s.here.viewZ, px, true,
+                   s.here.normalVS);
+}
+
+vec3 reflectedRadiance(LayerSurface s, ivec2 px, out float weight) {
+    Leaving ray = mirrorRay(s, px);
+    float fade = fadeRoughness(ray.roughness, settings.roughnessFadeStart, settings.maxRoughness);
+    bool askScreen = layerHas(kLayerScreen) && fade > 0.0 && maxComponent(s.here.f0) > settings.threshold;
+    vec3 weights;
+    vec3 radiance = walk(ray, askScreen, false, weights);
+    weight = weights.x + weights.y + weights.z;
+    return radiance;
+}
+
+/// Mean radiance that comes through, absorbed on its way; what no source answers is what lies straight behind.
+vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
+    Refraction path = refractThrough(s.model, s.here.normalVS, s.toEyeVS, s.ior, s.thickness);
+    float roughness = transmissionRoughness(s.here.perceptualRoughness, s.ior);
+    vec3 left = pictureAt(px);
+    weights = vec3(1.0, 0.0, 0.0);
+    if (path.isTotal) {
+        vec3 radiance = walk(mirrorRay(s, px), layerHas(kLayerScreen), false, weights);
+        return radiance + (1.0 - weights.x - weights.y - weights.z) * left;
+    }
+    vec3 entryVS = s.positionVS;
+    bool bent = path.pathLength > 0.0 && abs(s.ior - 1.0) > 1e-4;
+    if (!bent && roughness <= 0.0) { // nothing to look for: it is straight behind, or stands inside the body
+        float toSolid = (texelFetch(viewZ, px, 0).r - s.here.viewZ) / max(s.toEyeVS.z, 1e-4);
+        return left * volumeTransmittance(min(path.pathLength, max(toSolid, 0.0)), s.attenuationColor,
+                                          s.attenuationDistance);
+    }
+    // Something may stand inside the body, or reach into it.
+    if (path.pathLength > 0.0) {
+        vec2 endPX;
+        float distance;
+        uint outcome = marchFrom(entryVS, path.insideDir, -path.insideDir, path.pathLength, endPX, distance);
+        if (isAnswered(outcome) && onScreen(endPX)) {
+            Leaving inside = Leaving(entryVS, path.insideDir, roughness, 0.0, s.centerWS, s.here.viewZ, px, false,
+                                     s.here.normalVS);
+            vec3 endVS = entryVS + path.insideDir * distance;
+            return pictureRadiance(inside, endPX * frame.constants.invSize, distance, max(-endVS.z, 1e-4)) *
+                   volumeTransmittance(distance, s.attenuationColor, s.attenuationDistance);
+        }
+    }
+    vec3 transmittance = volumeTransmittance(path.pathLength, s.attenuationColor, s.attenuationDistance);
+    Leaving ray = Leaving(entryVS + path.exit, path.direction, roughness, path.pathLength, s.centerWS, s.here.viewZ, px,
+                          false, s.here.normalVS);
+    vec3 radiance = walk(ray, layerHas(kLayerScreen), layerHas(kLayerProxy), weights);
+    return (radiance + (1.0 - weights.x - weights.y - weights.z) * left) * transmittance;
+}
+
+vec3 layered(LayerSurface s, ivec2 px) {
+    vec4 radiance = texelFetch(layerRadiance, px, 0);
+    vec4 tint = texelFetch(layerTransmittance, px, 0);
+    bool encoded = (frame.constants.flags & kInputGamma) != 0u;
+    float coverage = saturate(sanitize(radiance.a));
+    vec3 result = pictureAt(px) * (1.0 - coverage) + linearColor(radiance.rgb, encoded);
+    vec2 argument = vec2(clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0), s.here.perceptualRoughness);
+    float f90 = edgeReflectance(maxComponent(s.here.f0));
+    vec3 response =
+        specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
+    vec3 through = sanitize(tint.rgb) * (1.0 - saturate(maxComponent(response)));
+    vec3 weights = vec3(0.0);
+    vec3 transmitted = vec3(0.0);
+    if (maxComponent(through) > 0.0) {
+        transmitted = transmittedRadiance(s, px, weights);
+        result += through * transmitted;
+    }
+    if (layerHas(kLayerReflects) && maxComponent(s.here.f0) > 0.0 && tint.a > 0.0) {
+        float weight;
+        vec3 reflected = reflectedRadiance(s, px, weight);
+        if (layerHas(kLayerFallback))
+            result -= weight * linearColor(texelFetch(layerFallback, px, 0).rgb, encoded);
+        result += reflected * response * (saturate(tint.a) * refraction.strength);
+    }
+    if (layerHas(kLayerViews)) {
+        imageStore(refracted, px, vec4(transmitted, 1.0));
+        imageStore(refractionWeights, px, vec4(weights, 1.0));
+    }
+    return sanitize(result);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    float z = storedViewZ(frame.constants, hostViewZ(frame.constants, texelFetch(layerDepth, px, 0).r));
+    if (z >= kBackgroundZ || z > texelFetch(viewZ, px, 0).r)
+        return; // nothing of this layer is seen here
+    vec3 result = layered(loadLayer(px, z), px);
+    if ((frame.constants.flags & kOutputGamma) != 0u)
+        result = encodeSrgb(result);
+    imageStore(composite, px, vec4(result, texelFetch(behind, px, 0).a));
+}

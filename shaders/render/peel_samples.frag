@@ -1,0 +1,16 @@
+// peel_main.glsl over a G-buffer with several samples a pixel.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "render/peel_main.glsl"
+
+layout(set = 0, binding = 11) uniform sampler2DMS solid; // reversed depth of the G-buffer
+
+float solidDepth(ivec2 px) {
+    float depth = 1.0;
+    for (int i = 0; i < textureSamples(solid); ++i)
+        depth = min(depth, texelFetch(solid, px, i).r);
+    return depth;
+}

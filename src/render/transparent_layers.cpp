@@ -1,0 +1,122 @@
+#include "render/transparent_layers.hpp"
+
+#include <algorithm>
+
+namespace glint::render {
+namespace {
+
+/// A body shows its front alone: its back is where light leaves it, which refraction knows of.
+VkCullModeFlags culled(const GpuItem& item) {
+    return item.doubleSided && !item.isBody ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+}
+
+/// `makePass(topology, first)`: a pass with its attachments; the first one clears them, though it may draw nothing.
+template <class MakePass>
+void drawTransparent(gpu::Frame& frame, const GpuScene& scene, const MakePass& makePass) {
+    const std::vector<GpuItem>& items = scene.items();
+    bool first = true;
+    for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
+        const auto belongs = [&](const GpuItem& item) {
+            return item.surface == SurfaceClass::Transparent && item.topology == static_cast<scene::Topology>(topology);
+        };
+        if (!first && !frame.rehearsing() && std::none_of(items.begin(), items.end(), belongs))
+            continue;
+        gpu::Pass pass = makePass(topology, first);
+        pass.draw([&](gpu::Draws& draws) {
+            for (uint32_t i = 0; i < items.size(); ++i)
+                if (belongs(items[i]))
+                    drawItem(draws, items[i], i, culled(items[i]));
+        });
+        first = false;
+    }
+}
+
+} // namespace
+
+Result<TransparentLayers> TransparentLayers::create(gpu::Context& context, const GpuScene& scene,
+                                                    const GBufferOptions& options, const RayWorld* rayWorld,
+                                                    uint32_t width, uint32_t height, uint32_t most) {
+    TransparentLayers result;
+    const bool manySamples = options.mode == GBufferMode::Prepass && options.samples > 1;
+    const VkFormat normalFormat = GBuffer::colorFormats(context)[0];
+    const std::string lit = litShader("render/layer", rayWorld);
+    for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
+        gpu::RasterDesc desc;
+        desc.vertexShader = "render/surface.vert";
+        desc.fragmentShader = manySamples ? "render/peel_samples.frag" : "render/peel.frag";
+        desc.pushSize = sizeof(shared::DrawConstants);
+        desc.depthFormat = kDepthFormat;
+        desc.tableLayout = scene.textures().layout();
+        desc.topology = kTopologies[topology];
+        desc.constants = {{1, 0}};
+        GLINT_TRY(first, gpu::Pipeline::raster(context, desc));
+        desc.constants = {{1, 1}};
+        GLINT_TRY(behind, gpu::Pipeline::raster(context, desc));
+        desc.constants = {};
+        desc.fragmentShader = lit;
+        desc.colorFormats = {kRadianceFormat, kRadianceFormat, normalFormat,    kRadianceFormat,
+                             kRadianceFormat, kRadianceFormat, kRadianceFormat, VK_FORMAT_R32G32B32A32_SFLOAT};
+        desc.depthCompare = VK_COMPARE_OP_EQUAL;
+        desc.depthWrite = false;
+        GLINT_TRY(shaded, gpu::Pipeline::raster(context, desc));
+        result.first_[topology] = std::move(first);
+        result.behind_[topology] = std::move(behind);
+        result.lit_[topology] = std::move(shaded);
+    }
+    const auto make = [&](gpu::Image& image, const char* name, VkFormat format,
+                          VkImageUsageFlags attachment) -> Result<void> {
+        GLINT_TRY(made, gpu::Image::create(context, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
+                                                     attachment | VK_IMAGE_USAGE_SAMPLED_BIT}));
+        image = std::move(made);
+        return {};
+    };
+    constexpr VkImageUsageFlags kColor = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    LayerImages& images = result.images_;
+    GLINT_CHECK(make(images.radiance, "layer/radiance", kRadianceFormat, kColor));
+    GLINT_CHECK(make(images.fallbackSpecular, "layer/fallbackSpecular", kRadianceFormat, kColor));
+    GLINT_CHECK(make(images.normal, "layer/normal", normalFormat, kColor));
+    GLINT_CHECK(make(images.material, "layer/material", kRadianceFormat, kColor));
+    GLINT_CHECK(make(images.transmittance, "layer/transmittance", kRadianceFormat, kColor));
+    GLINT_CHECK(make(images.absorption, "layer/absorption", kRadianceFormat, kColor));
+    GLINT_CHECK(make(images.body, "layer/body", kRadianceFormat, kColor));
+    GLINT_CHECK(make(images.objectCenter, "layer/objectCenter", VK_FORMAT_R32G32B32A32_SFLOAT, kColor));
+    result.depths_.resize(most);
+    for (gpu::Image& depth : result.depths_)
+        GLINT_CHECK(make(depth, "layer/depth", kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT));
+    return result;
+}
+
+void TransparentLayers::peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer) {
+    for (uint32_t layer = 0; layer < count(); ++layer) {
+        const auto& pipelines = layer == 0 ? first_ : behind_;
+        gpu::Image& nearer = layer == 0 ? images_.material : depths_[layer - 1]; // the first does not look at it
+        drawTransparent(frame, scene, [&](size_t topology, bool first) {
+            gpu::Pass pass = geometryPass(frame, pipelines[topology], scene, view);
+            pass.read("solid", gbuffer.deviceDepth, gpu::SamplerKind::NearestClamp)
+                .read("nearerLayer", nearer, gpu::SamplerKind::NearestClamp)
+                .depth(depths_[layer], first);
+            return pass;
+        });
+    }
+}
+
+LayerImages& TransparentLayers::draw(gpu::Frame& frame, GpuScene& scene, const LightingInputs& inputs, uint32_t layer) {
+    constexpr VkClearColorValue kZero = {};
+    drawTransparent(frame, scene, [&](size_t topology, bool first) {
+        const VkClearColorValue* clear = first ? &kZero : nullptr;
+        gpu::Pass pass = surfacePass(frame, lit_[topology], scene, inputs);
+        pass.color(images_.radiance, clear)
+            .color(images_.fallbackSpecular, clear)
+            .color(images_.normal, clear)
+            .color(images_.material, clear)
+            .color(images_.transmittance, clear)
+            .color(images_.absorption, clear)
+            .color(images_.body, clear)
+            .color(images_.objectCenter, clear)
+            .depth(depths_[layer], false, false);
+        return pass;
+    });
+    return images_;
+}
+
+} // namespace glint::render

@@ -1,0 +1,42 @@
+// Transparent surfaces as layers that reflections take one after the other: glint/transparent_layer.hpp.
+#pragma once
+
+#include "render/surface_pass.hpp"
+
+namespace glint::render {
+
+/// One layer's images; at most one surface a pixel. Depth is an image a layer.
+struct LayerImages {
+    gpu::Image radiance;         ///< RGBA16F
+    gpu::Image fallbackSpecular; ///< RGBA16F
+    gpu::Image normal;           ///< as the G-buffer's
+    gpu::Image material;         ///< RGBA16F: F0, perceptual roughness
+    gpu::Image transmittance;    ///< RGBA16F
+    gpu::Image absorption;       ///< RGBA16F
+    gpu::Image body;             ///< RGBA16F
+    gpu::Image objectCenter;     ///< RGBA32F
+};
+
+class TransparentLayers {
+public:
+    /// Up to `most` layers of a picture of this size. Errors: OutOfMemory.
+    static Result<TransparentLayers> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
+                                            const RayWorld* rayWorld, uint32_t width, uint32_t height, uint32_t most);
+
+    /// Finds the depth of each layer, the nearest first. What lies behind the last one is not drawn.
+    void peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
+    /// Draws one of them. Valid until the next.
+    LayerImages& draw(gpu::Frame& frame, GpuScene& scene, const LightingInputs& inputs, uint32_t layer);
+
+    uint32_t count() const { return static_cast<uint32_t>(depths_.size()); }
+    gpu::Image& depth(uint32_t layer) { return depths_[layer]; }
+
+private:
+    std::array<gpu::Pipeline, 3> first_;  ///< by topology: depth of the nearest layer, ...
+    std::array<gpu::Pipeline, 3> behind_; ///< ... and of the others
+    std::array<gpu::Pipeline, 3> lit_;
+    std::vector<gpu::Image> depths_; ///< D32_SFLOAT: reversed; the nearest layer's first
+    LayerImages images_;
+};
+
+} // namespace glint::render

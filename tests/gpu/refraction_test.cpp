@@ -1,0 +1,356 @@
+// Transparent layers as a host hands them over: what comes through, what is reflected, and what cannot be.
+#include "gpu/support/library_test.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace glint::test {
+namespace {
+
+/// A room whose walls show their own place.
+constexpr glm::dvec3 kCenter = {0, 0, -3};
+constexpr glm::dvec3 kHalf = {4, 3, 4};
+const glm::dvec3 kShown = {5, 4, 8}; ///< added, so that no channel is negative
+
+glm::dvec3 wallPoint(const glm::dvec3& origin, const glm::dvec3& direction) {
+    double t = 1e30;
+    for (int axis = 0; axis < 3; ++axis)
+        if (direction[axis] != 0)
+            t = std::min(t, (kCenter[axis] + std::copysign(kHalf[axis], direction[axis]) - origin[axis]) /
+                                direction[axis]);
+    return origin + direction * t;
+}
+
+std::optional<SyntheticSurface> room(const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 at = wallPoint(origin, direction);
+    glm::dvec3 normal(0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(std::abs(at[axis] - kCenter[axis]) - kHalf[axis]) < 1e-9)
+            normal[axis] = at[axis] > kCenter[axis] ? -1 : 1;
+    return SyntheticSurface{glm::length(at - origin), glm::normalize(normal), glm::vec3(0), 0, glm::vec3(at + kShown)};
+}
+
+/// What stands at a pixel of a layer.
+struct LayerSurface {
+    double distance = 0; ///< metres along the ray
+    glm::dvec3 normalWS = {0, 0, 1};
+    glm::vec3 f0 = glm::vec3(0);
+    float roughness = 0;
+    glm::vec4 radiance = glm::vec4(0, 0, 0, 1);
+    glm::vec4 transmittance = glm::vec4(1);
+    glm::vec4 absorption = glm::vec4(1, 1, 1, 0);
+    float ior = 1.5f;
+    float thickness = 0;
+    BodyShape shape = BodyShape::Straight;
+};
+using LayerScene = std::function<std::optional<LayerSurface>(const glm::dvec3&, const glm::dvec3&)>;
+
+struct DrawnLayer {
+    std::vector<gpu::Image> images;
+    TransparentLayer layer;
+
+    static DrawnLayer draw(gpu::Context& context, const LayerScene& scene, const SyntheticCamera& camera,
+                           uint32_t width, uint32_t height) {
+        std::vector<float> depth;
+        std::vector<glm::vec2> normal;
+        std::vector<glm::vec4> material, radiance, transmittance, absorption, body;
+        for (uint32_t i = 0; i < width * height; ++i) {
+            const glm::dvec3 origin = camera.originThrough(i % width, i / width, width, height);
+            const glm::dvec3 direction = camera.rayThrough(i % width, i / width, width, height);
+            const std::optional<LayerSurface> hit = scene(origin, direction);
+            const LayerSurface s = hit.value_or(LayerSurface{});
+            depth.push_back(hit ? static_cast<float>(camera.deviceDepth(camera.viewZ(origin + direction * s.distance)))
+                                : 0.0f);
+            normal.push_back(encodeOctahedral(s.normalWS));
+            material.emplace_back(s.f0, s.roughness);
+            radiance.push_back(s.radiance);
+            transmittance.push_back(s.transmittance);
+            absorption.push_back(s.absorption);
+            body.emplace_back(s.ior, s.thickness, static_cast<float>(s.shape), 1);
+        }
+        DrawnLayer out;
+        const auto upload = [&](const auto& texels, VkFormat format) {
+            out.images.push_back(uploadTestImage(context, "test/layer", format, width, height, bytesOf(texels)));
+            return asHostImage(out.images.back());
+        };
+        constexpr VkFormat kFour = VK_FORMAT_R32G32B32A32_SFLOAT;
+        out.layer.depth = upload(depth, VK_FORMAT_R32_SFLOAT);
+        out.layer.normal = upload(normal, VK_FORMAT_R32G32_SFLOAT);
+        out.layer.material = upload(material, kFour);
+        out.layer.radiance = upload(radiance, kFour);
+        out.layer.transmittance = upload(transmittance, kFour);
+        out.layer.absorption = upload(absorption, kFour);
+        out.layer.body = upload(body, kFour);
+        return out;
+    }
+};
+
+/// A pane across the view at z, seen from the front.
+LayerScene pane(double z, const LayerSurface& surface) {
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<LayerSurface> {
+        LayerSurface s = surface;
+        s.distance = (z - origin.z) / direction.z;
+        return s.distance > 0 ? std::optional(s) : std::nullopt;
+    };
+}
+
+class RefractionTest : public LibraryTest {
+protected:
+    static constexpr uint32_t kWidth = 160;
+    static constexpr uint32_t kHeight = 120;
+    const SyntheticCamera camera_ = {.position = {0.2, 0.1, 0.8}, .target = {0, 0, -3}, .fovY = 1.2};
+    SyntheticGBuffer g_ = SyntheticGBuffer::render(gpu(), room, camera_, kWidth, kHeight);
+
+    static Settings settings() {
+        Settings settings;
+        settings.screen.enabled = false;
+        settings.sky.enabled = false;
+        settings.refraction.borderWidth = 0;
+        settings.refraction.reflections = false;
+        settings.fade.border = FadeBorder::None;
+        return settings;
+    }
+
+    /// The picture after the layers, the farthest first.
+    std::vector<float> over(const std::vector<LayerScene>& scenes, const Settings& settings,
+                            const EnvironmentMap& environment = {}) {
+        std::vector<DrawnLayer> layers;
+        for (const LayerScene& scene : scenes)
+            layers.push_back(DrawnLayer::draw(gpu(), scene, camera_, kWidth, kHeight));
+        ReflectionsDesc desc = {kWidth, kHeight, settings};
+        desc.transparentLayers = true;
+        Reflections reflections = must(Reflections::create(library(), desc));
+        must(reflections.setInputs(g_.gbuffer, environment));
+        HostImage picture;
+        run([&](VkCommandBuffer commands) {
+            picture = reflections.record(commands, camera_.view(kWidth, kHeight));
+            for (const DrawnLayer& layer : layers)
+                picture = must(reflections.recordLayer(commands, layer.layer, picture));
+        });
+        return download(gpu(), picture);
+    }
+    std::vector<float> without(const Settings& settings) { return over({}, settings); }
+
+    static glm::dvec3 shown(const std::vector<float>& picture, size_t pixel) {
+        return {picture[pixel * 4], picture[pixel * 4 + 1], picture[pixel * 4 + 2]};
+    }
+};
+
+TEST_F(RefractionTest, WithIor1OrWithoutThicknessNothingIsSeen) {
+    const std::vector<float> plain = without(settings());
+    for (const BodyShape shape : {BodyShape::Straight, BodyShape::Sphere, BodyShape::Plane})
+        for (const bool dense : {false, true}) {
+            LayerSurface surface;
+            surface.shape = shape;
+            surface.ior = dense ? 1.5f : 1.0f;
+            surface.thickness = dense ? 0.0f : 0.4f;
+            const std::vector<float> picture = over({pane(-1, surface)}, settings());
+            float worst = 0;
+            for (size_t i = 0; i < plain.size(); ++i)
+                worst = std::max(worst, std::abs(picture[i] - plain[i]));
+            EXPECT_EQ(worst, 0) << static_cast<int>(shape) << " " << dense;
+        }
+}
+
+/// Every pixel of a glass ball shows the very point of the wall that its light comes from, if the picture shows it.
+TEST_F(RefractionTest, ABallShowsWhatSnellSays) {
+    const glm::dvec3 center(0.1, -0.1, -2);
+    const double radius = 0.8, ior = 1.5;
+    const auto ball = [&](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<LayerSurface> {
+        const double b = glm::dot(origin - center, direction);
+        const double c = glm::dot(origin - center, origin - center) - radius * radius;
+        if (b * b < c)
+            return std::nullopt;
+        LayerSurface s;
+        s.distance = -b - std::sqrt(b * b - c);
+        s.normalWS = (origin + direction * s.distance - center) / radius;
+        s.ior = static_cast<float>(ior);
+        s.thickness = static_cast<float>(2 * radius);
+        s.shape = BodyShape::Sphere;
+        return s;
+    };
+    const auto snell = [](const glm::dvec3& d, const glm::dvec3& n, double eta) {
+        const double cosine = -glm::dot(d, n);
+        return eta * d + (eta * cosine - std::sqrt(1 - eta * eta * (1 - cosine * cosine))) * n;
+    };
+    const std::vector<float> picture = over({ball}, settings());
+    std::vector<double> errors;
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        const glm::dvec3 direction = camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const std::optional<LayerSurface> hit = ball(camera_.position, direction);
+        if (!hit || -glm::dot(hit->normalWS, direction) < 0.2) // at the rim a pixel sees half of the room
+            continue;
+        const glm::dvec3 entry = camera_.position + direction * hit->distance;
+        const glm::dvec3 inside = snell(direction, hit->normalWS, 1 / ior);
+        const glm::dvec3 exit = entry - 2 * glm::dot(inside, entry - center) * inside;
+        const glm::dvec3 wall = wallPoint(exit, snell(inside, (center - exit) / radius, ior));
+        const glm::dvec2 px = camera_.project(wall, kWidth, kHeight);
+        const bool seen = px.x > 2 && px.y > 2 && px.x < kWidth - 2 && px.y < kHeight - 2 && camera_.viewZ(wall) > 0.1;
+        if (seen)
+            errors.push_back(glm::distance(shown(picture, i) - kShown, wall));
+    }
+    ASSERT_GT(errors.size(), 1000u);
+    std::sort(errors.begin(), errors.end());
+    std::printf("%zu pixels: median %.4f m, 95 %% %.4f m, worst %.4f m\n", errors.size(), errors[errors.size() / 2],
+                errors[errors.size() * 95 / 100], errors.back());
+    // A pixel of the far wall, 7.8 m away, is 0.09 m wide; pictures are read at a pixel's centre or between four.
+    EXPECT_LT(errors[errors.size() / 2], 0.05);
+    EXPECT_LT(errors[errors.size() * 95 / 100], 0.15);
+}
+
+TEST_F(RefractionTest, APlateShiftsWhatIsBehindItAndTurnsNothing) {
+    LayerSurface surface;
+    surface.shape = BodyShape::Plane;
+    surface.thickness = 1.2f;
+    const std::vector<float> picture = over({pane(-1, surface)}, settings());
+    double worst = 0;
+    for (uint32_t y = 30; y < kHeight - 30; ++y)
+        for (uint32_t x = 30; x < kWidth - 30; ++x) {
+            const glm::dvec3 d = camera_.rayThrough(x, y, kWidth, kHeight);
+            const glm::dvec3 entry = camera_.position + d * ((-1 - camera_.position.z) / d.z);
+            const glm::dvec2 inside = glm::dvec2(d) / 1.5;
+            const double depth = std::sqrt(1 - glm::dot(inside, inside));
+            const glm::dvec3 exit = entry + glm::dvec3(inside / depth, -1) * 1.2;
+            worst = std::max(worst, glm::distance(shown(picture, y * kWidth + x) - kShown, wallPoint(exit, d)));
+        }
+    EXPECT_LT(worst, 0.12); // a pixel
+}
+
+TEST_F(RefractionTest, LightIsAbsorbedByDistance) {
+    const std::vector<float> plain = without(settings());
+    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2; // straight on, nearly
+    for (const float thickness : {0.0f, 0.5f, 1.0f, 2.0f}) {
+        LayerSurface surface;
+        surface.shape = BodyShape::Plane;
+        surface.ior = 1;
+        surface.thickness = thickness;
+        surface.absorption = {0.5f, 0.25f, 1, 1};
+        const glm::dvec3 d = camera_.rayThrough(kWidth / 2, kHeight / 2, kWidth, kHeight);
+        const double path = thickness / -d.z;
+        const glm::dvec3 expected = shown(plain, middle) * glm::dvec3(std::pow(0.5, path), std::pow(0.25, path), 1);
+        const glm::dvec3 got = shown(over({pane(-0.5, surface)}, settings()), middle);
+        EXPECT_LT(glm::distance(got, expected), 0.004 * glm::length(expected)) << thickness;
+        // The user's distance in the host's place, and none at all.
+        Settings other = settings();
+        other.refraction.absorptionDistance = 2;
+        const glm::dvec3 half = shown(plain, middle) * glm::dvec3(std::pow(0.5, path / 2), std::pow(0.25, path / 2), 1);
+        EXPECT_LT(glm::distance(shown(over({pane(-0.5, surface)}, other), middle), half), 0.004 * glm::length(half));
+        other.refraction.absorptionDistance = 0;
+        EXPECT_LT(glm::distance(shown(over({pane(-0.5, surface)}, other), middle), shown(plain, middle)), 0.01);
+    }
+}
+
+TEST_F(RefractionTest, TotalReflectionShowsTheMirrorImage) {
+    LayerSurface surface;
+    surface.shape = BodyShape::Plane;
+    surface.thickness = 0.1f;
+    surface.ior = 0.01f; // from half a degree on
+    surface.normalWS = glm::normalize(glm::dvec3(0.9, 0, 0.44));
+    const std::vector<float> picture = over({pane(-1.5, surface)}, settings());
+    size_t looked = 0;
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        const glm::dvec3 d = camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const glm::dvec3 at = camera_.position + d * ((-1.5 - camera_.position.z) / d.z);
+        const glm::dvec3 wall = wallPoint(at, glm::reflect(d, surface.normalWS));
+        const glm::dvec2 px = camera_.project(wall, kWidth, kHeight);
+        if (camera_.viewZ(wall) < 0.5 || px.x < 3 || px.y < 3 || px.x > kWidth - 3 || px.y > kHeight - 3)
+            continue;
+        const glm::dvec3 seen = shown(picture, i) - kShown;
+        EXPECT_LT(glm::distance(seen, wall), 0.25) << i;
+        ++looked;
+    }
+    EXPECT_GT(looked, 200u);
+}
+
+TEST_F(RefractionTest, WhatStandsInFrontOfALayerHidesIt) {
+    LayerSurface surface;
+    surface.transmittance = glm::vec4(0);
+    surface.radiance = {9, 9, 9, 1};
+    EXPECT_EQ(over({pane(-7.5, surface)}, settings()), without(settings())); // behind the wall
+    const std::vector<float> picture = over({pane(-6.9, surface)}, settings());
+    EXPECT_EQ(shown(picture, kHeight / 2 * kWidth + kWidth / 2), glm::dvec3(9));
+}
+
+TEST_F(RefractionTest, LayersLieOverEachOther) {
+    LayerSurface dark; // half of what is behind comes through; a blended one covers half
+    dark.transmittance = glm::vec4(0.5f);
+    LayerSurface veil;
+    veil.transmittance = glm::vec4(0, 0, 0, 1);
+    veil.radiance = {1, 1, 1, 0.5f};
+    const glm::dvec3 plain = shown(without(settings()), kHeight / 2 * kWidth + kWidth / 2);
+    const auto middle = [&](const std::vector<LayerScene>& scenes) {
+        return shown(over(scenes, settings()), kHeight / 2 * kWidth + kWidth / 2);
+    };
+    EXPECT_LT(glm::distance(middle({pane(-3, dark), pane(-1, veil)}), plain * 0.25 + 1.0), 0.02);
+    EXPECT_LT(glm::distance(middle({pane(-3, veil), pane(-1, dark)}), (plain * 0.5 + 1.0) * 0.5), 0.02);
+}
+
+/// All that is seen is 1: so is what comes through and what is reflected, together.
+TEST_F(RefractionTest, AWhiteFurnaceStaysWhite) {
+    g_ = SyntheticGBuffer::render(
+        gpu(),
+        [](const glm::dvec3& origin, const glm::dvec3& direction) {
+            std::optional<SyntheticSurface> s = room(origin, direction);
+            s->radiance = glm::vec3(1);
+            return s;
+        },
+        camera_, kWidth, kHeight);
+    const TestEnvironment white =
+        TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
+    Settings settings;
+    settings.screen.enabled = false;
+    for (const BodyShape shape : {BodyShape::Straight, BodyShape::Sphere, BodyShape::Plane, BodyShape::Thin})
+        for (const float roughness : {0.0f, 0.4f, 1.0f}) {
+            LayerSurface surface;
+            surface.shape = shape;
+            surface.thickness = 0.5f;
+            surface.roughness = roughness;
+            surface.f0 = glm::vec3(0.04f);
+            const std::vector<float> picture = over({pane(-1, surface)}, settings, white.map);
+            for (size_t i = 0; i < picture.size(); i += 4) {
+                ASSERT_LE(picture[i], 1.002f) << static_cast<int>(shape) << " " << roughness << " " << i;
+                ASSERT_GE(picture[i], 0.995f) << static_cast<int>(shape) << " " << roughness << " " << i;
+            }
+        }
+}
+
+TEST_F(RefractionTest, WhatCannotBeIsSaid) {
+    DrawnLayer drawn = DrawnLayer::draw(gpu(), pane(-1, {}), camera_, kWidth, kHeight);
+    ReflectionsDesc desc = {kWidth, kHeight, settings()};
+    Reflections without = must(Reflections::create(library(), desc));
+    desc.transparentLayers = true;
+    Reflections with = must(Reflections::create(library(), desc));
+    run([&](VkCommandBuffer commands) {
+        const auto said = [&](Reflections& reflections, const TransparentLayer& layer, const HostImage& picture) {
+            const Result<HostImage> result = reflections.recordLayer(commands, layer, picture);
+            return result ? std::string("nothing") : result.error().message;
+        };
+        EXPECT_THAT(said(without, drawn.layer, {}), testing::HasSubstr("set ReflectionsDesc::transparentLayers"));
+        EXPECT_THAT(said(with, drawn.layer, {}), testing::HasSubstr("record a frame"));
+        must(with.setInputs(g_.gbuffer, {}));
+        const HostImage picture = with.record(commands, camera_.view(kWidth, kHeight));
+        TransparentLayer broken = drawn.layer;
+        broken.body = {};
+        EXPECT_THAT(said(with, broken, picture), testing::HasSubstr("the layer's `body` is missing"));
+        broken = drawn.layer;
+        broken.normal.width = 7;
+        EXPECT_THAT(said(with, broken, picture), testing::HasSubstr("`normal` is 7x120"));
+        broken = drawn.layer;
+        broken.radiance.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+        EXPECT_THAT(said(with, broken, picture), testing::HasSubstr("`radiance` is in no layout"));
+        EXPECT_THAT(said(with, drawn.layer, g_.gbuffer.litRadiance), testing::HasSubstr("not the one"));
+        EXPECT_TRUE(with.recordLayer(commands, drawn.layer, picture));
+    });
+}
+
+TEST_F(RefractionTest, SwitchedOffItCostsNothing) {
+    Settings off = settings();
+    off.refraction.enabled = false;
+    LayerSurface surface;
+    surface.transmittance = glm::vec4(0.1f);
+    EXPECT_EQ(over({pane(-1, surface)}, off), download(gpu(), g_.gbuffer.litRadiance)); // the host's own bits
+}
+
+} // namespace
+} // namespace glint::test
