@@ -393,5 +393,62 @@ TEST_F(ProxyTest, aMirrorIsNotItsOwnReflection) {
     EXPECT_GT(own, 200u);
 }
 
+// ---------------------------------------------------------------- the inspector
+
+TEST_F(ProxyTest, theInspectorNamesTheProxyAndHowFarItIs) {
+    // A pixel whose ray ends well inside the picture.
+    glm::uvec2 pixel(0);
+    glm::dvec3 start(0);
+    glm::dvec3 end(0);
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        const glm::dvec3 direction = kInRoom.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const Wall floor = wallOf(kInRoom.position, direction);
+        start = floor.position;
+        end = wallOf(start, glm::reflect(direction, glm::dvec3(0, 1, 0))).position;
+        const glm::dvec2 px = kInRoom.project(end, kWidth, kHeight);
+        pixel = {i % kWidth, i / kWidth};
+        if (floor.normal.y > 0 && glm::distance(start, end) > 0.5 && px.x > 20 && px.y > 5 && px.x < kWidth - 20)
+            break;
+    }
+    const auto inspected = [&](const std::vector<Probe>& volumes, March march) {
+        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), room, kInRoom, kWidth, kHeight);
+        Settings settings = plainSettings(march);
+        Reflections made = must(Reflections::create(library(), {kWidth, kHeight, settings, true, true, true}));
+        must(made.setInputs(host.gbuffer));
+        const TestVolumes given = TestVolumes::giveTo(made, gpu(), library(), volumes);
+        run([&](VkCommandBuffer commands) {
+            made.record(commands, kInRoom.view(kWidth, kHeight));
+            must(made.recordInspection(commands, pixel.x, pixel.y));
+        });
+        return made.inspection();
+    };
+    Probe far = roomVolume();
+    far.influence.centerWS = {50, 0, 0};
+    const RayInspection box = inspected({far, roomVolume()}, March::Proxy);
+    ASSERT_TRUE(box.projection);
+    EXPECT_EQ(box.projection->probe, 1u) << "as the host counts";
+    EXPECT_EQ(box.projection->proxy, "box");
+    EXPECT_TRUE(box.hit && box.sameAsFrame);
+    EXPECT_EQ(box.lookups, 1u);
+    ASSERT_EQ(box.samples.size(), 1u);
+    EXPECT_EQ(box.samples[0].decision, "hit");
+    EXPECT_NEAR(box.projection->distance, glm::distance(start, end), 1e-3);
+    EXPECT_NEAR(box.end.depth, kInRoom.viewZ(end), 1e-3);
+    const glm::dvec2 px = kInRoom.project(end, kWidth, kHeight);
+    EXPECT_NEAR(box.end.px[0], px.x, 0.02);
+    EXPECT_NEAR(box.end.px[1], px.y, 0.02);
+    EXPECT_NEAR(box.start.px[0], pixel.x + 0.5, 1e-3);
+    EXPECT_NEAR(box.start.depth, kInRoom.viewZ(start), 1e-3);
+
+    Probe sphere = domeVolume();
+    sphere.proxyVolume.halfExtents[0] = 9;
+    EXPECT_EQ(inspected({sphere}, March::Proxy).projection->proxy, "sphere");
+    const RayInspection none = inspected({far}, March::Proxy);
+    EXPECT_FALSE(none.projection->probe);
+    EXPECT_EQ(none.projection->proxy, "none");
+    EXPECT_TRUE(std::isinf(none.projection->distance));
+    EXPECT_FALSE(inspected({roomVolume()}, March::Hiz).projection) << "others look for themselves";
+}
+
 } // namespace
 } // namespace glint::test
