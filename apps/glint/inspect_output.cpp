@@ -59,6 +59,12 @@ Json hitJson(const RayInspection& inspection) {
             {"fades", std::move(fades)}};
 }
 
+Json projectionJson(const RayInspection::Projection& projection) {
+    return {{"probe", projection.probe ? Json(*projection.probe) : Json(nullptr)},
+            {"proxy", projection.proxy},
+            {"distance", number(projection.distance)}};
+}
+
 Json samplesJson(const RayInspection& inspection) {
     Json samples = Json::array();
     for (const RaySample& sample : inspection.samples)
@@ -79,6 +85,8 @@ Json rayJson(const RayInspection& inspection) {
     json["end"] = pointJson(inspection.end);
     json["directionVS"] = numbers(inspection.directionVS);
     json["directionWS"] = numbers(inspection.directionWS);
+    if (inspection.projection)
+        json["projection"] = projectionJson(*inspection.projection);
     json["length"] = number(inspection.length);
     json["maxLength"] = number(inspection.maxLength);
     json["lookups"] = inspection.lookups;

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace glint::view {
 namespace {
@@ -56,6 +57,11 @@ void trace(const RayInspection& ray) {
     row("end", fmt::format("px {:.1f} {:.1f}, depth {:.4g} m", ray.end.px[0], ray.end.px[1], ray.end.depth));
     row("end position", text(ray.end.positionWS));
     row("direction", text(ray.directionWS));
+    if (ray.projection) {
+        const RayInspection::Projection& to = *ray.projection;
+        row("proxy", to.probe ? fmt::format("{}, of probe {}", to.proxy, *to.probe) : "none: no probe here");
+        row("projection distance", std::isfinite(to.distance) ? fmt::format("{:.4g} m", to.distance) : "infinite");
+    }
     row("length", fmt::format("{:.4g} of {:.4g} m", ray.length, ray.maxLength));
     if (ray.hitPixel)
         row("hit pixel", fmt::format("{} {}, depth {:.4g} m", (*ray.hitPixel)[0], (*ray.hitPixel)[1], ray.hitDepth));

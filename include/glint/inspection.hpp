@@ -44,6 +44,12 @@ struct RayInspection {
         float weight = 0;      ///< the share that it got, [0, 1]
         Float3 radiance = {};  ///< of which it gave this much; linear, not multiplied by the weight
     };
+    /// Where march proxy takes a ray to end.
+    struct Projection {
+        std::optional<uint32_t> probe; ///< whose proxy it is, counted in the host's list; absent: none reaches here
+        std::string_view proxy;        ///< "none", "box", "sphere"
+        float distance = 0;            ///< metres along the ray; without a proxy infinite
+    };
     struct Point {
         Float2 px = {};
         Float3 positionVS = {}; ///< metres; right-handed, looking down -Z
@@ -64,13 +70,14 @@ struct RayInspection {
     std::string_view outcome;              ///< "hit", "offScreen", ..., as in Statistics
     std::array<uint32_t, 2> rayPixel = {}; ///< where the ray starts: another one with screen.resolutionScale below 1
     Point start;
-    Point end;               ///< of the hit, or where the march ended
+    Point end; ///< of the hit, or where the march ended; infinitely far: `positionWS` at screen.maxDistance
     Float3 directionVS = {}; ///< unit
     Float3 directionWS = {};
-    float maxLength = 0;   ///< metres: screen.maxDistance, or to the near plane
-    float length = 0;      ///< metres from start to end
-    bool hit = false;      ///< outcome "hit"
-    bool answered = false; ///< the screen source has an answer: a hit, or the side or back of a surface
+    std::optional<Projection> projection; ///< of march proxy alone
+    float maxLength = 0;                  ///< metres: screen.maxDistance, or to the near plane
+    float length = 0;                     ///< metres from start to end
+    bool hit = false;                     ///< outcome "hit"
+    bool answered = false;                ///< the screen source has an answer: a hit, or the side or back of a surface
     std::optional<std::array<uint32_t, 2>> hitPixel; ///< from which the answer's radiance was taken
     float hitDepth = 0;                              ///< of what the picture shows there
     Float3 radiance = {};                            ///< of the answer: linear, not multiplied by the weight

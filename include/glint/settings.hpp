@@ -15,7 +15,7 @@
 
 namespace glint {
 
-GLINT_SETTING_ENUM(March, Linear, Adaptive, Hiz)
+GLINT_SETTING_ENUM(March, Linear, Adaptive, Hiz, Proxy)
 GLINT_SETTING_ENUM(ThicknessMode, Constant, Relative, Backface)
 GLINT_SETTING_ENUM(TargetFormat, Auto, Rgba8, Rgba16f)
 GLINT_SETTING_ENUM(GBufferMode, Prepass, Geometry)

@@ -11,7 +11,7 @@
         "Trace reflections in screen space; off: no such pass runs",                                                   \
         "babylon:isEnabled compute-ssr:enabled")                                                                       \
     SETTING(March, march, March::Hiz, "", "",                                                                          \
-        "How a ray looks for its hit in the depth image",                                                              \
+        "How a ray looks for its hit in the depth image; proxy: once, where the pixel's probe volume says",            \
         "hdrp:projectionModel")                                                                                        \
     SETTING(float, maxDistance, 1000, "(0, 1e6]", "m",                                                                 \
         "Longest ray, in 3D",                                                                                          \

@@ -70,4 +70,9 @@ float rayDistance(ScreenRay ray, float share) {
     return ray.lengthVS * share * ray.endInvW / mix(ray.startInvW, ray.endInvW, share);
 }
 
+/// The inverse: `metres` from 0 to the ray's length.
+float shareAtDistance(ScreenRay ray, float metres) {
+    return metres * ray.startInvW / (ray.lengthVS * ray.endInvW + metres * (ray.startInvW - ray.endInvW));
+}
+
 #endif

@@ -19,7 +19,7 @@ layout(scalar, set = 0, binding = 22) readonly buffer ListsBlock {
 uvec2 probesAround(vec3 positionWS) {
     ProbeGridHeader grid = probeCells.grid;
     vec3 at = (positionWS - grid.originWS) * grid.cellsPerMetre;
-    if (any(lessThan(at, vec3(0.0))) || any(greaterThanEqual(at, vec3(grid.size))))
+    if (!(all(greaterThanEqual(at, vec3(0.0))) && all(lessThan(at, vec3(grid.size))))) // nor where nothing compares
         return uvec2(0u);
     uvec3 cell = min(uvec3(at), grid.size - 1u);
     uint index = (cell.z * grid.size.y + cell.y) * grid.size.x + cell.x;

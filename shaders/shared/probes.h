@@ -10,6 +10,8 @@ GLINT_CONSTANT(uint, kProbeBox, 0); // ProbeShape, ProbeProxy less its None
 GLINT_CONSTANT(uint, kProbeSphere, 1);
 GLINT_CONSTANT(uint, kProbeNoProxy, 2);
 
+GLINT_CONSTANT(uint, kNoProbe, 0xffffffffu); // in place of one's number
+
 // Of distances along the axes `Pos` are towards the positive faces, `Neg` the negative ones.
 struct ProbeRecord {
     float4 worldToInfluence[3]; // rows of a rigid transform

@@ -87,6 +87,10 @@ struct LoggedRay {
     uint iterations;
     uint fadesUsed; // a bit each
     float fades[kLoggedFadeCount];
+    uint projected;           // 1: so are the next three, of march proxy
+    uint probe;               // number in the host's list, or kNoProbe
+    uint proxyShape;          // kProbe*
+    float projectionDistance; // kBackgroundZ: infinite
 };
 
 struct RayLogHeader {

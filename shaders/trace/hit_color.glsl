@@ -110,11 +110,14 @@ bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
 }
 
 /// Of this frame, at `px`: the texel there, or where texels look large, bilinear over those of the four that show the
-/// same surface, by depth and normal.
+/// same surface, by depth and normal. A marcher that promises one lookup (GLINT_ONE_TEXEL_A_HIT) takes the texel.
 vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     bool encoded = (frame.constants.flags & kInputGamma) != 0u;
     ivec2 at = ivec2(px);
     vec3 nearest = linearColor(texelFetch(litRadiance, at, 0).rgb, encoded);
+#ifdef GLINT_ONE_TEXEL_A_HIT
+    return nearest;
+#else
     vec3 normalVS = unpackSurface(texelFetch(surface, at, 0).xy).normalVS;
     if (!isMagnified(hitVS, normalVS, originVS))
         return nearest;
@@ -145,6 +148,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
             sum += weight * vec4(linearColor(texelFetch(litRadiance, texel, 0).rgb, encoded), 1.0);
     }
     return sum.rgb / sum.a; // the texel at `px` has a share of a quarter at least
+#endif
 }
 
 /// Linear radiance, finite, of the surface that the picture shows at `px`, for a ray from `originVS` to `hitVS`.

@@ -84,9 +84,17 @@ float logFade(uint fade, float factor) {
     return factor;
 }
 
+/// What march proxy takes the ray to meet: a probe's number, the shape of its proxy, how far that is.
+void logProjection(uint probe, uint shape, float distance) {
+    rayLog.header.ray.projected = 1u;
+    rayLog.header.ray.probe = probe;
+    rayLog.header.ray.proxyShape = shape;
+    rayLog.header.ray.projectionDistance = distance;
+}
+
 /// How it all ended, and what that is worth.
 void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec4 answer) {
-    LoggedRay logged;
+    LoggedRay logged = rayLog.header.ray; // with the fades and the projection
     logged.traced = 1u;
     logged.answered = answered ? 1u : 0u;
     logged.record = packRayRecord(record);
@@ -109,8 +117,6 @@ void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec
     logged.weight = answer.a;
     logged.lookups = end.lookups;
     logged.iterations = end.iterations;
-    logged.fadesUsed = rayLog.header.ray.fadesUsed;
-    logged.fades = rayLog.header.ray.fades;
     rayLog.header.ray = logged;
 }
 
@@ -125,6 +131,7 @@ void logCellDecision(uint decision) {}
 float logFade(uint fade, float factor) {
     return factor;
 }
+void logProjection(uint probe, uint shape, float distance) {}
 void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec4 answer) {}
 
 #endif

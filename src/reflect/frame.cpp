@@ -81,6 +81,7 @@ void FrameState::makeTables(gpu::Frame& frame) {
     frame.pass(pipelines.dfg).write("dfg", dfg).dispatch(kDfgSize, kDfgSize);
     frame.clear(black, {});
     frame.clear(blackCube, {});
+    frame.fill(noProbes, 0);
     if (pyramid.tiles)
         frame.fill(pyramid.tiles, 0);
     tablesMade = !frame.rehearsing();
@@ -177,8 +178,17 @@ void FrameState::prepareBackFaces(gpu::Frame& frame) {
 }
 
 TraceInputs FrameState::traceInputs(Rays& list) {
-    return {frameConstants, inputs, prepared, list, pyramid, hasBackFaces, usesHistory ? &history : nullptr,
-            black,          nullptr};
+    return {frameConstants,
+            inputs,
+            prepared,
+            list,
+            pyramid,
+            hasBackFaces,
+            usesHistory ? &history : nullptr,
+            black,
+            probesSource ? probesSource->probes() : nullptr,
+            noProbes,
+            nullptr};
 }
 
 void FrameState::classify(gpu::Frame& frame) {
@@ -615,6 +625,11 @@ Result<void> FrameState::createImages() {
                                              VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                              gpu::BufferHome::Device}));
     frameConstants = std::move(constants);
+    GLINT_TRY(lists,
+              gpu::Buffer::create(*context, {"glint/noProbes", sizeof(shared::ProbeRecord),
+                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                             gpu::BufferHome::Device}));
+    noProbes = std::move(lists);
     if (!desc.statistics)
         return {};
     GLINT_TRY(counts,

@@ -71,6 +71,7 @@ struct FrameState {
     gpu::Image viewImage;
     gpu::Image black;     ///< stands in for an absent image
     gpu::Image blackCube; ///< stands in for an absent environment
+    gpu::Buffer noProbes; ///< stands in for the lists of absent probes: zeros, a grid without a cell
     gpu::Buffer statistics;
     gpu::Buffer statisticsReadback;
     std::unique_ptr<Inspector> inspector; ///< ReflectionsDesc::inspection

@@ -4,6 +4,7 @@
 #include "reflect/outcomes.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/frame_constants.h"
+#include "shared/probes.h"
 #include "shared/ray_log.h"
 
 #include <array>
@@ -19,6 +20,8 @@ constexpr std::array<std::string_view, shared::kSampleDecisionCount> kDecisionNa
     "front", "behind", "empty", "lookInto", "passes", "hit", "side", "backFace", "grazes", "nearly", "places"};
 constexpr std::array<std::string_view, shared::kLoggedFadeCount> kFadeNames = {
     "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface"};
+
+constexpr std::array<std::string_view, shared::kProbeNoProxy + 1> kProxyNames = {"box", "sphere", "none"};
 
 constexpr size_t kLogSize = sizeof(shared::RayLogHeader) + shared::kMaxLoggedSamples * sizeof(shared::LoggedSample);
 
@@ -82,6 +85,10 @@ void readRay(const shared::LoggedRay& logged, RayInspection& out) {
     out.length = logged.endDistance;
     out.lookups = logged.lookups;
     out.iterations = logged.iterations;
+    if (logged.projected != 0)
+        out.projection = {logged.probe == shared::kNoProbe ? std::nullopt : std::optional(logged.probe),
+                          kProxyNames[std::min(logged.proxyShape, shared::kProbeNoProxy)],
+                          depthOf(logged.projectionDistance)};
     if (!out.answered)
         return;
     out.hitPixel = {static_cast<uint32_t>(logged.endPX.x), static_cast<uint32_t>(logged.endPX.y)};

@@ -189,6 +189,9 @@ void Reflections::State::note() {
     notes.clear();
     if (frame->desc.settings.rays.enabled && !frame->rayScene)
         notes.emplace_back("rays.enabled without a scene: the host has not called Reflections::setRays");
+    const ScreenSettings& screen = frame->desc.settings.screen;
+    if (screen.enabled && screen.march == March::Proxy && !(frame->probesSource && frame->probesSource->hasProbes()))
+        notes.emplace_back("screen.march proxy without probes: every ray is taken to end infinitely far away");
     if (!frame->inputsSet)
         return;
     if (!gbuffer.fallbackSpecular)
@@ -278,7 +281,9 @@ Result<void> Reflections::setPlanar(PlanarMirrors& mirrors) {
 }
 
 Result<void> Reflections::setProbes(Probes& probes) {
-    return state_->frame->setProbes(probes.state());
+    GLINT_CHECK(state_->frame->setProbes(probes.state()));
+    state_->note();
+    return {};
 }
 
 void Reflections::restartAccumulation() {

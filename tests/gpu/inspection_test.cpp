@@ -97,6 +97,16 @@ class MarchInspectionTest : public InspectionTest, public testing::WithParamInte
 protected:
     static const reflect::Technique& technique() { return reflect::techniques()[GetParam()]; }
 
+    /// With the volume that fits the wall at z = -3, for march proxy.
+    Reflections makeWithin(Settings settings) {
+        settings.probes.enabled = false;
+        Reflections made = make(settings);
+        volumes_.push_back(TestVolumes::giveTo(made, gpu(), library(), {wallVolume()}));
+        return made;
+    }
+
+    std::vector<TestVolumes> volumes_;
+
     static Settings settings(const Mode& mode) {
         Settings settings = plainSettings();
         settings.screen.march = technique().march;
@@ -173,7 +183,7 @@ TEST_P(MarchInspectionTest, EveryRayEndsAsTheFrameSays) {
         for (const float scale : {1.0f, 0.6f}) {
             const Mode mode = {thickness, scale};
             SCOPED_TRACE(testing::Message() << "thickness mode " << static_cast<int>(thickness) << ", scale " << scale);
-            Reflections made = make(settings(mode));
+            Reflections made = makeWithin(settings(mode));
             run([&](VkCommandBuffer commands) { made.record(commands, view(3)); });
             const Frame frame = frameOf(made);
             for (uint32_t y = 1; y < kHeight; y += 5)
@@ -199,7 +209,7 @@ TEST_P(MarchInspectionTest, EveryRayEndsAsTheFrameSays) {
 }
 
 TEST_P(MarchInspectionTest, AHitIsTheLastThatWasDecided) {
-    Reflections made = make(settings({ThicknessMode::Constant, 1}));
+    Reflections made = makeWithin(settings({ThicknessMode::Constant, 1}));
     run([&](VkCommandBuffer commands) { made.record(commands, view()); });
     size_t answers = 0;
     for (uint32_t y = 1; y < kHeight; y += 4)
@@ -218,7 +228,7 @@ TEST_P(MarchInspectionTest, AHitIsTheLastThatWasDecided) {
 TEST_P(MarchInspectionTest, FollowsTheLastFramesColours) {
     Settings previous = settings({ThicknessMode::Relative, 1});
     previous.screen.colorSource = ColorSource::Previous;
-    Reflections made = make(previous);
+    Reflections made = makeWithin(previous);
     for (uint32_t frame = 0; frame < 3; ++frame)
         run([&](VkCommandBuffer commands) { made.record(commands, view(frame)); });
     const Frame frame = frameOf(made);

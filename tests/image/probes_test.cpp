@@ -1,5 +1,6 @@
 // glint bake and --probes on whole scenes: probes show what is there, and a file that does not belong is refused.
 #include "base/file.hpp"
+#include "hits_report.hpp"
 #include "image/job_test.hpp"
 #include "render/bake_job.hpp"
 #include "render/probe_world.hpp"
@@ -182,6 +183,33 @@ TEST_F(BakedProbesTest, everyFaceShowsItsOwnSide) {
     EXPECT_NEAR(proxy.centerWS[0] + proxy.halfExtents[0], 2, 0.1);
     EXPECT_NEAR(proxy.centerWS[0] - proxy.halfExtents[0], -2, 0.1);
     EXPECT_NEAR(proxy.centerWS[2] + proxy.halfExtents[2], 3, 0.1);
+}
+
+TEST_F(BakedProbesTest, marchProxyFindsTheRoomByItsBakedProxy) {
+    const TempFolder folder;
+    render::RenderJob job =
+        lookInto(folder, makeJob(colouredRoom(folder + "room.glb"), {"screen.march=proxy", "probes.enabled=false"}));
+    job.width = 640;
+    job.height = 360;
+    job.probes = folder + "room.probes";
+    render::BakeOptions options;
+    options.most = 1;
+    options.faceSize = 64;
+    options.bounces = 1;
+    const render::ProbeSet set = must(render::runBakeJob(device(), job, options));
+    ASSERT_TRUE(writeFile(job.probes, render::encodeProbes(set)));
+    const render::RenderJob measured = cli::hitJob(job);
+    const measure::HitFigures hits = must(cli::measureHits(measured, must(render::runJob(device(), measured)))).all;
+    EXPECT_GT(hits.visibleTruths, 10000u);
+    EXPECT_GT(hits.precision(), 0.98);
+    EXPECT_GT(hits.recall(), 0.98);
+    EXPECT_LT(hits.positionErrorMedian, 1);
+    EXPECT_LE(hits.lookupsMean, 1);
+    RecordProperty("precision", std::to_string(hits.precision()));
+    RecordProperty("recall", std::to_string(hits.recall()));
+    RecordProperty("positionErrorMedian", std::to_string(hits.positionErrorMedian));
+    RecordProperty("positionError95", std::to_string(hits.positionError95));
+    RecordProperty("lookupsMean", std::to_string(hits.lookupsMean));
 }
 
 TEST_F(BakedProbesTest, placesAreTakenAsTheyAreGiven) {

@@ -237,12 +237,25 @@ TEST_F(CliTest, InspectPrintsThePixelsRay) {
     EXPECT_EQ(json["hitSuccess"], true);
     EXPECT_EQ(json["ray"]["answer"]["fades"]["roughness"], 0.1) << "a float's own digits";
     EXPECT_EQ(json["ray"]["answer"]["pixel"], (nlohmann::json{0, 1}));
+    EXPECT_FALSE(json["ray"].contains("projection")) << "only of march proxy";
     EXPECT_EQ(json["ray"]["samples"][0]["px"], (nlohmann::json{1.5, 0.5}));
     EXPECT_EQ(json["ray"]["samples"][0]["level"], 3);
     EXPECT_EQ(json["ray"]["samples"][0]["slabEndDepth"], nullptr);
     EXPECT_EQ(json["ray"]["samples"][1]["decision"], "hit");
     EXPECT_EQ(json["sources"][0], (nlohmann::json{{"name", "screen"}, {"weight", 0.75}, {"radiance", {1, 2, 3}}}));
     EXPECT_TRUE(files().empty());
+}
+
+TEST_F(CliTest, InspectSaysWhatProxyTheRayMeets) {
+    using Projection = RayInspection::Projection;
+    inspection_.traced = true;
+    const std::vector<std::string> arguments = {"inspect", "builtin:exact", "--pixel", "1,0", "--size", "2x2"};
+    inspection_.projection = Projection{7, "sphere", 0.1f};
+    EXPECT_EQ(nlohmann::json::parse(run(arguments).out)["ray"]["projection"],
+              (nlohmann::json{{"probe", 7}, {"proxy", "sphere"}, {"distance", 0.1}}));
+    inspection_.projection = Projection{{}, "none", std::numeric_limits<float>::infinity()};
+    EXPECT_EQ(nlohmann::json::parse(run(arguments).out)["ray"]["projection"],
+              (nlohmann::json{{"probe", nullptr}, {"proxy", "none"}, {"distance", nullptr}}));
 }
 
 TEST_F(CliTest, InspectDrawsOverTheViewThatWasAskedFor) {

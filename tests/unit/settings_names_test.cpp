@@ -65,6 +65,8 @@ TEST(SettingsNames, AliasesCarryTheirOwnMeaning) {
     ASSERT_TRUE(set(settings, "depthBufferThickness", "0.02").ok());
     EXPECT_EQ(settings.screen.thicknessMode, ThicknessMode::Relative);
     EXPECT_EQ(settings.screen.thicknessRelative, 0.02f);
+    ASSERT_TRUE(set(settings, "hdrp:projectionModel", "proxy").ok());
+    EXPECT_EQ(settings.screen.march, March::Proxy);
 }
 
 TEST(SettingsNames, AnAliasTakesTheNumbersOfItsSystem) {

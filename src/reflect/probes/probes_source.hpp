@@ -23,6 +23,8 @@ public:
     /// Makes the pipeline for these. Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes);
     bool hasProbes() const { return probes_ && probes_->count() > 0; }
+    /// For whoever else asks where they are; null without any.
+    ProbesState* probes() const { return hasProbes() ? probes_ : nullptr; }
 
     void record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs);
 

@@ -9,6 +9,6 @@ static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Setti
 }
 
 const Technique kAdaptiveTechnique = {
-    "adaptive", March::Adaptive, "trace/adaptive", "equal steps in 3D, then a binary search", false, record};
+    "adaptive", March::Adaptive, "trace/adaptive", "equal steps in 3D, then a binary search", false, true, record};
 
 } // namespace glint::reflect

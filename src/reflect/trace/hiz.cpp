@@ -11,6 +11,7 @@ static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Setti
 }
 
 const Technique kHizTechnique = {
-    "hiz", March::Hiz, "trace/hiz", "large steps through a depth pyramid, small ones near surfaces", true, record};
+    "hiz", March::Hiz, "trace/hiz", "large steps through a depth pyramid, small ones near surfaces",
+    true,  true,       record};
 
 } // namespace glint::reflect

@@ -9,6 +9,6 @@ static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Setti
 }
 
 const Technique kLinearTechnique = {
-    "linear", March::Linear, "trace/linear", "every pixel along the ray, one depth lookup each", false, record};
+    "linear", March::Linear, "trace/linear", "every pixel along the ray, one depth lookup each", false, true, record};
 
 } // namespace glint::reflect

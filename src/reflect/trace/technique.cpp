@@ -10,7 +10,7 @@ namespace glint::reflect {
 static constexpr uint32_t kMostAdaptiveSteps = 128;
 
 std::span<const Technique> techniques() {
-    static const Technique kTechniques[] = {kLinearTechnique, kAdaptiveTechnique, kHizTechnique};
+    static const Technique kTechniques[] = {kLinearTechnique, kAdaptiveTechnique, kHizTechnique, kProxyTechnique};
     return kTechniques;
 }
 
@@ -73,6 +73,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
     case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
     case March::Hiz: constants.maxSteps = static_cast<uint32_t>(settings.hiz.maxIterations); break;
+    case March::Proxy: constants.maxSteps = 1; break;
     }
     constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
     constants.pixelSpacing = settings.adaptive.pixelSpacing;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "glint/settings.hpp"
+#include "reflect/probes/probes.hpp"
 #include "reflect/stages.hpp"
 #include "shared/trace_constants.h"
 
@@ -20,6 +21,8 @@ struct TraceInputs {
     bool backFacesKnown = false;
     History* history;           ///< null: hits take this frame's colour
     gpu::Image& black;          ///< stands in for what is absent
+    ProbesState* probes;        ///< the host's; null: there are none
+    gpu::Buffer& noProbes;      ///< stands in for their lists
     gpu::Buffer* log = nullptr; ///< shared::RayLogHeader and samples, for the pipelines that write them
 };
 
@@ -29,6 +32,9 @@ struct Technique {
     std::string_view shader;
     std::string_view summary; ///< one line for lists
     bool usesPyramid;
+    /// Looks at depths all along the ray. Else only at the end that the host's probe volumes predict: as right as
+    /// those, and nothing that is about the way (steps, thickness) acts.
+    bool walks;
     void (*record)(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
                    Traced& out);
 };
@@ -56,5 +62,6 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Sett
 extern const Technique kLinearTechnique;
 extern const Technique kAdaptiveTechnique;
 extern const Technique kHizTechnique;
+extern const Technique kProxyTechnique;
 
 } // namespace glint::reflect

@@ -104,6 +104,29 @@ Picture LibraryTest::trace(const SyntheticScene& scene, const SyntheticCamera& c
     return trace(made, camera.view(width, height));
 }
 
+Picture LibraryTest::traceWithin(const std::vector<Probe>& volumes, const SyntheticScene& scene,
+                                 const SyntheticCamera& camera, uint32_t width, uint32_t height, Settings settings) {
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, width, height);
+    settings.probes.enabled = false;
+    Reflections made = reflections(width, height, settings);
+    must(made.setInputs(host.gbuffer));
+    const TestVolumes given = TestVolumes::giveTo(made, gpu(), library(), volumes);
+    return trace(made, camera.view(width, height));
+}
+
+TestVolumes TestVolumes::giveTo(Reflections& reflections, gpu::Context& context, Context& library,
+                                std::vector<Probe> volumes) {
+    TestEnvironment cube = TestEnvironment::make(context, 1, 1, [](const auto&, uint32_t) { return glm::vec3(0); });
+    for (Probe& probe : volumes) {
+        probe.cube = cube.map.cube;
+        probe.prefiltered = true;
+    }
+    Probes probes = must(Probes::create(library, {volumes, 0}));
+    must(reflections.setProbes(probes));
+    must(context.submitAndWait([&](VkCommandBuffer commands) { probes.record(commands); }));
+    return {std::move(cube), std::move(probes)};
+}
+
 namespace {
 
 /// Vulkan 1.3, 16.5.4 "Cube Map Face Selection": face, s and t back to a direction.

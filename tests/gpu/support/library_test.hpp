@@ -40,6 +40,22 @@ struct Picture {
     double meanWeight() const;
 };
 
+/// A cube map with this radiance in every direction, or one a mip.
+struct TestEnvironment {
+    gpu::Image cube;
+    EnvironmentMap map;
+    static TestEnvironment make(gpu::Context& context, uint32_t size, uint32_t mips,
+                                const std::function<glm::vec3(const glm::dvec3& direction, uint32_t mip)>& radiance);
+};
+
+/// Probes with nothing in their cubes: volumes for march proxy. They must outlive the frames.
+struct TestVolumes {
+    TestEnvironment cube;
+    Probes probes;
+    static TestVolumes giveTo(Reflections& reflections, gpu::Context& context, Context& library,
+                              std::vector<Probe> volumes);
+};
+
 class LibraryTest : public GpuTest {
 protected:
     /// All fades off: a hit has weight 1.
@@ -51,14 +67,9 @@ protected:
     static Picture trace(Reflections& reflections, const View& view);
     static Picture trace(const SyntheticScene& scene, const SyntheticCamera& camera, uint32_t width, uint32_t height,
                          const Settings& settings, const EnvironmentMap& environment = {});
-};
-
-/// A cube map with this radiance in every direction, or one a mip.
-struct TestEnvironment {
-    gpu::Image cube;
-    EnvironmentMap map;
-    static TestEnvironment make(gpu::Context& context, uint32_t size, uint32_t mips,
-                                const std::function<glm::vec3(const glm::dvec3& direction, uint32_t mip)>& radiance);
+    /// With the volumes of probes whose source is off.
+    static Picture traceWithin(const std::vector<Probe>& volumes, const SyntheticScene& scene,
+                               const SyntheticCamera& camera, uint32_t width, uint32_t height, Settings settings);
 };
 
 } // namespace glint::test

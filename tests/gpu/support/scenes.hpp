@@ -56,4 +56,12 @@ inline Stage floorAndWall() {
     return stage;
 }
 
+/// The volume that fits it: of its six faces only that wall is near.
+inline Probe wallVolume() {
+    Probe probe;
+    probe.influence = probe.proxyVolume = {{0, 0, 498.5f}, {0, 0, 0, 1}, {1000, 1000, 501.5f}};
+    probe.influence.halfExtents = {1000, 1000, 502}; // the wall itself lies within
+    return probe;
+}
+
 } // namespace glint::test

@@ -1,0 +1,90 @@
+// The `proxy` marcher, which does not march: the ray meets the proxy volume of the first probe that influences its
+// pixel, and the picture is looked up once, where it shows that place. As right as the volume is.
+// Unity HDRP's projection model "proxy" is the model; docs/techniques/proxy.md says what the one sample may refuse.
+#define GLINT_ONE_TEXEL_A_HIT // trace/hit_color.glsl
+#include "trace/hit_test.glsl"
+
+#include "probes/probe_lists.glsl"
+
+/// What is nearer to the camera than all of the ray was not met; by this share of the ray's length a volume may be wrong.
+const float kVolumeSlack = 0.1;
+
+/// Where the ray is taken to end.
+struct Projection {
+    uint probe;     // in the host's list; kNoProbe
+    uint shape;     // kProbe*
+    float distance; // metres; kBackgroundZ: infinitely far
+};
+
+/// The smallest volume's that has anything to say of the pixel. Without one, or without a proxy: infinitely far.
+Projection projectionOf(Ray r) {
+    vec3 positionWS = (frame.constants.viewToWorld * vec4(r.originVS, 1.0)).xyz;
+    vec3 normalWS = mat3(frame.constants.viewToWorld) * r.originNormalVS;
+    vec3 directionWS = mat3(frame.constants.viewToWorld) * r.directionVS;
+    uvec2 around = probesAround(positionWS);
+    for (uint i = around.x; i < around.y; ++i) {
+        uint index = probeLists.probe[i];
+        ProbeRecord probe = probes.list[index];
+        if (probeWeight(probe, positionWS, normalWS, directionWS) <= 0.0)
+            continue;
+        bool infinite = probe.proxyShape == kProbeNoProxy;
+        float distance = infinite ? kBackgroundZ : proxyDistance(probe, positionWS, directionWS);
+        return Projection(index, probe.proxyShape, distance);
+    }
+    return Projection(kNoProbe, kProbeNoProxy, kBackgroundZ);
+}
+
+/// What the picture shows there, as far as its one sample tells. It refuses what the ray certainly did not meet:
+/// something nearer than all of its way, and the surface that it leaves.
+uint judge(Ray r, Sample s, bool infinite, float distance) {
+    if (s.sceneZ >= kBackgroundZ)
+        return kOutcomeSky;
+    vec3 normalVS = normalAt(s.px);
+    vec3 surfaceVS = viewPosition(frame.constants, (floor(s.px) + 0.5) * frame.constants.invSize, s.sceneZ);
+    float startZ = -r.originVS.z;
+    float nearest = infinite ? startZ : min(startZ, s.rayZ - kVolumeSlack * distance);
+    float cosine = abs(dot(normalVS, viewDirection(frame.constants, surfaceVS)));
+    float withinPixel = planeSlack(normalVS, s.sceneZ) / max(cosine, 0.01);
+    if (s.sceneZ + withinPixel < nearest * (1.0 - kAtSurface))
+        return kOutcomeHidden;
+    bool own = isOwnSurface(surfaceVS, normalVS, r);
+    if (!facesRay(normalVS, own, r)) {
+        logDecision(s.px, own ? kSampleGrazes : kSampleBackFace);
+        return own ? kOutcomeHidden : kOutcomeBackFace;
+    }
+    logDecision(s.px, kSampleHit);
+    return kOutcomeHit;
+}
+
+March march(Ray r) {
+    ScreenRay ray = r.screen;
+    Projection projection = projectionOf(r);
+    logProjection(projection.probe, projection.shape, projection.distance);
+    bool infinite = projection.distance >= kBackgroundZ;
+    March result = March(1.0, ray.startPX, 0u, 0u, kOutcomeNone);
+    // A direction has no length that screen.maxDistance could cut, but it may lead back past the camera.
+    if (infinite ? r.directionVS.z >= 0.0 : ray.clippedNear && projection.distance >= ray.lengthVS) {
+        result.outcome = kOutcomeBehindCamera;
+        return result;
+    }
+    if (!infinite && projection.distance > ray.lengthVS) {
+        result.outcome = kOutcomeMaxDistance;
+        return result;
+    }
+    if (!infinite)
+        result.share = shareAtDistance(ray, projection.distance);
+    vec4 endVS = infinite ? vec4(r.directionVS, 0.0) : vec4(r.originVS + r.directionVS * projection.distance, 1.0);
+    vec4 endH = frame.constants.viewToPixel * endVS;
+    vec2 endPX = endH.xy / endH.w;
+    if (endH.w <= 0.0 || !onScreen(endPX)) { // parallel rays never get infinitely far on screen: w is 0
+        result.outcome = kOutcomeOffScreen;
+        return result;
+    }
+    Sample s = Sample(result.share, endPX, rayViewZ(ray, result.share), texelFetch(viewZ, ivec2(endPX), 0).r);
+    result.lookups = 1u;
+    logSample(ray, s.share, s.px, s.rayZ, s.sceneZ);
+    result.hitPX = endPX;
+    result.outcome = judge(r, s, infinite, projection.distance);
+    passedBehind = true; // nobody looked at the way: rays through the scene know better
+    return result;
+}
