@@ -53,8 +53,9 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
 
 void FrameState::recordLayer(gpu::Frame& frame, LayerImages& layer) {
     gpu::Image* environment = inputs.environment ? &inputs.environment : nullptr;
+    ProbesState* probes = probesSource ? probesSource->probes() : nullptr;
     refraction->record(frame, desc.settings, layer,
-                       {frameConstants, prepared, pyramid, hostProbes, environment, dfg, black, blackCube}, composite);
+                       {frameConstants, prepared, pyramid, probes, environment, dfg, black, blackCube}, composite);
 }
 
 bool FrameState::anySource() const {
@@ -587,7 +588,6 @@ Result<void> FrameState::setProbes(ProbesState& probes) {
         probesSource = std::move(source);
     }
     GLINT_CHECK(probesSource->setProbes(probes));
-    hostProbes = probesSource->hasProbes() ? &probes : nullptr;
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     probesSource->record(frame, desc.settings, {frameConstants, prepared, {0, black, black, traced.rayRecord, black}});
     if (refraction) {

@@ -61,7 +61,6 @@ struct FrameState {
     std::unique_ptr<PlanarSource> planarSource; ///< absent until the host hands planar mirrors over
     std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
     std::unique_ptr<Refraction> refraction;     ///< ReflectionsDesc::transparentLayers
-    ProbesState* hostProbes = nullptr;
     History history;
     Reflected reflected;
     gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
