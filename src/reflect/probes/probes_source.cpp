@@ -20,7 +20,8 @@ Result<void> ProbesSource::setProbes(ProbesState& probes) {
 }
 
 void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs) {
-    shared::ProbesConstants constants = {0, inputs.earlier.before};
+    shared::ProbesConstants constants = {static_cast<uint32_t>(settings.probes.steps) << shared::kProbesStepsShift,
+                                         inputs.earlier.before};
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(settings.probes.parallax, shared::kProbesParallax);
     flag(settings.probes.distanceRoughness, shared::kProbesDistanceRoughness);
