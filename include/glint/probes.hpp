@@ -43,6 +43,9 @@ struct Probe {
     HostImage cube;
     uint32_t mips = 1; ///< of `cube`
     bool prefiltered = false;
+    /// The cube's alpha is 1 / metres from the capture position to what it shows, 0 for the sky: rays are then followed
+    /// to what they meet in the picture itself, and the proxy is for what it hides. Filtered like the radiance.
+    bool alphaIsInverseDistance = false;
     std::array<float, 3> capturePositionWS = {0, 0, 0}; ///< where its faces were drawn from
     float strength = 1;                                 ///< factor on its radiance, >= 0
     float weight = 1;                                   ///< factor on its weight, [0, 1]

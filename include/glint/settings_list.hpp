@@ -201,7 +201,10 @@
         "The host's probes answer for what screen and rays left; without any they cost nothing",                       \
         "")                                                                                                            \
     SETTING(bool, parallax, true, "", "",                                                                              \
-        "Reflections lie on the probes' proxy volumes; off: infinitely far away",                                      \
+        "Reflections lie where the probes' distances or proxy volumes say; off: infinitely far away",                  \
+        "")                                                                                                            \
+    SETTING(int, steps, 12, "[0, 64]", "",                                                                             \
+        "Looks along a ray for what it meets in a probe that has distances; 0: proxy volumes alone",                   \
         "")                                                                                                            \
     SETTING(bool, distanceRoughness, true, "", "",                                                                     \
         "What is near its reflection is sharper than its roughness says at the probe; off: as rough everywhere",       \

@@ -74,16 +74,19 @@ float proxyDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS) {
     return max(minComponent(toWall), 0.0);
 }
 
+const float kProbeFar = 1e20; // metres: nothing is met
+
 struct ProbeLookup {
     vec3 directionWS;          // into the cube
     float perceptualRoughness; // of the mip
 };
 
-/// Where the cube shows what `directionWS` meets from `positionWS`, and how sharp it is to be there.
-ProbeLookup probeLookup(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
-    if (probe.proxyShape == kProbeNoProxy || (flags & kProbesParallax) == 0u)
+/// Where the cube shows what is met after `surfaceToHit` metres, and how sharp it is to be there. Rays that meet nothing
+/// (infinity) have gone as far from the surface as from the capture position.
+ProbeLookup probeLookup(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float surfaceToHit,
+                        float perceptualRoughness, uint flags) {
+    if (surfaceToHit > kProbeFar)
         return ProbeLookup(directionWS, perceptualRoughness);
-    float surfaceToHit = proxyDistance(probe, positionWS, directionWS);
     vec3 fromCapture = positionWS + surfaceToHit * directionWS - probe.capturePositionWS;
     float captureToHit = length(fromCapture);
     vec3 projected = normalizeOr(fromCapture, directionWS);

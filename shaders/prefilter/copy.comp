@@ -18,7 +18,8 @@ void main() {
     if (texel.x >= size || texel.y >= size)
         return;
     vec2 p = (vec2(texel.xy) + 0.5) / float(size) * 2.0 - 1.0;
-    vec4 color = vec4(sanitize(textureLod(cube, cubeDirection(uint(texel.z), p), 0.0).rgb), 1.0);
+    vec4 color = textureLod(cube, cubeDirection(uint(texel.z), p), 0.0);
+    color = vec4(sanitize(color.rgb), sanitize(color.a));
     imageStore(source, texel, color);
     imageStore(filtered, texel, color);
 }

@@ -29,7 +29,7 @@ void main() {
     float alpha = square(constants.perceptualRoughness);
     float texelSolidAngle = 4.0 * kPi / (6.0 * square(constants.sourceFaceSize));
 
-    vec3 sum = vec3(0.0);
+    vec4 sum = vec4(0.0);
     float weights = 0.0;
     for (uint i = 0u; i < constants.sampleCount; ++i) {
         vec3 H = sampleGGX(hammersley(i, constants.sampleCount), alpha); // V = N = +Z
@@ -40,8 +40,8 @@ void main() {
         float pdf = D_GGX(H.z, alpha) * 0.25; // D NoH / (4 VoH), and VoH = NoH here
         float sampleSolidAngle = 1.0 / (float(constants.sampleCount) * pdf);
         float mip = max(0.5 * log2(sampleSolidAngle / texelSolidAngle) + 1.0, 0.0); // + 1: neighbours overlap
-        sum += textureLod(source, tangentToWorld * L, mip).rgb * NoL;
+        sum += textureLod(source, tangentToWorld * L, mip) * NoL;
         weights += NoL;
     }
-    imageStore(filtered, ivec3(texel), vec4(sum / weights, 1.0));
+    imageStore(filtered, ivec3(texel), sum / weights);
 }

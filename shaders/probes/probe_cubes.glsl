@@ -3,12 +3,22 @@
 #define GLINT_PROBES_PROBE_CUBES_GLSL
 
 #include "lib/sanitize.glsl"
-#include "probes/probe_lists.glsl"
+#include "probes/probe_march.glsl"
 
-layout(set = 1, binding = 0) uniform samplerCube cubes[];
+/// Metres, infinite where nothing is met; negative: not this probe's to say.
+float distanceToHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, uint flags) {
+    if ((flags & kProbesParallax) == 0u)
+        return 1e30;
+    uint steps = probe.distances != 0u ? flags >> kProbesStepsShift : 0u;
+    float marched = steps > 0u ? marchedDistance(probe, positionWS, directionWS, steps) : kProbeUnseen;
+    if (marched != kProbeUnseen)
+        return marched;
+    return probe.proxyShape == kProbeNoProxy ? 1e30 : proxyDistance(probe, positionWS, directionWS);
+}
 
-vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
-    ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, perceptualRoughness, flags);
+vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float surfaceToHit, float perceptualRoughness,
+                   uint flags) {
+    ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, surfaceToHit, perceptualRoughness, flags);
     float mip = lookup.perceptualRoughness * probe.lastMip;
     vec3 radiance = textureLod(cubes[nonuniformEXT(probe.cube)], lookup.directionWS, mip).rgb;
     return sanitize(sanitize(radiance) * probe.strength);
@@ -24,7 +34,10 @@ vec4 probesAnswer(vec3 positionWS, vec3 normalWS, vec3 directionWS, float percep
         float weight = min(probeWeight(probe, positionWS, normalWS, directionWS), left - total);
         if (weight <= 0.0)
             continue;
-        sum += weight * probeRadiance(probe, positionWS, directionWS, perceptualRoughness, flags);
+        float surfaceToHit = distanceToHit(probe, positionWS, directionWS, flags);
+        if (surfaceToHit < 0.0)
+            continue;
+        sum += weight * probeRadiance(probe, positionWS, directionWS, surfaceToHit, perceptualRoughness, flags);
         total += weight;
     }
     return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
@@ -43,7 +56,10 @@ vec4 probesAnswerOfObject(vec3 centerWS, vec3 positionWS, vec3 directionWS, floa
         float weight = min(smoothstep(0.0, 1.0, depth) * probe.weight, left - total);
         if (weight <= 0.0)
             continue;
-        sum += weight * probeRadiance(probe, positionWS, directionWS, perceptualRoughness, flags);
+        float exitToHit = distanceToHit(probe, positionWS, directionWS, flags);
+        if (exitToHit < 0.0)
+            continue;
+        sum += weight * probeRadiance(probe, positionWS, directionWS, exitToHit, perceptualRoughness, flags);
         total += weight;
     }
     return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);

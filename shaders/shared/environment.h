@@ -14,7 +14,8 @@ struct PrefilterConstants {
 };
 
 struct FaceConstants {
-    uint face; ///< of the cube, in Vulkan's order
+    uint face;  ///< of the cube, in Vulkan's order
+    float near; ///< of the camera: depth = near / viewZ, 0 the sky
 };
 
 GLINT_SHARED_END

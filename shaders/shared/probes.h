@@ -31,6 +31,7 @@ struct ProbeRecord {
     float3 faceFadePos;
     float3 faceFadeNeg;
     float3 capturePositionWS;
+    uint distances; // 1: the cube's alpha is 1 / metres to what it shows
 };
 
 // The grid over all influence volumes, in front of its cells: cell c has the probes lists[cells[c]] up to, not with,
@@ -43,12 +44,14 @@ struct ProbeGridHeader {
 };
 
 struct ProbesConstants {
-    uint flags;  // kProbes*
+    uint flags;  // kProbes*, and from kProbesStepsShift on looks along a ray in cubes with distances; 0: proxies alone
     uint before; // bit s: source s (shared/hierarchy.h) is asked before
 };
 
 GLINT_CONSTANT(uint, kProbesParallax, 1);          // proxies act
 GLINT_CONSTANT(uint, kProbesDistanceRoughness, 2); // what is near its reflection is sharper
+
+GLINT_CONSTANT(uint, kProbesStepsShift, 8);
 
 GLINT_SHARED_END
 

@@ -220,9 +220,10 @@ private:
                 picture = &reflected;
             }
             renderer_.drawTransparent(frame, *picture);
-            const shared::FaceConstants constants = {face};
+            const shared::FaceConstants constants = {face, parameters.camera.near};
             frame.pass(toCube_)
                 .read("picture", *picture, gpu::SamplerKind::NearestClamp)
+                .read("depth", g.deviceDepth, gpu::SamplerKind::NearestClamp)
                 .write("cube", cubes_[probe], 0, true)
                 .push(constants)
                 .dispatch(options_.faceSize, options_.faceSize);
@@ -276,6 +277,7 @@ private:
         Probe probe = options_.places[i].probe;
         if (options_.places[i].fitsProxy)
             probe.proxyVolume = boxOf(fitProxyBox(placed_[i].positionWS, seen_[i], farthest()));
+        probe.alphaIsInverseDistance = true;
         baked_.push_back({probe, options_.faceSize, {}});
     }
 
@@ -297,6 +299,7 @@ private:
         probe.influence = boxOf(influence);
         probe.blendDistance.fill(blend);
         probe.proxyVolume = boxOf(fitProxyBox(placed.positionWS, seen_[i], farthest()));
+        probe.alphaIsInverseDistance = true;
         baked_.push_back({probe, options_.faceSize, {}});
     }
 

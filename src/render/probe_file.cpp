@@ -39,6 +39,7 @@ void visitNumbers(P& probe, Visit visit) {
     visit(probe.proxyVolume.centerWS);
     visit(probe.proxyVolume.rotation);
     visit(probe.proxyVolume.halfExtents);
+    visit(probe.alphaIsInverseDistance);
 }
 
 class Writer {
@@ -49,6 +50,7 @@ public:
     }
     void put(std::string_view text) { bytes_.append(text); }
     void operator()(const ProbeShape& shape) { put(static_cast<uint32_t>(shape)); }
+    void operator()(bool flag) { put(static_cast<uint32_t>(flag)); }
     void operator()(const ProbeProxy& proxy) { put(static_cast<uint32_t>(proxy)); }
     template <class T>
     void operator()(const T& number) {
@@ -85,6 +87,7 @@ public:
         return value;
     }
     void operator()(ProbeShape& shape) { shape = limited<ProbeShape>(1); }
+    void operator()(bool& flag) { flag = limited<uint32_t>(1) != 0; }
     void operator()(ProbeProxy& proxy) { proxy = limited<ProbeProxy>(2); }
     void operator()(float& number) {
         number = get<float>();

@@ -14,7 +14,7 @@ namespace glint::render {
 struct BakedProbe {
     Probe probe;            ///< all but its cube
     uint32_t faceSize = 16; ///< texels, a power of two, [16, 1024]
-    /// RGBA, half floats: mip after mip down to 8 texels, six faces each, rows from the top.
+    /// RGBA, half floats, alpha 1 / metres: mip after mip down to 8 texels, six faces each, rows from the top.
     std::vector<uint64_t> texels;
 };
 
@@ -25,7 +25,7 @@ struct ProbeSet {
     std::vector<BakedProbe> probes;
 };
 
-constexpr uint32_t kProbeFileVersion = 1;
+constexpr uint32_t kProbeFileVersion = 2;
 constexpr size_t kMostProbeFileBytes = size_t{1} << 31;
 
 /// Of all mips and faces.

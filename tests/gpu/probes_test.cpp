@@ -169,6 +169,78 @@ TEST_F(ProbesTest, aBoxRoomIsReflectedInItsPlace) {
     EXPECT_LT(misplaced(look({turned}, room, camera, 192, 128, probesAlone()), camera).worstPX, 2);
 }
 
+/// No box: a ball above the floor, half a wall and the open sky, each of its colour.
+struct Seen {
+    glm::vec3 radiance = {0, 0, 1}; // the sky
+    double distance = std::numeric_limits<double>::infinity();
+};
+Seen openPlace(const glm::dvec3& origin, const glm::dvec3& direction) {
+    Seen seen;
+    const auto meet = [&](double distance, const glm::vec3& radiance) {
+        if (distance > 1e-9 && distance < seen.distance)
+            seen = {radiance, distance};
+    };
+    meet(-origin.y / direction.y, {0, 0, 0}); // the floor
+    const double toWall = (-4 - origin.z) / direction.z;
+    if (const glm::dvec3 at = origin + toWall * direction; at.x < 0 && at.y < 3)
+        meet(toWall, {0, 1, 0});
+    const glm::dvec3 toBall = origin - glm::dvec3(-0.5, 0.9, -1);
+    const double b = glm::dot(direction, toBall);
+    if (const double root = b * b - glm::dot(toBall, toBall) + 0.5 * 0.5; root > 0)
+        meet(-b - std::sqrt(root), {1, 0, 0});
+    return seen;
+}
+
+TEST_F(ProbesTest, withDistancesWhatIsNoBoxIsReflectedInItsPlace) {
+    const glm::dvec3 capture = {0.6, 1.4, 0.5};
+    const TestEnvironment cube = TestEnvironment::make(
+        gpu(), 256, 1, [&](const glm::dvec3& d, uint32_t) { return openPlace(capture, glm::normalize(d)).radiance; },
+        [&](const glm::dvec3& d) { return 1 / openPlace(capture, glm::normalize(d)).distance; });
+    Probe probe = probeOf(cube);
+    probe.capturePositionWS = {0.6f, 1.4f, 0.5f};
+    probe.influence = {{0, 0, 0}, {0, 0, 0, 1}, {50, 50, 50}};
+    probe.proxyVolume = {{0, 1.5f, 0}, {0, 0, 0, 1}, {6, 1.5f, 4}}; // the floor and the wall
+    const TestEnvironment sky = constantCube(gpu(), {0, 0, 1});     // which gets what the probe's wall and ball hide
+    const SyntheticCamera camera = {.position = {0.3, 1.6, 3}, .target = {0, 0, -0.6}, .fovY = 0.9};
+    constexpr uint32_t kWidth = 192, kHeight = 128;
+    const auto wrongShare = [&](bool distances, int steps) {
+        probe.alphaIsInverseDistance = distances;
+        Settings settings = probesAlone();
+        settings.sky.enabled = true;
+        settings.probes.steps = steps;
+        const Picture picture = look({probe}, mirrorFloor(), camera, kWidth, kHeight, settings, sky.map);
+        int wrong = 0, pixels = 0;
+        for (uint32_t y = 0; y < kHeight; ++y)
+            for (uint32_t x = 0; x < kWidth; ++x) {
+                const glm::dvec3 d = camera.rayThrough(x, y, kWidth, kHeight);
+                if (d.y >= 0)
+                    continue;
+                const glm::dvec3 at = camera.position - d * (camera.position.y / d.y);
+                if (at.z < -3.9)
+                    continue; // behind the wall
+                const glm::dvec3 r = {d.x, -d.y, d.z};
+                const Seen met = openPlace(at, r);
+                const glm::dvec3 toMet = std::isinf(met.distance) ? r : at + met.distance * r - capture;
+                const double shown = openPlace(capture, glm::normalize(toMet)).distance;
+                if (std::isinf(met.distance) ? !std::isinf(shown) : shown < 0.99 * glm::length(toMet))
+                    continue; // the probe's picture does not have it
+                const glm::dvec3 right = met.radiance;
+                wrong += glm::distance(reflected(picture, size_t{y} * kWidth + x), right) > 0.3 ? 1 : 0;
+                ++pixels;
+            }
+        EXPECT_GT(pixels, 10000);
+        return double(wrong) / pixels;
+    };
+    const double marched = wrongShare(true, Settings().probes.steps);
+    const double proxied = wrongShare(true, 0);
+    RecordProperty("marched", std::to_string(marched));
+    RecordProperty("proxied", std::to_string(proxied));
+    // Measured: 0.041 and 0.174. What is left are silhouettes, and rays that pass behind the ball.
+    EXPECT_LT(marched, 0.06);
+    EXPECT_GT(proxied, 0.15); // the test sees what distances are for
+    EXPECT_EQ(wrongShare(false, Settings().probes.steps), proxied);
+}
+
 TEST_F(ProbesTest, whatIsNearItsReflectionIsSharper) {
     constexpr uint32_t kMips = 5;
     const TestEnvironment cube = TestEnvironment::make(

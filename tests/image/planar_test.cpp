@@ -116,7 +116,7 @@ TEST_F(PlanarTest, MirrorsInMirrorsAreRightAsDeepAsTheyAreDrawn) {
             ASSERT_GT(of.pixels, 1000u);
             const double share = double(of.wrong) / double(of.pixels);
             if (bounce <= depth)
-                EXPECT_LT(share, 0.02) << bounce << " bounces of " << depth; // measured: 0.4, 0.5 and 1.3 %
+                EXPECT_LT(share, 0.02) << bounce << " bounces of " << depth; // measured: 0.3, 0.5 and 1.3 %
             else
                 EXPECT_GT(share, 0.9) << bounce << " bounces of " << depth;
         }
@@ -138,7 +138,8 @@ TEST_F(PlanarTest, AFlatMirrorIsThePictureThatRaysMake) {
             squares += difference * difference;
         }
         const double psnr = -10 * std::log10(squares / double(view(rays, "composite").size()));
-        EXPECT_GT(psnr, std::string(resolution) == "1" ? 40 : 25) << resolution; // measured: 58 and 31
+        RecordProperty(std::string("psnr") + (std::string(resolution) == "1" ? "Full" : "Half"), std::to_string(psnr));
+        EXPECT_GT(psnr, std::string(resolution) == "1" ? 40 : 25) << resolution; // measured: 67.9 and 29.4
     }
 }
 

@@ -31,6 +31,7 @@ BakedProbe bakedProbe(uint32_t faceSize, uint32_t seed) {
     probe.influence = {{1, 2, 3}, {0, 0.6f, 0, 0.8f}, {4, 5, 6}};
     probe.proxy = ProbeProxy::Sphere;
     probe.proxyVolume = {{-1, -2, -3}, {0.8f, 0, 0.6f, 0}, {7, 8, 9}};
+    probe.alphaIsInverseDistance = seed % 2 == 1;
     for (size_t face = 0; face < 6; ++face) {
         probe.blendDistance[face] = unit(random);
         probe.blendNormalDistance[face] = unit(random);
@@ -108,7 +109,7 @@ TEST(ProbeFile, otherFilesAndVersionsAreNamed) {
     std::string bytes = encodeProbes(someProbes());
     EXPECT_THAT(errorOf("glTF" + bytes), HasSubstr("not a file of probes"));
     bytes[8] = 9;
-    EXPECT_THAT(errorOf(bytes), HasSubstr("format version 9, this Glint reads version 1"));
+    EXPECT_THAT(errorOf(bytes), HasSubstr("format version 9, this Glint reads version 2"));
 }
 
 /// Also with a right checksum, as a hostile file has.

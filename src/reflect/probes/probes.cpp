@@ -103,6 +103,7 @@ shared::ProbeRecord packRecord(const Probe& probe, uint32_t cube, uint32_t mips)
     out.lastMip = static_cast<float>(mips - 1);
     out.cube = cube;
     out.capturePositionWS = toVec(probe.capturePositionWS);
+    out.distances = probe.alphaIsInverseDistance ? 1 : 0;
     return out;
 }
 

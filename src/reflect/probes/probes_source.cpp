@@ -19,11 +19,14 @@ Result<void> ProbesSource::setProbes(ProbesState& probes) {
     return {};
 }
 
+uint32_t probeFlags(const Settings& settings) {
+    return static_cast<uint32_t>(settings.probes.steps) << shared::kProbesStepsShift |
+           (settings.probes.parallax ? shared::kProbesParallax : 0) |
+           (settings.probes.distanceRoughness ? shared::kProbesDistanceRoughness : 0);
+}
+
 void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs) {
-    shared::ProbesConstants constants = {0, inputs.earlier.before};
-    const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
-    flag(settings.probes.parallax, shared::kProbesParallax);
-    flag(settings.probes.distanceRoughness, shared::kProbesDistanceRoughness);
+    const shared::ProbesConstants constants = {probeFlags(settings), inputs.earlier.before};
     gpu::Pass pass = frame.pass(reflect_);
     pass.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)

@@ -14,6 +14,9 @@ struct ProbesInputs {
     EarlierAnswers earlier;
 };
 
+/// kProbes*, for whoever looks probes up.
+uint32_t probeFlags(const Settings& settings);
+
 /// Made when a host first hands probes over.
 class ProbesSource {
 public:

@@ -1,5 +1,6 @@
 #include "reflect/refraction/refraction.hpp"
 
+#include "reflect/probes/probes_source.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/frame_constants.h"
 
@@ -59,8 +60,7 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     flag(wanted.screen, shared::kLayerScreen);
     flag(probes && settings.probes.enabled, shared::kLayerProbes);
     flag(environment && settings.sky.enabled, shared::kLayerSky);
-    constants.probeFlags = (settings.probes.parallax ? shared::kProbesParallax : 0) |
-                           (settings.probes.distanceRoughness ? shared::kProbesDistanceRoughness : 0);
+    constants.probeFlags = probeFlags(settings);
     return constants;
 }
 

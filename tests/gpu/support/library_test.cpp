@@ -140,7 +140,8 @@ glm::dvec3 cubeDirection(uint32_t face, double s, double t) {
 } // namespace
 
 TestEnvironment TestEnvironment::make(gpu::Context& context, uint32_t size, uint32_t mips,
-                                      const std::function<glm::vec3(const glm::dvec3&, uint32_t)>& radiance) {
+                                      const std::function<glm::vec3(const glm::dvec3&, uint32_t)>& radiance,
+                                      const std::function<double(const glm::dvec3&)>& alpha) {
     TestEnvironment out;
     out.cube = must(gpu::Image::create(
         context, {"test/environment", VK_FORMAT_R16G16B16A16_SFLOAT, size, size, mips, 6, gpu::ImageShape::Cube,
@@ -150,9 +151,11 @@ TestEnvironment TestEnvironment::make(gpu::Context& context, uint32_t size, uint
             const uint32_t side = std::max(size >> mip, 1u);
             std::vector<glm::u16vec4> texels;
             for (uint32_t y = 0; y < side; ++y)
-                for (uint32_t x = 0; x < side; ++x)
-                    texels.push_back(glm::packHalf(
-                        glm::vec4(radiance(cubeDirection(face, (x + 0.5) / side, (y + 0.5) / side), mip), 1)));
+                for (uint32_t x = 0; x < side; ++x) {
+                    const glm::dvec3 direction = cubeDirection(face, (x + 0.5) / side, (y + 0.5) / side);
+                    texels.push_back(
+                        glm::packHalf(glm::vec4(radiance(direction, mip), alpha ? alpha(direction) : 1.0)));
+                }
             gpu::Buffer staging = must(gpu::Buffer::create(
                 context, {"test/face", texels.size() * 8, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, gpu::BufferHome::Upload}));
             std::memcpy(staging.mapped(), texels.data(), texels.size() * 8);

@@ -40,12 +40,13 @@ struct Picture {
     double meanWeight() const;
 };
 
-/// A cube map with this radiance in every direction, or one a mip.
+/// A cube map with this radiance in every direction, or one a mip. `alpha`: 1 without it.
 struct TestEnvironment {
     gpu::Image cube;
     EnvironmentMap map;
     static TestEnvironment make(gpu::Context& context, uint32_t size, uint32_t mips,
-                                const std::function<glm::vec3(const glm::dvec3& direction, uint32_t mip)>& radiance);
+                                const std::function<glm::vec3(const glm::dvec3& direction, uint32_t mip)>& radiance,
+                                const std::function<double(const glm::dvec3& direction)>& alpha = {});
 };
 
 /// Probes with nothing in their cubes: volumes for march proxy. They must outlive the frames.
