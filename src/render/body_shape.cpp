@@ -2,30 +2,35 @@
 
 #include "render/gpu_materials.hpp"
 
-#include <algorithm>
+#include <cmath>
 
 namespace glint::render {
 namespace {
 
-/// Is more than half of the area made of triangles whose corners have one normal?
-bool isMostlyFlat(const scene::Geometry& geometry) {
-    constexpr float kOneNormal = 0.9998f; // cosine of a degree
-    if (geometry.normals.empty())
-        return true;
-    double flat = 0, all = 0;
+/// A ball has half its thickness for a radius. What is less curved than a fifth of that is a plate, however it is bent.
+constexpr double kPlateFrom = 5;
+
+/// 1 / metres in the mesh's space: how much normals turn on their way from corner to corner, mean over the area.
+double meanCurvature(const scene::Geometry& geometry) {
+    double sum = 0, all = 0;
     const auto& indices = geometry.indices;
-    for (size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const glm::vec3& a = geometry.positions[indices[i]];
-        const glm::vec3& b = geometry.positions[indices[i + 1]];
-        const glm::vec3& c = geometry.positions[indices[i + 2]];
-        const double area = glm::length(glm::cross(b - a, c - a));
-        const glm::vec3& normal = geometry.normals[indices[i]];
-        const float leans = std::min(glm::dot(normal, geometry.normals[indices[i + 1]]),
-                                     glm::dot(normal, geometry.normals[indices[i + 2]]));
-        flat += leans >= kOneNormal ? area : 0;
-        all += area;
+    for (size_t i = 0; i + 2 < indices.size() && !geometry.normals.empty(); i += 3) {
+        double turned = 0, way = 0;
+        for (size_t corner = 0; corner < 3; ++corner) {
+            const uint32_t from = indices[i + corner];
+            const uint32_t to = indices[i + (corner + 1) % 3];
+            turned += glm::distance(geometry.normals[from], geometry.normals[to]);
+            way += glm::distance(geometry.positions[from], geometry.positions[to]);
+        }
+        const glm::vec3& first = geometry.positions[indices[i]];
+        const double area = glm::length(glm::cross(geometry.positions[indices[i + 1]] - first,
+                                                   geometry.positions[indices[i + 2]] - first));
+        if (way > 0 && std::isfinite(area)) {
+            sum += area * turned / way;
+            all += area;
+        }
     }
-    return flat > all / 2;
+    return all > 0 ? sum / all : 0;
 }
 
 } // namespace
@@ -42,7 +47,8 @@ BodyShape bodyShape(const scene::Material& material, const scene::Geometry& geom
     }
     if (material.thicknessFactor <= 0)
         return BodyShape::Straight;
-    return isMostlyFlat(geometry) ? BodyShape::Plane : BodyShape::Sphere;
+    const double radius = material.thicknessFactor / 2;
+    return meanCurvature(geometry) * kPlateFrom * radius >= 1 ? BodyShape::Sphere : BodyShape::Plane;
 }
 
 } // namespace glint::render

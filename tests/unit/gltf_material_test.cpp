@@ -45,6 +45,19 @@ TEST(GltfMaterial, ExtrasMayNamePlanarMirrors) {
               "test.glb: materials[0].extras.glint.planar must be true or false");
 }
 
+TEST(GltfMaterial, ExtrasNameTheShapeOfRefraction) {
+    EXPECT_EQ(readMaterial(Json::object()).refraction, scene::RefractionShape::ByShape);
+    const auto read = [](const char* name) {
+        return readMaterial({{"extras", {{"glint", {{"refraction", name}}}}}}).refraction;
+    };
+    EXPECT_EQ(read("none"), scene::RefractionShape::None);
+    EXPECT_EQ(read("sphere"), scene::RefractionShape::Sphere);
+    EXPECT_EQ(read("plane"), scene::RefractionShape::Plane);
+    EXPECT_EQ(read("thin"), scene::RefractionShape::Thin);
+    EXPECT_EQ(materialError({{"extras", {{"glint", {{"refraction", "box"}}}}}}),
+              "test.glb: materials[0].extras.glint.refraction is \"box\", which is none of none, sphere, plane and thin");
+}
+
 TEST(GltfMaterial, DefaultsAreTheSpecifications) {
     const Material material = readMaterial(Json::object());
     EXPECT_EQ(material.alphaMode, AlphaMode::Opaque);
