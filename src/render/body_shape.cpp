@@ -23,8 +23,8 @@ double meanCurvature(const scene::Geometry& geometry) {
             way += glm::distance(geometry.positions[from], geometry.positions[to]);
         }
         const glm::vec3& first = geometry.positions[indices[i]];
-        const double area = glm::length(glm::cross(geometry.positions[indices[i + 1]] - first,
-                                                   geometry.positions[indices[i + 2]] - first));
+        const double area = glm::length(
+            glm::cross(geometry.positions[indices[i + 1]] - first, geometry.positions[indices[i + 2]] - first));
         if (way > 0 && std::isfinite(area)) {
             sum += area * turned / way;
             all += area;

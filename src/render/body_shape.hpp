@@ -7,8 +7,8 @@
 namespace glint::render {
 
 /// As the material says (extras.glint.refraction). Else by its shape, for the thing as a whole, so that no seam runs
-/// across it: a sphere if it is curved like a ball of its thickness, else a plate, also one that is bent. Straight for what transmits no light or
-/// has no thickness. Cost: it looks at every triangle of what has one.
+/// across it: a sphere if it is curved like a ball of its thickness, else a plate, also one that is bent. Straight for
+/// what transmits no light or has no thickness. Cost: it looks at every triangle of what has one.
 BodyShape bodyShape(const scene::Material& material, const scene::Geometry& geometry);
 
 } // namespace glint::render

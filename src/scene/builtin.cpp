@@ -29,6 +29,8 @@ const std::array kEntries = {
           builtin::makeSpheres},
     Entry{{"thickness", "balls on a polished floor before an upright mirror", "main", "sky", 1},
           builtin::makeThickness},
+    Entry{{"glass", "index of refraction, roughness and absorption of glass before a chequered wall", "main", "sky", 1},
+          builtin::makeGlass},
 };
 
 } // namespace

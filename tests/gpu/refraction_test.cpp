@@ -315,6 +315,52 @@ TEST_F(RefractionTest, AWhiteFurnaceStaysWhite) {
         }
 }
 
+TEST_F(RefractionTest, EverySettingActs) {
+    LayerSurface surface;
+    surface.shape = BodyShape::Sphere;
+    surface.thickness = 0.5f;
+    surface.f0 = glm::vec3(0.2f);
+    surface.absorption = {0.5f, 0.7f, 0.9f, 1};
+    surface.normalWS = glm::normalize(glm::dvec3(0.3, 0.2, 0.9));
+    const TestEnvironment sky =
+        TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3& d, uint32_t) { return glm::vec3(glm::abs(d)); });
+    const Settings defaults;
+    const std::vector<float> plain = over({pane(-2, surface)}, defaults, sky.map);
+    for (const auto& [key, value] : std::vector<std::pair<const char*, const char*>>{{"enabled", "false"},
+                                                                                     {"model", "plane"},
+                                                                                     {"model", "none"},
+                                                                                     {"model", "thin"},
+                                                                                     {"projection", "proxy"},
+                                                                                     {"screen", "false"},
+                                                                                     {"reflections", "false"},
+                                                                                     {"borderWidth", "0.4"},
+                                                                                     {"hizMinLevel", "4"},
+                                                                                     {"hizMaxIterations", "2"},
+                                                                                     {"ior", "1.2"},
+                                                                                     {"thickness", "0.1"},
+                                                                                     {"thicknessMultiplier", "2"},
+                                                                                     {"absorptionDistance", "0"}}) {
+        Settings other;
+        must(set(other, std::string("refraction.") + key, value));
+        EXPECT_NE(over({pane(-2, surface)}, other, sky.map), plain) << key << " " << value;
+    }
+    Settings red;
+    red.refraction.transmittanceRed = 1;
+    red.refraction.transmittanceGreen = red.refraction.transmittanceBlue = 0.1f;
+    EXPECT_NE(over({pane(-2, surface)}, red, sky.map), plain);
+    Settings half; // one of the three alone is no colour
+    half.refraction.transmittanceRed = 1;
+    EXPECT_EQ(over({pane(-2, surface)}, half, sky.map), plain);
+    Settings coarse; // faster, the same picture
+    coarse.refraction.hizMaxLevel = 0;
+    coarse.refraction.hizMaxIterations = 1024;
+    const std::vector<float> fine = over({pane(-2, surface)}, coarse, sky.map);
+    size_t different = 0;
+    for (size_t i = 0; i < plain.size(); i += 4)
+        different += std::abs(fine[i] - plain[i]) > 0.1f;
+    EXPECT_LT(different, plain.size() / 4 / 50);
+}
+
 TEST_F(RefractionTest, WhatCannotBeIsSaid) {
     DrawnLayer drawn = DrawnLayer::draw(gpu(), pane(-1, {}), camera_, kWidth, kHeight);
     ReflectionsDesc desc = {kWidth, kHeight, settings()};

@@ -54,8 +54,9 @@ TEST(GltfMaterial, ExtrasNameTheShapeOfRefraction) {
     EXPECT_EQ(read("sphere"), scene::RefractionShape::Sphere);
     EXPECT_EQ(read("plane"), scene::RefractionShape::Plane);
     EXPECT_EQ(read("thin"), scene::RefractionShape::Thin);
-    EXPECT_EQ(materialError({{"extras", {{"glint", {{"refraction", "box"}}}}}}),
-              "test.glb: materials[0].extras.glint.refraction is \"box\", which is none of none, sphere, plane and thin");
+    EXPECT_EQ(
+        materialError({{"extras", {{"glint", {{"refraction", "box"}}}}}}),
+        "test.glb: materials[0].extras.glint.refraction is \"box\", which is none of none, sphere, plane and thin");
 }
 
 TEST(GltfMaterial, DefaultsAreTheSpecifications) {

@@ -10,5 +10,6 @@ Scene makeMirror();
 Scene makeExact();
 Scene makeSpheres();
 Scene makeThickness();
+Scene makeGlass();
 
 } // namespace glint::scene::builtin
