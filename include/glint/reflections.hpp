@@ -41,7 +41,7 @@ struct ReflectionsDesc {
     bool statistics = false;        ///< count outcomes and lookups each frame (a small pass more)
     bool views = false;             ///< keep an image for debug views
     bool inspection = false;        ///< make what recordInspection needs: a pipeline a marcher more, and 256 KiB
-    bool transparentLayers = false; ///< make what recordLayer needs: the picture once more, with mips
+    bool transparentLayers = false; ///< make what recordLayer needs: the picture twice more, with mips
 };
 
 struct PassTime {
@@ -124,12 +124,14 @@ public:
     HostImage record(VkCommandBuffer commands, const View& view);
 
     /// Records a transparent layer over the picture of the frame recorded last, in place (needs
-    /// ReflectionsDesc::transparentLayers): call it for each layer, the farthest first, before anything else reads the
-    /// picture. `picture` is what record, or the layer before, returned. Refraction and reflection have a walk of their
-    /// own: screen, by the depth pyramid, probes, sky. What the host draws between layers is seen through the next.
-    /// With refraction.enabled off layers are not drawn, and `picture` comes back: a host has its own way then.
-    /// Cost: two short marches and up to 40 lookups a pixel of the layer, and the picture's mips.
-    /// Errors: InvalidArgument says which image is missing or of another size, or that no frame was recorded.
+    /// ReflectionsDesc::transparentLayers): call it for each layer, the farthest first, in the command buffer of that
+    /// frame. `picture` is what record, or the layer before, returned, in the layout that it is in by now; what the
+    /// host draws between layers is seen through the next. Refraction and reflection have a walk of their own: screen,
+    /// by the depth pyramid, probes, sky. The environment is in the layout that setInputs stated; no other input is
+    /// read. With refraction.enabled off, or debug colours, layers are not drawn, and `picture` comes back: a host has
+    /// its own way then. Cost: up to three marches and 34 lookups of the picture a pixel of the layer, and the
+    /// picture's mips. Errors: InvalidArgument says which image is missing or of another size, or that no frame was
+    /// recorded.
     Result<HostImage> recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, const HostImage& picture);
 
     /// Records a debug view of the frame recorded last into an RGBA32F image (needs ReflectionsDesc::views): raw

@@ -217,7 +217,7 @@
 
 #define GLINT_REFRACTION_SETTINGS(SETTING)                                                                             \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "Light comes through transparent surfaces that the host hands over as layers, and they reflect; off: recordLayer only lays them over", \
+        "Light comes through transparent surfaces that the host hands over as layers, and they reflect; off: it draws them its own way", \
         "")                                                                                                            \
     SETTING(RefractionModel, model, RefractionModel::Material, "", "",                                                 \
         "What bodies are taken for: material, as the host says; none, nothing is bent; sphere, plane, or thin, a plate of 5 mm", \

@@ -22,7 +22,7 @@ vec3 splineMip(sampler2D picture, vec2 uv, float mip) {
     return low.y * top + high.y * bottom;
 }
 
-/// `radiusPX`: standard deviation of the blur, roughly, in pixels of mip 0. Below half a pixel: the picture itself.
+/// `radiusPX`: standard deviation of the blur, roughly, in pixels of mip 0. Up to a quarter: the picture itself.
 vec3 blurredPicture(sampler2D picture, vec2 uv, float radiusPX) {
     vec3 sharp = textureLod(picture, uv, 0.0).rgb;
     if (radiusPX <= 0.25)

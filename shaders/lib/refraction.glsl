@@ -15,17 +15,21 @@ struct Refraction {
     bool isTotal;     // none gets in: all of it is reflected
 };
 
+/// Normal maps and interpolation turn normals away from the eye; this one does not look away. All unit.
+vec3 facingNormal(vec3 N, vec3 V) {
+    float cosine = dot(N, V);
+    return cosine < 1e-3 ? normalizeOr(N + (1e-3 - cosine) * V, V) : N;
+}
+
 /// `N` faces the eye, `V` points to it; both unit. `ior` of the body against that around it; 0 (infinite) and thickness
 /// 0 bend nothing. `model`: kRefraction*.
 Refraction refractThrough(uint model, vec3 N, vec3 V, float ior, float thickness) {
     Refraction straight = Refraction(vec3(0.0), -V, -V, 0.0, false);
-    if (model == kRefractionStraight || thickness <= 0.0 || ior <= 0.0)
-        return straight;
     if (model == kRefractionThin)
         thickness = kThinWall;
-    float cosine = dot(N, V);
-    if (cosine < 1e-3) // normal maps and interpolation turn normals away from the eye
-        N = normalizeOr(N + (1e-3 - cosine) * V, V);
+    if (model == kRefractionStraight || thickness <= 0.0 || ior <= 0.0)
+        return straight;
+    N = facingNormal(N, V);
     vec3 inside = refract(-V, N, 1.0 / ior);
     if (dot(inside, inside) < 0.5)
         return Refraction(vec3(0.0), -V, reflect(-V, N), 0.0, true);

@@ -1,5 +1,5 @@
 // Makes every level of the depth pyramid (lib/pyramid.glsl) in one dispatch: each group reduces a tile of 64 pixels to
-// one cell of level 6, and the group that ends last reduces those. Runs only if there are rays to trace.
+// one cell of level 6, and the group that ends last reduces those. Runs if there are rays to trace, or layers whose rays may follow.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -40,7 +40,7 @@ layout(set = 0, binding = 36, rgba16f) uniform writeonly image2D refracted;     
 layout(set = 0, binding = 37, rgba16f) uniform writeonly image2D refractionWeights; // screen, probes, sky
 
 /// Farther away than this things are as good as infinitely far, metres.
-const float kFar = 1e5;
+const float kFar = 1e4;
 
 bool layerHas(uint flag) {
     return (refraction.flags & flag) != 0u;
@@ -57,6 +57,8 @@ struct Leaving {
     ivec2 px;          // that shows it
     bool mirrored;     // a reflection, of this normal
     vec3 normalVS;
+    float fade; // of what the screen says, [0, 1]
+    bool bent;  // else it is seen where it is, up to the border of the picture
 };
 
 /// Of the picture at `uv`, which shows what lies `distance` metres along the ray at `hitZ`. What is transparent there is
@@ -97,6 +99,8 @@ uint marchFrom(vec3 originVS, vec3 directionVS, vec3 normalVS, float maxDistance
     r.screen = makeScreenRay(frame.constants, originVS, directionVS, maxDistance);
     endPX = r.screen.startPX;
     distance = 0.0;
+    if (-originVS.z < frame.constants.nearZ)
+        return kOutcomeBehindCamera;
     if (!onScreen(endPX))
         return kOutcomeOffScreen;
     r.px = ivec2(endPX);
@@ -119,8 +123,8 @@ uint marchFrom(vec3 originVS, vec3 directionVS, vec3 normalVS, float maxDistance
 /// 1 well inside the picture, 0 at its border.
 float borderFade(Leaving ray, vec2 uv) {
     if (!ray.mirrored)
-        return fadeBorderLinear(uv, settings.borderWidth);
-    float weight = 1.0;
+        return ray.bent ? fadeBorderLinear(uv, settings.borderWidth) : 1.0;
+    float weight = ray.fade;
     if (isOn(kFadeBorderSmooth))
         weight *= fadeBorderSmooth(uv);
     if (isOn(kFadeBorderLinear))
@@ -132,8 +136,8 @@ vec4 marchedAnswer(Leaving ray) {
     vec2 endPX;
     float distance;
     uint outcome =
-        marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS, settings.maxDistance,
-                  endPX, distance);
+        marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS,
+                  ray.mirrored ? settings.maxDistance : kFar, endPX, distance);
     // Where the picture shows the background at the ray's end, that is what the ray sees.
     bool answered = isAnswered(outcome) || outcome == kOutcomeSky;
     vec2 uv = endPX * frame.constants.invSize;
@@ -233,19 +237,19 @@ LayerSurface loadLayer(ivec2 px, float z) {
     s.here.perceptualRoughness = clamp(sanitize(material.a), 0.0, 1.0);
     s.positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
     s.toEyeVS = -viewDirection(frame.constants, s.positionVS);
+    s.here.normalVS = facingNormal(s.here.normalVS, s.toEyeVS);
 
     vec3 body = sanitize(texelFetch(layerBody, px, 0).xyz);
     vec4 absorption = texelFetch(layerAbsorption, px, 0);
     uint asked = refraction.flags & kLayerModelMask;
     s.model = asked != 0u ? asked - 1u : min(uint(body.z + 0.5), kRefractionThin);
     s.ior = body.x;
-    if (refraction.ior > 0.0) { // and reflects as such a body does
+    if (refraction.ior > 0.0 && maxComponent(texelFetch(layerTransmittance, px, 0).rgb) > 0.0) {
+        // and reflects as such a body does
         s.ior = refraction.ior;
         s.here.f0 = vec3(dielectricF0(s.ior));
     }
     s.thickness = (refraction.thickness >= 0.0 ? refraction.thickness : body.y) * refraction.thicknessMultiplier;
-    if (asked == kRefractionThin + 1u)
-        s.thickness = kThinWall; // of walls that the host gives no thickness too
     vec4 override = vec4(unpackHalf2x16(refraction.transmittance.x), unpackHalf2x16(refraction.transmittance.y));
     s.attenuationColor = override.a > 0.0 ? override.rgb : clamp(sanitize(absorption.rgb), 0.0, 1.0);
     s.attenuationDistance = refraction.absorptionDistance >= 0.0 ? refraction.absorptionDistance : sanitize(absorption.a);
@@ -261,14 +265,14 @@ vec3 pictureAt(ivec2 px) {
 
 Leaving mirrorRay(LayerSurface s, ivec2 px) {
     vec3 direction = reflect(-s.toEyeVS, s.here.normalVS);
+    float fade = fadeRoughness(s.here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness);
     return Leaving(s.positionVS, direction, s.here.perceptualRoughness, 0.0, s.centerWS, s.here.viewZ, px, true,
-                   s.here.normalVS);
+                   s.here.normalVS, fade, true);
 }
 
 vec3 reflectedRadiance(LayerSurface s, ivec2 px, out float weight) {
     Leaving ray = mirrorRay(s, px);
-    float fade = fadeRoughness(ray.roughness, settings.roughnessFadeStart, settings.maxRoughness);
-    bool askScreen = layerHas(kLayerScreen) && fade > 0.0 && maxComponent(s.here.f0) > settings.threshold;
+    bool askScreen = layerHas(kLayerScreen) && ray.fade > 0.0 && maxComponent(s.here.f0) > settings.threshold;
     vec3 weights;
     vec3 radiance = walk(ray, askScreen, false, weights);
     weight = weights.x + weights.y + weights.z;
@@ -293,13 +297,13 @@ vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
                                           s.attenuationDistance);
     }
     // Something may stand inside the body, or reach into it.
-    if (path.pathLength > 0.0) {
+    if (path.pathLength > 0.0 && layerHas(kLayerScreen)) {
         vec2 endPX;
         float distance;
         uint outcome = marchFrom(entryVS, path.insideDir, -path.insideDir, path.pathLength, endPX, distance);
         if (isAnswered(outcome) && onScreen(endPX)) {
             Leaving inside = Leaving(entryVS, path.insideDir, roughness, 0.0, s.centerWS, s.here.viewZ, px, false,
-                                     s.here.normalVS);
+                                     s.here.normalVS, 1.0, bent);
             vec3 endVS = entryVS + path.insideDir * distance;
             return pictureRadiance(inside, endPX * frame.constants.invSize, distance, max(-endVS.z, 1e-4)) *
                    volumeTransmittance(distance, s.attenuationColor, s.attenuationDistance);
@@ -307,7 +311,7 @@ vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
     }
     vec3 transmittance = volumeTransmittance(path.pathLength, s.attenuationColor, s.attenuationDistance);
     Leaving ray = Leaving(entryVS + path.exit, path.direction, roughness, path.pathLength, s.centerWS, s.here.viewZ, px,
-                          false, s.here.normalVS);
+                          false, s.here.normalVS, 1.0, bent);
     vec3 radiance = walk(ray, layerHas(kLayerScreen), layerHas(kLayerProxy), weights);
     return (radiance + (1.0 - weights.x - weights.y - weights.z) * left) * transmittance;
 }

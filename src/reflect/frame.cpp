@@ -30,7 +30,8 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
     makeTables(frame);
     turnHistory();
     prepare(frame, view);
-    if (desc.settings.screen.enabled) {
+    const bool reflects = anySource() || desc.settings.debug.outcome;
+    if (reflects && desc.settings.screen.enabled) {
         classify(frame);
         prepareBackFaces(frame);
         if (techniqueFor(desc.settings.screen.march).usesPyramid || expectsLayers())
@@ -42,7 +43,8 @@ void FrameState::record(gpu::Frame& frame, const View& view) {
         if (expectsLayers())
             makePyramid(frame);
     }
-    askLaterSources(frame);
+    if (reflects)
+        askLaterSources(frame);
     combine(frame);
     compose(frame);
     if (desc.statistics && tracesRays())
@@ -254,6 +256,8 @@ void FrameState::askLaterSources(gpu::Frame& frame) {
 
 /// Bit s: source s.
 uint32_t FrameState::takingPart() const {
+    if (desc.settings.reflect.strength <= 0)
+        return 0;
     const auto bit = [](bool on, uint32_t source) { return on ? 1u << source : 0u; };
     return bit(desc.settings.screen.enabled, shared::kSourceScreen) | bit(usesRays(), shared::kSourceRays) |
            bit(usesPlanar(), shared::kSourcePlanar) | bit(usesProbes(), shared::kSourceProbes) |
@@ -383,6 +387,7 @@ void FrameState::bringUpToDate(gpu::Frame& frame) {
 
 void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
     bringUpToDate(frame);
+    const bool layers = recorded && expectsLayers();
     const shared::ViewConstants constants = {which, traceConstants(desc.settings, hasBackFaces).maxSteps};
     frame.pass(pipelines.view)
         .read("frame", frameConstants)
@@ -395,8 +400,8 @@ void FrameState::recordView(gpu::Frame& frame, uint32_t which) {
         .read("weights", reflected.weights)
         .read("planarAnswer", usesPlanar() ? planarSource->answer() : black)
         .read("probesAnswer", usesProbes() ? probesSource->answer() : black)
-        .read("refracted", expectsLayers() ? refraction->refracted() : black)
-        .read("refractionWeights", expectsLayers() ? refraction->weights() : black)
+        .read("refracted", layers ? refraction->refracted() : black)
+        .read("refractionWeights", layers ? refraction->weights() : black)
         .write("view", viewImage)
         .push(constants)
         .dispatch(desc.width, desc.height);

@@ -103,7 +103,10 @@ struct FrameState {
     /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
     bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
     /// Layers may follow: there has to be a picture to lay them over, and what their rays go through.
-    bool expectsLayers() const { return refraction && desc.settings.refraction.enabled; }
+    /// Not over debug colours, which are no light.
+    bool expectsLayers() const {
+        return refraction && desc.settings.refraction.enabled && !desc.settings.debug.outcome;
+    }
     void restartAccumulation();
     /// Errors: Unsupported, OutOfMemory.
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);

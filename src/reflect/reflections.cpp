@@ -20,7 +20,6 @@ using reflect::giveBack;
 using reflect::handOut;
 using reflect::isInNoLayout;
 using reflect::kHandedOut;
-using reflect::stateOf;
 
 constexpr uint32_t kMaxSize = 16384; ///< pixels a side: what every Vulkan 1.3 desktop device can hold
 
@@ -323,8 +322,9 @@ Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const Trans
         return picture;
     if (picture.image != state.composite.handle())
         return invalidArgument("a layer's picture is not the one that record returned");
-    state_->lendInputs();
-    state.composite.states()[0] = stateOf(picture); // the host may have drawn over it since
+    state.inputs.environment = borrow(state_->environment.cube, "environment", state_->environment.mips, 6);
+    state.composite.states()[0] = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, 0, 0,
+                                   picture.layout}; // the host may have drawn over it since
     reflect::LayerImages images = {borrow(layer.depth, "layer.depth"),
                                    borrow(layer.normal, "layer.normal"),
                                    borrow(layer.material, "layer.material"),
@@ -346,7 +346,7 @@ Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const Trans
     giveBack(frame, images.absorption, layer.absorption);
     giveBack(frame, images.body, layer.body);
     giveBack(frame, images.objectCenter, layer.objectCenter);
-    state_->giveBackInputs(frame);
+    giveBack(frame, state.inputs.environment, state_->environment.cube);
     return handOut(state.composite);
 }
 

@@ -1,7 +1,6 @@
 #include "render/gpu_scene.hpp"
 
 #include "gpu/transfer.hpp"
-#include "render/body_shape.hpp"
 
 #include <algorithm>
 
@@ -114,6 +113,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
     const auto defaultMaterial = static_cast<uint32_t>(scene.materials.size());
     const bool moved = lastTransforms_.size() == pose.items.size();
     std::vector<shared::Instance> instances;
+    std::vector<BodyShape> shapes;
     items_.clear();
     transmitsLight_ = false;
     for (size_t i = 0; i < pose.items.size(); ++i) {
@@ -128,7 +128,9 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.topology = item.geometry->topology;
         out.surface = surfaceClass(material);
         out.doubleSided = material.doubleSided;
-        const BodyShape shape = bodyShape(material, *item.geometry);
+        // Decided once: things that move and bend stay what they are.
+        const BodyShape shape = moved ? lastShapes_[i] : bodyShape(material, *item.geometry);
+        shapes.push_back(shape);
         out.isBody = shape != BodyShape::Straight;
         transmitsLight_ |= render::transmitsLight(material);
         out.mirrored = glm::determinant(glm::mat3(item.localToWorld)) < 0;
@@ -145,6 +147,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
     }
     GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/instances", instances, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
     instances_ = std::move(buffer);
+    lastShapes_ = std::move(shapes);
     return {};
 }
 

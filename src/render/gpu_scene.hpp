@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/resources.hpp"
+#include "render/body_shape.hpp"
 #include "render/gpu_materials.hpp"
 #include "scene/pose.hpp"
 #include "shared/gpu_scene.h"
@@ -63,6 +64,7 @@ private:
     std::vector<GpuItem> items_;
     bool transmitsLight_ = false;
     std::vector<glm::mat4> lastTransforms_;            ///< of the pose before, by item
+    std::vector<BodyShape> lastShapes_;                ///< by item
     std::vector<std::vector<glm::vec3>> lastDeformed_; ///< positions of the pose before, by place in Pose::deformed
     scene::Bounds boundsWS_;
 };

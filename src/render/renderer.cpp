@@ -47,6 +47,7 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOpti
     GLINT_TRY(behind, TransparentPass::makeBehind(*context_, scene_, width, height));
     GLINT_CHECK(display_.resize(*context_, width, height, settings_.display));
     target_ = {std::move(gbuffer), std::move(behind)};
+    layersFit_ = false;
     gbufferOptions_ = options;
     return rehearse();
 }
@@ -70,6 +71,7 @@ Result<void> Renderer::makePasses(const GBufferOptions& options) {
 
 /// After the way in which they cast shadows has changed.
 Result<void> Renderer::remakePasses() {
+    layersFit_ = false;
     GLINT_CHECK(makePasses(gbufferOptions_));
     return rehearse();
 }
@@ -202,6 +204,8 @@ void Renderer::drawTransparent(gpu::Frame& frame, gpu::Image& hdr, RenderTarget&
 }
 
 Result<void> Renderer::makeLayers(uint32_t most) {
+    if (layers_ && layersFit_ && layers_->count() == most)
+        return {};
     layers_.reset();
     if (most == 0)
         return {};
@@ -212,6 +216,7 @@ Result<void> Renderer::makeLayers(uint32_t most) {
     gpu::Frame frame = gpu::Frame::rehearsal(*context_);
     peelLayers(frame);
     drawLayer(frame, 0);
+    layersFit_ = true;
     return frame.firstError();
 }
 

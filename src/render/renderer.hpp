@@ -118,6 +118,7 @@ private:
     BackFacePass backFaces_;
     TransparentPass transparent_;
     std::optional<TransparentLayers> layers_;
+    bool layersFit_ = false; ///< they were made for the G-buffer and the passes that there are
     DisplayPass display_;
     RenderTarget target_;
     GBufferOptions gbufferOptions_;

@@ -136,7 +136,8 @@ struct JobSession::State {
 
     /// Is what comes through transparent surfaces the library's matter?
     bool refracts() const {
-        return job_.settings.reflections.refraction.enabled && renderer_->scene().transmitsLight();
+        const Settings& settings = job_.settings.reflections;
+        return settings.refraction.enabled && !settings.debug.outcome && renderer_->scene().transmitsLight();
     }
 
     /// Made anew for other settings: some of them are decided when it is created.
@@ -303,7 +304,6 @@ struct JobSession::State {
         for (uint32_t i = layers.count(); i-- > 0;) {
             LayerImages& images = renderer_->drawLayer(frame, i);
             const TransparentLayer layer = lendLayer(frame, layers.depth(i), images);
-            lendGBuffer(frame, renderer_->gbuffer()); // peeling may have left it in another layout
             lendEnvironment(frame);
             GLINT_TRY(over, reflections_->recordLayer(commands, layer, lit));
             lit = over;

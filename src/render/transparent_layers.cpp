@@ -36,6 +36,14 @@ void drawTransparent(gpu::Frame& frame, const GpuScene& scene, const MakePass& m
 Result<TransparentLayers> TransparentLayers::create(gpu::Context& context, const GpuScene& scene,
                                                     const GBufferOptions& options, const RayWorld* rayWorld,
                                                     uint32_t width, uint32_t height, uint32_t most) {
+    constexpr uint32_t kImages = 8;
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
+    if (properties.properties.limits.maxColorAttachments < kImages)
+        return makeError(ErrorCode::Unsupported,
+                         "{} draws into {} images at a time, layers of transparent surfaces need {}: set "
+                         "refraction.enabled to false",
+                         context.info().name, properties.properties.limits.maxColorAttachments, kImages);
     TransparentLayers result;
     const bool manySamples = options.mode == GBufferMode::Prepass && options.samples > 1;
     const VkFormat normalFormat = GBuffer::colorFormats(context)[0];

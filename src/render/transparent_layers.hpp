@@ -19,7 +19,8 @@ struct LayerImages {
 
 class TransparentLayers {
 public:
-    /// Up to `most` layers of a picture of this size. Errors: OutOfMemory.
+    /// Up to `most` layers of a picture of this size. Errors: OutOfMemory; Unsupported on a device that draws into
+    /// fewer than eight images at a time.
     static Result<TransparentLayers> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
                                             const RayWorld* rayWorld, uint32_t width, uint32_t height, uint32_t most);
 

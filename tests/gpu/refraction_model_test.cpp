@@ -43,7 +43,7 @@ Expected oracle(const Item& item) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(item.normal));
     const glm::dvec3 d = -glm::normalize(glm::dvec3(item.toEye));
     const double t = item.model == shared::kRefractionThin ? 0.005 : double(item.thickness);
-    if (item.model == shared::kRefractionStraight || item.thickness <= 0)
+    if (item.model == shared::kRefractionStraight || t <= 0)
         return {{}, d, 0, false};
     const glm::dvec3 inside = snell(d, n, 1 / double(item.ior));
     if (inside == glm::dvec3(0))
@@ -120,6 +120,13 @@ TEST_F(RefractionModelTest, NothingIsBentByWhatIsNotThere) {
         }
         EXPECT_EQ(got[1].exit, glm::vec3(0));
         EXPECT_EQ(got[1].pathLength, 0);
+    }
+}
+
+TEST_F(RefractionModelTest, APaneIsFiveMillimetresWhateverItsMaterialSays) {
+    for (const float thickness : {0.f, 0.3f}) {
+        const std::vector<Item> got = evaluate({{at(0), at(60), shared::kRefractionThin, 1.5f, thickness}});
+        EXPECT_NEAR(got[0].pathLength, 0.005 / std::sqrt(1 - 0.75 / 2.25), 1e-6);
     }
 }
 

@@ -251,6 +251,8 @@ TEST_F(RefractionTest, TotalReflectionShowsTheMirrorImage) {
     size_t looked = 0;
     for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
         const glm::dvec3 d = camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        if (-glm::dot(d, surface.normalWS) < 0.05) // such a surface would not be seen
+            continue;
         const glm::dvec3 at = camera_.position + d * ((-1.5 - camera_.position.z) / d.z);
         const glm::dvec3 wall = wallPoint(at, glm::reflect(d, surface.normalWS));
         const glm::dvec2 px = camera_.project(wall, kWidth, kHeight);
@@ -388,6 +390,24 @@ TEST_F(RefractionTest, WhatCannotBeIsSaid) {
         EXPECT_THAT(said(with, drawn.layer, g_.gbuffer.litRadiance), testing::HasSubstr("not the one"));
         EXPECT_TRUE(with.recordLayer(commands, drawn.layer, picture));
     });
+}
+
+TEST_F(RefractionTest, WithoutReflectionsTheSolidPictureIsTheHosts) {
+    const TestEnvironment sky =
+        TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(3); });
+    g_ = SyntheticGBuffer::render(
+        gpu(),
+        [](const glm::dvec3& origin, const glm::dvec3& direction) {
+            std::optional<SyntheticSurface> s = room(origin, direction);
+            s->f0 = glm::vec3(0.5f);
+            s->radiance = glm::vec3(1, 2, 3); // halves hold it
+            return s;
+        },
+        camera_, kWidth, kHeight);
+    Settings still;
+    still.reflect.strength = 0;
+    const auto nothing = [](const glm::dvec3&, const glm::dvec3&) { return std::optional<LayerSurface>(); };
+    EXPECT_EQ(over({nothing}, still, sky.map), download(gpu(), g_.gbuffer.litRadiance));
 }
 
 TEST_F(RefractionTest, SwitchedOffItCostsNothing) {

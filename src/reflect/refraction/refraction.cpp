@@ -68,6 +68,16 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
 
 Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, uint32_t width, uint32_t height,
                                                        bool views) {
+    constexpr uint32_t kSampled = 20; // in the larger of its passes
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
+    const VkPhysicalDeviceLimits& limits = properties.properties.limits;
+    const uint32_t most = std::min(limits.maxPerStageDescriptorSamplers, limits.maxPerStageDescriptorSampledImages);
+    if (most < kSampled)
+        return makeError(ErrorCode::Unsupported,
+                         "transparent layers read {} images in a pass, but {} allows {}: make these reflections "
+                         "without ReflectionsDesc::transparentLayers",
+                         kSampled, context.info().name, most);
     std::unique_ptr<Refraction> result(new Refraction(context));
     GLINT_TRY(alone, gpu::Pipeline::compute(context, {"refraction/layer", sizeof(LayerConstants), {}}));
     GLINT_TRY(depth, gpu::Pipeline::compute(context, {"refraction/layers_depth", 0, {}}));
@@ -106,8 +116,10 @@ Result<void> Refraction::setProbes(ProbesState& probes) {
 }
 
 void Refraction::begin(gpu::Frame& frame, gpu::Image& composite) {
-    frame.copy(composite, solid_);
-    frame.makeMips(solid_);
+    frame.scope("refraction/solidPicture", [&] {
+        frame.copy(composite, solid_);
+        frame.makeMips(solid_);
+    });
     frame.clear(layersZ_, {.float32 = {shared::kBackgroundZ}});
     frame.clear(refracted_, {});
     frame.clear(weights_, {});
@@ -115,8 +127,10 @@ void Refraction::begin(gpu::Frame& frame, gpu::Image& composite) {
 
 void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages& layer, const LayerInputs& inputs,
                         gpu::Image& composite) {
-    frame.copy(composite, behind_);
-    frame.makeMips(behind_);
+    frame.scope("refraction/picture", [&] {
+        frame.copy(composite, behind_);
+        frame.makeMips(behind_);
+    });
     ProbesState* probes = withProbes_ ? inputs.probes : nullptr;
     LayerConstants constants = {layerTraceConstants(settings, inputs.pyramid.levels),
                                 refractionConstants(settings, probes != nullptr, inputs.environment != nullptr)};

@@ -39,7 +39,7 @@ struct LayerInputs {
 /// Made if the host announced layers (ReflectionsDesc::transparentLayers).
 class Refraction {
 public:
-    /// `views`: keep what views show. Errors: OutOfMemory.
+    /// `views`: keep what views show. Errors: OutOfMemory; Unsupported on a device that reads too few images in a pass.
     static Result<std::unique_ptr<Refraction>> create(gpu::Context& context, uint32_t width, uint32_t height,
                                                       bool views);
 
