@@ -269,14 +269,14 @@
         "hdrp:absorptionDistance")
 
 #define GLINT_ORDER_SETTINGS(SETTING)                                                                                  \
-    SETTING(int, screen, 1, "[0, 9]", "",                                                                              \
+    SETTING(int, screen, 2, "[0, 9]", "",                                                                              \
         "Place of the screen source in the walk: smaller is asked first, equal ones in the order of this list",        \
         "")                                                                                                            \
-    SETTING(int, rays, 2, "[0, 9]", "",                                                                                \
+    SETTING(int, rays, 3, "[0, 9]", "",                                                                                \
         "Place of rays; before the screen they are traced for every pixel that reflects",                              \
         "")                                                                                                            \
-    SETTING(int, planar, 3, "[0, 9]", "",                                                                              \
-        "Place of planar mirrors",                                                                                     \
+    SETTING(int, planar, 1, "[0, 9]", "",                                                                              \
+        "Place of planar mirrors, which also show what is hidden, off screen and rough",                               \
         "")                                                                                                            \
     SETTING(int, probes, 4, "[0, 9]", "",                                                                              \
         "Place of probes",                                                                                             \

@@ -1,6 +1,7 @@
 // Sources together on whole scenes, held against rays for everything: each of the 32 choices of the five renders, and
-// with planar mirrors, probes or the sky on top the picture is not worse. (The screen's answers are sharp where
-// surfaces are not, and rays have noise: docs/techniques/composite.md has the figures.)
+// with planar mirrors, probes or the sky on top, or the screen where no probes answer, the picture is not worse. (The
+// screen's answers are sharp where surfaces are not, up to 9 % worse than probes in the hall, and rays have noise:
+// docs/techniques/composite.md has the figures.)
 #include "image/job_test.hpp"
 #include "render/bake_job.hpp"
 #include "render/probe_file.hpp"
@@ -79,8 +80,10 @@ protected:
 
     static void expectMoreIsNotWorse(const std::array<double, 32>& error) {
         for (unsigned sources = 0; sources < error.size(); ++sources)
-            for (const unsigned source : {kPlanar, kProbes, kSky}) {
+            for (const unsigned source : {kScreen, kPlanar, kProbes, kSky}) {
                 const unsigned more = sources | source;
+                if (source == kScreen && (sources & kProbes) != 0)
+                    continue;
                 EXPECT_LE(error[more], 1.03 * error[sources] + 0.05) << nameOf(more) << "against " << nameOf(sources);
             }
     }
