@@ -58,6 +58,12 @@ float probeWeight(ProbeRecord probe, vec3 positionWS, vec3 normalWS, vec3 direct
     return depth * depth * (3.0 - 2.0 * depth) * probe.weight;
 }
 
+/// [0, 1], of all light of an object with this centre.
+float probeWeightOfObject(ProbeRecord probe, vec3 centerWS) {
+    float depth = influenceDepth(probe, intoVolume(probe.worldToInfluence, vec4(centerWS, 1.0)));
+    return smoothstep(0.0, 1.0, depth) * probe.weight;
+}
+
 /// Metres along the ray to where it leaves the proxy, >= 0; from outside of a box or past a sphere what is nearest to
 /// that, so that pictures have no seam at its faces.
 float proxyDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS) {

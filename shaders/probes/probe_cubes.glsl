@@ -24,45 +24,38 @@ vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float s
     return sanitize(sanitize(radiance) * probe.strength);
 }
 
-/// Mean radiance and weight, at most `left`. `flags`: kProbes*.
-vec4 probesAnswer(vec3 positionWS, vec3 normalWS, vec3 directionWS, float perceptualRoughness, float left, uint flags) {
-    uvec2 range = probesAround(positionWS);
+/// Of the probes around `weighedWS`; `ofObject`: an object's centre, which has no normal and looks everywhere.
+vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, vec3 directionWS,
+               float perceptualRoughness, float left, uint flags) {
+    uvec2 range = probesAround(weighedWS);
     vec3 sum = vec3(0.0);
     float total = 0.0;
     for (uint i = range.x; i < range.y && total < left; ++i) {
         ProbeRecord probe = probes.list[probeLists.probe[i]];
-        float weight = min(probeWeight(probe, positionWS, normalWS, directionWS), left - total);
+        float weight = ofObject ? probeWeightOfObject(probe, weighedWS)
+                                : probeWeight(probe, weighedWS, normalWS, directionWS);
+        weight = min(weight, left - total);
         if (weight <= 0.0)
             continue;
-        float surfaceToHit = distanceToHit(probe, positionWS, directionWS, flags);
-        if (surfaceToHit < 0.0)
+        float distance = distanceToHit(probe, positionWS, directionWS, flags);
+        if (distance < 0.0)
             continue;
-        sum += weight * probeRadiance(probe, positionWS, directionWS, surfaceToHit, perceptualRoughness, flags);
+        sum += weight * probeRadiance(probe, positionWS, directionWS, distance, perceptualRoughness, flags);
         total += weight;
     }
     return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
+}
+
+/// Mean radiance and weight, at most `left`. `flags`: kProbes*.
+vec4 probesAnswer(vec3 positionWS, vec3 normalWS, vec3 directionWS, float perceptualRoughness, float left, uint flags) {
+    return askProbes(positionWS, false, positionWS, normalWS, directionWS, perceptualRoughness, left, flags);
 }
 
 /// The same for light that leaves an object at `positionWS`: all of it asks the probes that hold the object's centre, so
 /// that no seam of theirs runs across it.
 vec4 probesAnswerOfObject(vec3 centerWS, vec3 positionWS, vec3 directionWS, float perceptualRoughness, float left,
                           uint flags) {
-    uvec2 range = probesAround(centerWS);
-    vec3 sum = vec3(0.0);
-    float total = 0.0;
-    for (uint i = range.x; i < range.y && total < left; ++i) {
-        ProbeRecord probe = probes.list[probeLists.probe[i]];
-        float depth = influenceDepth(probe, intoVolume(probe.worldToInfluence, vec4(centerWS, 1.0)));
-        float weight = min(smoothstep(0.0, 1.0, depth) * probe.weight, left - total);
-        if (weight <= 0.0)
-            continue;
-        float exitToHit = distanceToHit(probe, positionWS, directionWS, flags);
-        if (exitToHit < 0.0)
-            continue;
-        sum += weight * probeRadiance(probe, positionWS, directionWS, exitToHit, perceptualRoughness, flags);
-        total += weight;
-    }
-    return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
+    return askProbes(centerWS, true, positionWS, vec3(0.0), directionWS, perceptualRoughness, left, flags);
 }
 
 #endif

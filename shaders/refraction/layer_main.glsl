@@ -155,7 +155,7 @@ float proxyReach(Leaving ray) {
     uvec2 range = probesAround(ray.centerWS);
     for (uint i = range.x; i < range.y; ++i) {
         ProbeRecord probe = probes.list[probeLists.probe[i]];
-        if (influenceDepth(probe, intoVolume(probe.worldToInfluence, vec4(ray.centerWS, 1.0))) * probe.weight <= 0.0)
+        if (probeWeightOfObject(probe, ray.centerWS) <= 0.0)
             continue;
         return probe.proxyShape == kProbeNoProxy ? kFar : proxyDistance(probe, originWS, toWorld(ray.directionVS));
     }

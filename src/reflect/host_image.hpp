@@ -11,23 +11,17 @@ inline constexpr gpu::Use kHandedOut = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                         VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
                                         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 
-/// As the host says it is.
-inline gpu::ResourceState stateOf(const HostImage& host) {
-    gpu::ResourceState state;
-    state.writeStages = host.stages;
-    state.writeAccess = host.access;
-    state.layout = host.layout;
-    return state;
-}
-
 /// In the state that the host says it is in; empty for an absent one.
 inline gpu::Image borrow(const HostImage& host, const char* name, uint32_t mips = 1, uint32_t layers = 1) {
     if (!host)
         return {};
+    gpu::ResourceState state;
+    state.writeStages = host.stages;
+    state.writeAccess = host.access;
+    state.layout = host.layout;
     return gpu::Image::borrow(
         host.image, host.view,
-        {name, host.format, host.width, host.height, mips, layers, gpu::ImageShape::Flat, 0, host.samples},
-        stateOf(host));
+        {name, host.format, host.width, host.height, mips, layers, gpu::ImageShape::Flat, 0, host.samples}, state);
 }
 
 /// The host finds its image in the layout in which it gave it.
