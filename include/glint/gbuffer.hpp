@@ -60,6 +60,10 @@ struct Conventions {
     /// Stored motion times this is previous UV - current UV, x and y: {-1, -1} for the opposite sign, {0.5f, -0.5f} for
     /// clip space with +Y up, {1 / width, 1 / height} for pixels. Jitter is left out of motion.
     float motionScale[2] = {1, 1};
+    /// The alpha of `litRadiance` holds the share of its light, summed over linear channels, that is no light's
+    /// highlight; where several samples are averaged, their mean. Highlights belong to the eye, and a mirror that shows
+    /// them where the eye sees them shows lamps that are not there: screen.highlights leaves them out.
+    bool highlightsInAlpha = false;
 };
 
 /// All images have one size (but for backDepth) and are sampled (VK_IMAGE_USAGE_SAMPLED_BIT). A host that draws with

@@ -55,7 +55,10 @@
         "babylon:textureType=0:rgba8|2:rgba16f")                                                                       \
     SETTING(ColorSource, colorSource, ColorSource::Current, "", "",                                                    \
         "Where a hit takes its colour: this frame, or the previous one with its own reflections, reprojected",         \
-        "hdrp:colorSource")
+        "hdrp:colorSource")                                                                                            \
+    SETTING(bool, highlights, false, "", "",                                                                           \
+        "Hits show lights' highlights where the eye sees them; off: smooth surfaces lose them, if the host tells",     \
+        "")
 
 #define GLINT_HIZ_SETTINGS(SETTING)                                                                                    \
     SETTING(int, minLevel, 0, "[0, 14]", "",                                                                           \

@@ -21,5 +21,5 @@ vec3 backgroundRadiance(vec3 directionWS) {
 }
 
 void main() {
-    outLitRadiance = vec4(backgroundRadiance(viewRay()), 0.0);
+    outLitRadiance = vec4(backgroundRadiance(viewRay()), 1.0);
 }

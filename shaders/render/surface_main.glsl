@@ -2,6 +2,7 @@
 // gbuffer.mode prepass. geometry.frag and shading.frag are its two halves.
 #include "lib/octahedral.glsl"
 #include "render/lighting_bindings.glsl"
+#include "render/lit_outputs.glsl"
 #include "render/surface_visible.glsl"
 
 layout(location = 0) out vec2 outNormal;
@@ -16,15 +17,12 @@ void main() {
     SurfacePoint point = interpolatedPoint();
     MaterialSample surface = visibleSurface(point);
     vec3 V = viewVector();
-    Lighting lighting = lightSurface(surface, point, V);
-    if (view.constants.highlights == 0u)
-        lighting.directSpecular = vec3(0.0);
+    Lighting lighting = shownLighting(surface, point, V);
 
     outNormal = encodeOctahedral(surface.normalWS);
     outMaterial = vec4(reflectionF0(surface, V), surface.perceptualRoughness);
     outMotion = motion();
-    // Half floats end at 65504: an infinity would spread through every blur that comes after.
-    outLitRadiance = vec4(min(totalRadiance(lighting), vec3(65000.0)), 1.0);
-    outFallbackSpecular = vec4(min(lighting.environmentSpecular, vec3(65000.0)), 1.0);
+    outLitRadiance = litRadiance(lighting);
+    outFallbackSpecular = fallbackSpecular(lighting);
     outAlbedo = vec4(surface.baseColor, 1.0);
 }

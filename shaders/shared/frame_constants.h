@@ -57,6 +57,9 @@ GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
 
 GLINT_CONSTANT(uint, kInputResolved, 262144); // material is to be read as prepare resolved it: F0 and coverage
 
+// Hits leave highlights out: litRadiance's alpha is the share of its light without them.
+GLINT_CONSTANT(uint, kInputHighlights, 524288);
+
 GLINT_CONSTANT(uint, kHostMaterialF0Roughness, 0);
 GLINT_CONSTANT(uint, kHostMaterialMetallicRoughness, 1);
 GLINT_CONSTANT(uint, kHostMaterialSpecularGlossiness, 2);

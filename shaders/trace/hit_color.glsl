@@ -109,16 +109,32 @@ bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
     return abs(dot(normalVS, directionVS)) > growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
 }
 
+/// Of a hit's light at `px` that shows from elsewhere too. Highlights of smooth surfaces are where the eye sees them and
+/// nowhere else; those of rough ones are wide, and show from all around.
+float shareWithoutHighlights(vec4 stored, float perceptualRoughness) {
+    if ((frame.constants.flags & kInputHighlights) == 0u)
+        return 1.0;
+    const float kSmooth = 0.2;
+    const float kRough = 0.6;
+    return mix(clamp(sanitize(stored.a), 0.0, 1.0), 1.0, smoothstep(kSmooth, kRough, perceptualRoughness));
+}
+
+vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
+    vec4 stored = texelFetch(litRadiance, px, 0);
+    return linearColor(stored.rgb, (frame.constants.flags & kInputGamma) != 0u) *
+           shareWithoutHighlights(stored, perceptualRoughness);
+}
+
 /// Of this frame, at `px`: the texel there, or where texels look large, bilinear over those of the four that show the
 /// same surface, by depth and normal. A marcher that promises one lookup (GLINT_ONE_TEXEL_A_HIT) takes the texel.
 vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
-    bool encoded = (frame.constants.flags & kInputGamma) != 0u;
     ivec2 at = ivec2(px);
-    vec3 nearest = linearColor(texelFetch(litRadiance, at, 0).rgb, encoded);
+    Surface met = unpackSurface(texelFetch(surface, at, 0).xy);
+    vec3 nearest = shownRadiance(at, met.perceptualRoughness);
 #ifdef GLINT_ONE_TEXEL_A_HIT
     return nearest;
 #else
-    vec3 normalVS = unpackSurface(texelFetch(surface, at, 0).xy).normalVS;
+    vec3 normalVS = met.normalVS;
     if (!isMagnified(hitVS, normalVS, originVS))
         return nearest;
     float z = texelFetch(viewZ, at, 0).r;
@@ -145,7 +161,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
                     abs(dot(normalVS, viewPosition(frame.constants, uv, texelZ) - texelVS)) <= offPlane &&
                     dot(normalVS, unpackSurface(texelFetch(surface, texel, 0).xy).normalVS) > kLike;
         if (same)
-            sum += weight * vec4(linearColor(texelFetch(litRadiance, texel, 0).rgb, encoded), 1.0);
+            sum += weight * vec4(shownRadiance(texel, met.perceptualRoughness), 1.0);
     }
     return sum.rgb / sum.a; // the texel at `px` has a share of a quarter at least
 #endif

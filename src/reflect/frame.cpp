@@ -117,6 +117,7 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     flag(static_cast<bool>(inputs.motion), shared::kInputMotion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
     flag(usesHistory, shared::kInputHistory);
+    flag(conventions.highlightsInAlpha && !settings.screen.highlights, shared::kInputHighlights);
     flag(historyGamma, shared::kHistoryGamma);
     flag(settings.input.colorIsGamma, shared::kInputGamma);
     flag(settings.output.colorIsGamma, shared::kOutputGamma);

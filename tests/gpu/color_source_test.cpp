@@ -77,6 +77,41 @@ TEST_F(ColorSourceTest, previousTakesTheLastFramesColours) {
     EXPECT_GT(count(frame(made, red.gbuffer), kRed), 1000u);
 }
 
+TEST_F(ColorSourceTest, highlightsOfSmoothSurfacesStayWithTheEye) {
+    const glm::vec3 shown(2, 1, 0.5f);
+    constexpr float kShare = 0.25f;
+    const auto wallOf = [&](float perceptualRoughness) -> SyntheticScene {
+        return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+            auto hit = floorAndWall()(origin, direction);
+            if (hit && hit->f0.x == 0) {
+                hit->radiance = shown;
+                hit->withoutHighlights = kShare;
+                hit->perceptualRoughness = perceptualRoughness;
+            }
+            return hit;
+        };
+    };
+    const auto pixelsThatShow = [](const Picture& picture, const glm::vec3& color) {
+        return std::pair(count(picture, color), count(picture, kShare * color));
+    };
+    for (const float resolutionScale : {1.0f, 0.5f}) {
+        Settings settings = plainSettings();
+        settings.screen.resolutionScale = resolutionScale;
+        Reflections made = reflections(kWidth, kHeight, settings);
+        SyntheticGBuffer smooth = render(wallOf(0.1f));
+        SyntheticGBuffer rough = render(wallOf(0.8f));
+        const auto [untold, untoldLess] = pixelsThatShow(frame(made, smooth.gbuffer), shown);
+        EXPECT_GT(untold, 1000u) << "alpha means nothing yet";
+        EXPECT_EQ(untoldLess, 0u);
+        smooth.gbuffer.conventions.highlightsInAlpha = rough.gbuffer.conventions.highlightsInAlpha = true;
+        EXPECT_EQ(pixelsThatShow(frame(made, smooth.gbuffer), shown), std::pair(size_t{0}, untold));
+        EXPECT_EQ(pixelsThatShow(frame(made, rough.gbuffer), shown), std::pair(untold, size_t{0}));
+        settings.screen.highlights = true;
+        must(made.setSettings(settings));
+        EXPECT_EQ(pixelsThatShow(frame(made, smooth.gbuffer), shown), std::pair(untold, size_t{0}));
+    }
+}
+
 TEST_F(ColorSourceTest, aSmallerTraceRemembersToo) {
     const SyntheticGBuffer red = render(litBy(floorAndWall(), kRed));
     const SyntheticGBuffer green = render(litBy(floorAndWall(), kGreen));
