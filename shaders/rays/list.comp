@@ -52,7 +52,7 @@ void main() {
             record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
             bool reflects = record.outcome == kOutcomeNone;
             needsRay = reflects && !takeAll(settings.before, px);
-            if (reflects && !needsRay && takesBack(screenRay(px))) { // whether or not a ray answers in its place
+            if (reflects && !needsRay && takesBack(screenRay(px))) { // even if others then have all and no ray is needed
                 needsRay = !takeAll(settings.before & ~(1u << kSourceScreen), px);
                 route = kRaysReplaceScreen;
             }
