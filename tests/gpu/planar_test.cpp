@@ -291,7 +291,7 @@ TEST_F(RaysAfterMirrorsTest, framesThatAreAddedUpLeaveTheMirrorAlone) {
     };
     const Picture without = secondFrame(others);
     const Picture with = secondFrame(settings);
-    EXPECT_EQ(with.statistics.scene.pixels, beside_);
+    EXPECT_LE(with.statistics.scene.pixels, beside_); // some get no ray, as theirs would go below the surface
     expectMirrorIn(with, without);
 }
 
