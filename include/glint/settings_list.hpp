@@ -276,7 +276,7 @@
         "Place of the screen source in the walk: smaller is asked first, equal ones in the order of this list",        \
         "")                                                                                                            \
     SETTING(int, rays, 3, "[0, 9]", "",                                                                                \
-        "Place of rays; before the screen they are traced for every pixel that reflects",                              \
+        "Place of rays, which are traced only where the sources before leave something",                                \
         "")                                                                                                            \
     SETTING(int, planar, 1, "[0, 9]", "",                                                                              \
         "Place of planar mirrors, which also show what is hidden, off screen and rough",                               \

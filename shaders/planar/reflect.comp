@@ -23,7 +23,7 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 } frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(scalar, set = 0, binding = 7) readonly buffer PlanarBlock {
+layout(scalar, set = 0, binding = 9) readonly buffer PlanarBlock {
     PlanarRecord list[];
 } mirrors;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D planarAnswer; // radiance, weight

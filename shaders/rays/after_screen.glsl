@@ -8,8 +8,13 @@
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 #include "rays/shown_pixel.glsl"
+#include "shared/hierarchy.h"
 
 layout(set = 0, binding = 23) uniform usampler2D screenRecord;
+
+bool isAfterScreen() {
+    return (settings.before & (1u << kSourceScreen)) != 0u;
+}
 
 /// How the screen's ray of a pixel ended.
 RayRecord screenRay(ivec2 px) {
@@ -38,8 +43,7 @@ bool isCertain(RayRecord ray) {
 
 /// The screen's answer does not count for this pixel: rays know it better.
 bool takesBack(RayRecord ray) {
-    return (settings.flags & kRaysAfterScreen) != 0u && isAnswered(ray.outcome) &&
-           (!isCertain(ray) || metReflector(ray));
+    return isAfterScreen() && isAnswered(ray.outcome) && (!isCertain(ray) || metReflector(ray));
 }
 
 #endif

@@ -1,8 +1,10 @@
-// Finds the pixels that the source `rays` has to answer for, and lists them. The others get their answer here: none.
+// Finds the pixels that the source `rays` has to answer for, and lists them: those that reflect and of which the sources
+// before leave something. The others get their answer here: none.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "hierarchy/taken_before.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 #include "shared/frame_constants.h"
@@ -17,8 +19,7 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(set = 0, binding = 3) uniform sampler2D screenAnswer;
-layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D raysRadianceWeight;
+layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D raysRadianceWeight;
 layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(push_constant, scalar) uniform PushBlock {
     RaysConstants settings;
@@ -35,24 +36,30 @@ uint whyNoRay(Surface here) {
     return here.perceptualRoughness > settings.maxRoughness ? kOutcomeTooRough : kOutcomeNone;
 }
 
-bool isAnsweredOnScreen(ivec2 px) {
+/// Bit s of `sources`: source s.
+bool takeAll(uint sources, ivec2 px) {
     const float kAll = 1.0 - 1.0 / 512.0; // the rest is less than a ray could add
-    return (settings.flags & kRaysAfterScreen) != 0u && texelFetch(screenAnswer, px, 0).a >= kAll &&
-           !takesBack(screenRay(px));
+    return takenBefore(sources, px) >= kAll;
 }
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     bool needsRay = false;
+    uint route = 0u;
     if (all(lessThan(px, ivec2(frame.constants.size)))) {
         RayRecord record = RayRecord((vec2(px) + 0.5) * frame.constants.invSize, 0.0, 0u, kOutcomeNone, false);
         if (texelFetch(viewZ, px, 0).r < kBackgroundZ) {
             record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
-            needsRay = record.outcome == kOutcomeNone && !isAnsweredOnScreen(px);
+            bool reflects = record.outcome == kOutcomeNone;
+            needsRay = reflects && !takeAll(settings.before, px);
+            if (reflects && !needsRay && takesBack(screenRay(px))) { // even if others then have all and no ray is needed
+                needsRay = !takeAll(settings.before & ~(1u << kSourceScreen), px);
+                route = kRaysReplaceScreen;
+            }
         }
         imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer for each
         if (!needsRay)
-            imageStore(raysRecord, px, uvec4(packRayRecord(record), 0u, 0u));
+            imageStore(raysRecord, px, uvec4(packRayRecord(record), route, 0u));
     }
     listRay(needsRay, px);
 }

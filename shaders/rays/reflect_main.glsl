@@ -142,7 +142,7 @@ Path pathFromScreen(PixelRays from, RayRecord screen, uint i) {
 
 /// Does the first hit of this pixel's only path stand in the screen's answer?
 bool startsOnScreen(bool mirror, RayRecord screen) {
-    return mirror && isOn(kRaysAfterScreen) && isCertain(screen) && metReflector(screen) &&
+    return mirror && isAfterScreen() && isCertain(screen) && metReflector(screen) &&
            frame.constants.traceSize == frame.constants.size;
 }
 

@@ -6,7 +6,7 @@
 
 GLINT_SHARED_BEGIN
 
-GLINT_CONSTANT(uint, kOutcomeNone, 0);         // no ray: background
+GLINT_CONSTANT(uint, kOutcomeNone, 0);         // no ray: background, or the sources before `rays` left nothing
 GLINT_CONSTANT(uint, kOutcomeHit, 1);          // met a visible surface
 GLINT_CONSTANT(uint, kOutcomeSky, 2);          // ended over the background
 GLINT_CONSTANT(uint, kOutcomeOffScreen, 3);    // left the picture

@@ -17,16 +17,15 @@ struct RaysConstants {
     uint cullMask;
     uint lightCount;
     float reuseRoughness;
+    uint before; ///< bit s: source s (shared/hierarchy.h) is asked before
 };
 
 GLINT_CONSTANT(uint, kRaysAlphaTest, 1);          // texels may let a ray through
 GLINT_CONSTANT(uint, kRaysMirror, 2);             // mirror directions only, whatever the roughness
 GLINT_CONSTANT(uint, kRaysEnvironment, 4);        // the environment answers where a ray meets nothing
 GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8); // the host's own diffuse light is there
-GLINT_CONSTANT(uint, kRaysAfterScreen, 16);       // only for what the screen source left
-GLINT_CONSTANT(uint, kRaysAccumulate, 32);        // the frames before, of the same view, count as well
-
-GLINT_CONSTANT(uint, kRaysReuseLight, 64); // of surfaces that the picture shows
+GLINT_CONSTANT(uint, kRaysAccumulate, 16);        // the frames before, of the same view, count as well
+GLINT_CONSTANT(uint, kRaysReuseLight, 32);        // of surfaces that the picture shows
 
 // Third word of the source's record, behind those of lib/ray_record.glsl: hits whose light was the picture's (low 12
 // bits), and

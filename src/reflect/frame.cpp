@@ -245,9 +245,9 @@ void FrameState::denoise(gpu::Frame& frame) {
 
 /// Those that ask what others have left, in the user's order.
 void FrameState::askLaterSources(gpu::Frame& frame) {
-    if (usesRays())
-        traceScene(frame);
     for (const uint32_t source : sourceOrder(desc.settings)) {
+        if (source == shared::kSourceRays && usesRays())
+            traceScene(frame);
         if (source == shared::kSourcePlanar && usesPlanar())
             lookUpMirrors(frame);
         if (source == shared::kSourceProbes && usesProbes())
@@ -268,28 +268,27 @@ uint32_t FrameState::takingPart() const {
 EarlierAnswers FrameState::answersBefore(uint32_t source) {
     const uint32_t before = takingPart() & sourcesBefore(sourceOrder(desc.settings), source);
     const auto has = [&](uint32_t other) { return (before & (1u << other)) != 0; };
-    gpu::Image* other = &black;
-    if (has(shared::kSourcePlanar))
-        other = &planarSource->answer();
-    else if (has(shared::kSourceProbes))
-        other = &probesSource->answer();
-    return {before, has(shared::kSourceScreen) ? *denoised.answer : black,
+    return {before,
+            has(shared::kSourceScreen) ? *denoised.answer : black,
             has(shared::kSourceRays) ? raysSource->answer() : black,
-            has(shared::kSourceRays) ? raysSource->rayRecord() : traced.rayRecord, *other};
+            has(shared::kSourceRays) ? raysSource->rayRecord() : traced.rayRecord,
+            has(shared::kSourcePlanar) ? planarSource->answer() : black,
+            has(shared::kSourceProbes) ? probesSource->answer() : black};
 }
 
-/// The source `rays`, for what the screen left, or for all if it is asked first.
+EarlierAnswers FrameState::noAnswersBefore() {
+    return {0, black, black, traced.rayRecord, black, black};
+}
+
 void FrameState::traceScene(gpu::Frame& frame) {
-    const uint32_t before = takingPart() & sourcesBefore(sourceOrder(desc.settings), shared::kSourceRays);
-    const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;
     gpu::Image& environment = inputs.environment ? inputs.environment : blackCube;
     gpu::Image& diffuse = inputs.environmentDiffuse ? inputs.environmentDiffuse : blackCube;
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, afterScreen ? denoised.answer : nullptr, traced.rayRecord,
+                       {frameConstants, prepared, answersBefore(shared::kSourceRays), traced.rayRecord,
                         resolvesMaterial() ? prepared.material : inputs.material, inputs.litRadiance,
                         inputs.fallbackSpecular ? inputs.fallbackSpecular : black,
                         static_cast<bool>(inputs.environment), environment,
-                        static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, black, sameView});
+                        static_cast<bool>(inputs.environmentDiffuse), diffuse, dfg, sameView});
 }
 
 void FrameState::lookUpMirrors(gpu::Frame& frame) {
@@ -571,8 +570,8 @@ Result<void> FrameState::giveScene() {
         GLINT_CHECK(raysSource->setScene(*rayScene, shadeHits));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
     raysSource->record(frame, desc.settings,
-                       {frameConstants, prepared, nullptr, traced.rayRecord, black, black, black, false, blackCube,
-                        false, blackCube, dfg, black, false});
+                       {frameConstants, prepared, noAnswersBefore(), traced.rayRecord, black, black, black, false,
+                        blackCube, false, blackCube, dfg, false});
     return frame.firstError();
 }
 
@@ -583,8 +582,7 @@ Result<void> FrameState::setPlanar(PlanarState& planar) {
     }
     GLINT_CHECK(planarSource->setPlanar(planar));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
-    planarSource->record(frame, desc.settings,
-                         {frameConstants, lastFrame, prepared, {0, black, black, traced.rayRecord, black}});
+    planarSource->record(frame, desc.settings, {frameConstants, lastFrame, prepared, noAnswersBefore()});
     return frame.firstError();
 }
 
@@ -595,7 +593,7 @@ Result<void> FrameState::setProbes(ProbesState& probes) {
     }
     GLINT_CHECK(probesSource->setProbes(probes));
     gpu::Frame frame = gpu::Frame::rehearsal(*context);
-    probesSource->record(frame, desc.settings, {frameConstants, prepared, {0, black, black, traced.rayRecord, black}});
+    probesSource->record(frame, desc.settings, {frameConstants, prepared, noAnswersBefore()});
     if (refraction) {
         GLINT_CHECK(refraction->setProbes(probes));
         rehearseLayer(frame);

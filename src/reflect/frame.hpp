@@ -153,6 +153,7 @@ private:
     void lookUpProbes(gpu::Frame& frame);
     uint32_t takingPart() const;
     EarlierAnswers answersBefore(uint32_t source);
+    EarlierAnswers noAnswersBefore();
     gpu::Image& rayRecord();
     void forgetTrace(gpu::Frame& frame);
     void combine(gpu::Frame& frame);

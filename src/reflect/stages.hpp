@@ -76,14 +76,16 @@ struct EarlierAnswers {
     gpu::Image& screen;
     gpu::Image& rays;
     gpu::Image& raysRecord; ///< which of the screen's answers rays replaced; of no matter without rays
-    gpu::Image& other;      ///< planar's or the probes', whichever does not ask
+    gpu::Image& planar;
+    gpu::Image& probes;
 
     /// As shaders/hierarchy/taken_before.glsl declares them.
     gpu::Pass& bind(gpu::Pass& pass) const {
-        return pass.read("screenAnswer", screen)
-            .read("raysAnswer", rays)
-            .read("raysRecord", raysRecord)
-            .read("otherAnswer", other);
+        return pass.read("earlierScreen", screen)
+            .read("earlierRays", rays)
+            .read("earlierRaysRecord", raysRecord)
+            .read("earlierPlanar", planar)
+            .read("earlierProbes", probes);
     }
 };
 

@@ -1,5 +1,6 @@
 // The source `planar` as a host meets it: pictures handed over, what they answer for, and what cannot be.
 #include "gpu/support/library_test.hpp"
+#include "gpu/support/surface_scene.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <gmock/gmock.h>
@@ -162,6 +163,155 @@ TEST_F(PlanarSourceTest, noMirrorsCostNothing) {
     must(reflections.setPlanar(none));
     for (const PassTime& time : LibraryTest::trace(reflections, camera_.view(kWidth, kHeight)).passTimes)
         EXPECT_NE(time.name, "planar/reflect");
+}
+
+/// Half of the room's floor is a mirror of which there is a picture; rays find a shining ceiling.
+class RaysAfterMirrorsTest : public PlanarSourceTest {
+protected:
+    /// The screen's weight is below 1 on the floor, and rays take back its hits on the walls, which shine. These are
+    /// too rough for rays of their own.
+    static std::optional<SyntheticSurface> roughRoom(const glm::dvec3& origin, const glm::dvec3& direction) {
+        std::optional<SyntheticSurface> surface = room(origin, direction);
+        const bool floor = surface->f0.x > 0;
+        surface->f0 = glm::vec3(floor ? 1 : 0.04f);
+        surface->perceptualRoughness = floor ? 0.3f : 0.45f;
+        return surface;
+    }
+    static SurfaceScene ceiling() {
+        SurfaceScene scene;
+        scene.addQuad({-10, 3, -10}, {20, 0, 0}, {0, 0, 20}, emitting({0.5f, 0.25f, 0.125f}));
+        return scene;
+    }
+    static PlanarMirror halfFloor() {
+        PlanarMirror half = floorMirror();
+        half.centerWS[0] -= 1;
+        half.halfExtents[0] = 1;
+        return half;
+    }
+    static Settings raysAnd(bool screen, bool planar) {
+        Settings settings = plainSettings();
+        settings.screen.enabled = screen;
+        settings.reflect.roughnessFadeStart = 0;
+        settings.planar.enabled = planar;
+        settings.sky.enabled = false;
+        settings.rays.enabled = true;
+        settings.rays.maxRoughness = 0.4f;
+        return settings;
+    }
+    Picture look(const Settings& settings) {
+        must(reflections_.setSettings(settings));
+        return LibraryTest::trace(reflections_, camera_.view(kWidth, kHeight));
+    }
+    void SetUp() override {
+        PlanarSourceTest::SetUp();
+        run([&](VkCommandBuffer commands) {
+            must(planar_.record(commands, 0, drawn_.picture));
+            world_.rays.record(commands);
+            world_.surfaces.record(commands);
+        });
+        must(reflections_.setInputs(rough_.gbuffer));
+        must(reflections_.setPlanar(planar_));
+        must(reflections_.setRays(world_.rays, world_.surfaces));
+        Settings alone = raysAnd(false, true);
+        alone.rays.enabled = false;
+        mirror_ = look(alone);
+        for (size_t i = 0; i < mirror_.pixels(); ++i)
+            (isInMirror(i) ? inMirror_ : beside_) += 1;
+        for (uint32_t y = 0; y < kHeight; ++y)
+            for (uint32_t x = 0; x < kWidth; ++x)
+                if (wallPoint(camera_.position, camera_.rayThrough(x, y, kWidth, kHeight)).y > 1e-9)
+                    --beside_;
+    }
+    bool isInMirror(size_t pixel) const { return mirror_.reflection[pixel * 4] > 0; } ///< its picture is nowhere black
+    /// The mirror's pixels as it shows them alone, to the bit, and the others as in `others`.
+    void expectMirrorIn(const Picture& picture, const Picture& others) const {
+        for (size_t i = 0; i < picture.pixels(); ++i)
+            for (size_t c = 0; c < 4; ++c) {
+                const Picture& expected = isInMirror(i) ? mirror_ : others;
+                ASSERT_EQ(picture.reflection[i * 4 + c], expected.reflection[i * 4 + c]) << i;
+                ASSERT_EQ(picture.composite[i * 4 + c], expected.composite[i * 4 + c]) << i;
+            }
+    }
+
+    const PlanarMirror half_ = halfFloor();
+    SyntheticGBuffer rough_ = SyntheticGBuffer::render(gpu(), roughRoom, camera_, kWidth, kHeight);
+    Drawn drawn_ = draw(mirroredView(camera_.view(kWidth, kHeight), half_), kWidth, kHeight);
+    PlanarMirrors planar_ = mirrors({half_});
+    SurfaceScene scene_ = ceiling();
+    SurfaceScene::World world_ = scene_.build(gpu(), library(), RayBackend::Bvh);
+    Reflections reflections_ = reflections(kWidth, kHeight);
+    Picture mirror_;      ///< planar mirrors alone
+    size_t inMirror_ = 0; ///< pixels
+    size_t beside_ = 0;   ///< of the floor
+};
+
+TEST_F(RaysAfterMirrorsTest, raysAreTracedOnlyBesideTheMirror) {
+    ASSERT_GT(inMirror_, 1000u);
+    ASSERT_GT(beside_, 1000u);
+    for (const bool screen : {false, true}) {
+        const Picture without = look(raysAnd(screen, false));
+        EXPECT_EQ(without.statistics.scene.pixels, inMirror_ + beside_);
+        const Picture with = look(raysAnd(screen, true));
+        EXPECT_EQ(with.statistics.scene.pixels, beside_);
+        EXPECT_EQ(with.statistics.scene.rays, beside_);
+        expectMirrorIn(with, without);
+    }
+}
+
+TEST_F(RaysAfterMirrorsTest, hostsShadeNoHitsInTheMirror) {
+    must(reflections_.setRays(world_.rays, [](VkCommandBuffer, const RayHits&) {}));
+    EXPECT_EQ(look(raysAnd(true, false)).statistics.scene.pixels, inMirror_ + beside_);
+    EXPECT_EQ(look(raysAnd(true, true)).statistics.scene.pixels, beside_);
+}
+
+TEST_F(RaysAfterMirrorsTest, raysThatComeBeforeAreTracedForAll) {
+    Settings settings = raysAnd(true, true);
+    settings.order.rays = 0;
+    EXPECT_EQ(look(settings).statistics.scene.pixels, inMirror_ + beside_);
+}
+
+/// Between screen and rays: the screen's answer is taken back although the mirror leaves nothing for rays.
+TEST_F(RaysAfterMirrorsTest, aMirrorGetsWhatRaysTakeBackFromTheScreen) {
+    Settings settings = raysAnd(true, true);
+    settings.order.screen = 0;
+    const Picture picture = look(settings);
+    EXPECT_EQ(picture.statistics.scene.pixels, beside_);
+    EXPECT_GT(picture.statistics.scene.replaced, 0u);
+    expectMirrorIn(picture, look(raysAnd(true, false)));
+}
+
+TEST_F(RaysAfterMirrorsTest, framesThatAreAddedUpLeaveTheMirrorAlone) {
+    Settings settings = raysAnd(true, true);
+    settings.rays.accumulate = true;
+    Settings others = raysAnd(true, false);
+    others.rays.accumulate = true;
+    const auto secondFrame = [&](const Settings& asked) {
+        look(asked);
+        return LibraryTest::trace(reflections_, camera_.view(kWidth, kHeight));
+    };
+    const Picture without = secondFrame(others);
+    const Picture with = secondFrame(settings);
+    EXPECT_LE(with.statistics.scene.pixels, beside_); // some get no ray, as theirs would go below the surface
+    expectMirrorIn(with, without);
+}
+
+TEST_F(RaysAfterMirrorsTest, neitherAreRaysTracedWhereProbesOrTheSkyComeFirst) {
+    const Settings byDefault = raysAnd(true, false);
+    TestEnvironment sky = TestEnvironment::make(gpu(), 4, 1, [](const auto&, uint32_t) { return glm::vec3(1); });
+    Probe probe;
+    probe.influence = probe.proxyVolume = {{0.5f, 1.5f, -1}, {0, 0, 0, 1}, {3, 3, 3}};
+    must(reflections_.setInputs(rough_.gbuffer, sky.map));
+    const TestVolumes probes = TestVolumes::giveTo(reflections_, gpu(), library(), {probe});
+    const auto pixels = [&](const Settings& settings) { return look(settings).statistics.scene.pixels; };
+    EXPECT_EQ(pixels(byDefault), inMirror_ + beside_);
+    Settings settings = byDefault;
+    settings.order.probes = 0;
+    EXPECT_EQ(pixels(settings), 0u);
+    settings.probes.enabled = false;
+    EXPECT_EQ(pixels(settings), inMirror_ + beside_);
+    settings.sky.enabled = true;
+    settings.order.sky = 0;
+    EXPECT_EQ(pixels(settings), 0u);
 }
 
 TEST_F(PlanarSourceTest, whatCannotBeIsNamed) {

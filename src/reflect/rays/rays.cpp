@@ -100,14 +100,15 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     constants.reuseRoughness = rays.reuseRoughness;
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
     constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
+    constants.before = inputs.earlier.before;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(rays.alphaTest, shared::kRaysAlphaTest);
     flag(rays.lobe == RayLobe::Mirror || (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1), shared::kRaysMirror);
     flag(inputs.hasEnvironment && settings.sky.enabled, shared::kRaysEnvironment);
     flag(inputs.hasEnvironmentDiffuse, shared::kRaysEnvironmentDiffuse);
-    flag(inputs.screenAnswer != nullptr, shared::kRaysAfterScreen);
     flag(rays.accumulate, shared::kRaysAccumulate);
-    flag(rays.reuseLight && inputs.screenAnswer, shared::kRaysReuseLight);
+    const bool afterScreen = (inputs.earlier.before & (1u << shared::kSourceScreen)) != 0;
+    flag(rays.reuseLight && afterScreen, shared::kRaysReuseLight);
     return constants;
 }
 
@@ -127,17 +128,16 @@ void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysI
     const shared::RaysConstants constants = this->constants(settings, inputs);
     constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, {0, 0, 1}, {}};
     frame.update(rays_.list, &kNoRays, sizeof(kNoRays));
-    frame.pass(list_)
-        .read("frame", inputs.frameConstants)
+    gpu::Pass list = frame.pass(list_);
+    list.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
-        .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : inputs.black)
         .read("screenRecord", inputs.screenRecord)
         .readWrite("rays", rays_.list)
         .write("raysRadianceWeight", radianceWeight_)
-        .write("raysRecord", record_)
-        .push(constants)
-        .dispatch(radianceWeight_.width(), radianceWeight_.height());
+        .write("raysRecord", record_);
+    inputs.earlier.bind(list);
+    list.push(constants).dispatch(radianceWeight_.width(), radianceWeight_.height());
 
     if (!surfaces_) {
         recordHits(frame, inputs, constants);

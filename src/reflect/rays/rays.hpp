@@ -6,6 +6,7 @@
 #include "rays/scene.hpp"
 #include "reflect/rays/surface_table.hpp"
 #include "reflect/stages.hpp"
+#include "shared/hierarchy.h"
 #include "shared/rays_constants.h"
 
 namespace glint::reflect {
@@ -14,8 +15,8 @@ namespace glint::reflect {
 struct RaysInputs {
     gpu::Buffer& frameConstants;
     Prepared& prepared;
-    gpu::Image* screenAnswer; ///< null: no source stands before
-    gpu::Image& screenRecord; ///< how its rays ended
+    EarlierAnswers earlier;
+    gpu::Image& screenRecord; ///< how the screen's rays ended
     gpu::Image& material;     ///< F0: lib/resolved_material.glsl
     gpu::Image& litRadiance;
     gpu::Image& fallbackSpecular; ///< or black
@@ -24,8 +25,7 @@ struct RaysInputs {
     bool hasEnvironmentDiffuse;
     gpu::Image& environmentDiffuse; ///< or a black cube
     gpu::Image& dfg;
-    gpu::Image& black; ///< stands in for what is absent
-    bool sameView;     ///< as in the frame before
+    bool sameView; ///< as in the frame before
 };
 
 /// Made when the settings first ask for it.
