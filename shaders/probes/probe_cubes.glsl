@@ -6,11 +6,13 @@
 #include "probes/probe_march.glsl"
 
 /// Metres, infinite where nothing is met; negative: not this probe's to say.
-float distanceToHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, uint flags) {
+float distanceToHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
     if ((flags & kProbesParallax) == 0u)
         return 1e30;
     uint steps = probe.distances != 0u ? flags >> kProbesStepsShift : 0u;
-    float marched = steps > 0u ? marchedDistance(probe, positionWS, directionWS, steps) : kProbeUnseen;
+    float marched = kProbeUnseen;
+    if (steps > 0u)
+        marched = marchedDistance(probe, positionWS, directionWS, probeSearch(steps, perceptualRoughness));
     if (marched != kProbeUnseen)
         return marched;
     return probe.proxyShape == kProbeNoProxy ? 1e30 : proxyDistance(probe, positionWS, directionWS);
@@ -37,7 +39,7 @@ vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, ve
         weight = min(weight, left - total);
         if (weight <= 0.0)
             continue;
-        float distance = distanceToHit(probe, positionWS, directionWS, flags);
+        float distance = distanceToHit(probe, positionWS, directionWS, perceptualRoughness, flags);
         if (distance < 0.0)
             continue;
         sum += weight * probeRadiance(probe, positionWS, directionWS, distance, perceptualRoughness, flags);

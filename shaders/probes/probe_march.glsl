@@ -8,7 +8,8 @@
 
 layout(set = 1, binding = 0) uniform samplerCube cubes[];
 
-const uint kProbeHalvings = 6u;
+const uint kProbeHalvings = 6u;    // of a mirror's steps
+const uint kProbeFewestSteps = 4u; // of the widest lobes
 const float kProbeBias = 0.01;     // of the distance: what is nearer behind a surface may be the surface itself
 const float kProbeEdge = 0.1;      // a larger step, as a share of 1 / distance, parts two surfaces
 const float kProbeFarShown = 0.02; // in distances of the surface: as good as the sky, 50 times as far
@@ -44,8 +45,24 @@ vec2 behindShown(ProbeRay ray, float u, bool sharply) {
 const float kProbeUnseen = -1.0; // the picture does not say
 const float kProbeHidden = -2.0; // the ray goes into the sky or far away, behind something
 
+/// How closely a ray is followed: the points of one turn by half a circle at most, and what lies within the lobe
+/// around it is not told apart.
+struct ProbeSearch {
+    uint steps;
+    uint halvings;
+};
+
+ProbeSearch probeSearch(uint mostSteps, float perceptualRoughness) {
+    // Half of GGX's normals lean by less than alpha, which turns the mirrored direction twice as far; half of that is
+    // followed, as the middle of a lobe shows most.
+    float lobe = square(perceptualRoughness);
+    uint steps = uint(clamp(kPi / max(lobe, 1e-3), float(min(kProbeFewestSteps, mostSteps)), float(mostSteps)));
+    float turn = kPi / float(steps); // from one to the next; halved until it is half as wide as the lobe
+    return ProbeSearch(steps, uint(clamp(ceil(log2(2.0 * turn / max(lobe, 1e-3))), 1.0, float(kProbeHalvings))));
+}
+
 /// Metres to what the ray meets, infinite for the sky; or one of the above.
-float marchedDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, uint steps) {
+float marchedDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeSearch search) {
     vec3 from = positionWS - probe.capturePositionWS;
     float scale = max(length(from), 1e-6);
     ProbeRay ray = ProbeRay(from, scale * directionWS, probe.cube);
@@ -53,13 +70,13 @@ float marchedDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, uint
     float last = 0.0;
     float lastShown = 0.0;
     float hidden = kProbeUnseen; // the answer if the ray does not come out again
-    for (uint i = 0u; i <= steps; ++i) { // at 0: does the picture show the surface itself
-        float u = float(i) / float(steps);
+    for (uint i = 0u; i <= search.steps; ++i) { // at 0: does the picture show the surface itself
+        float u = float(i) / float(search.steps);
         vec2 at = behindShown(ray, u, false);
         if (at.x > 0.0 && before) {
             float front = last;
             float back = u;
-            for (uint h = 0u; h < kProbeHalvings; ++h) {
+            for (uint h = 0u; h < search.halvings; ++h) {
                 float middle = 0.5 * (front + back);
                 vec2 there = behindShown(ray, middle, true);
                 lastShown = there.x > 0.0 ? lastShown : there.y;
