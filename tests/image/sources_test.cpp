@@ -1,22 +1,13 @@
 // Sources together on whole scenes, held against rays for everything: each of the 32 choices of the five renders, and
 // with another one on top the picture is not worse. Rays, one a pixel, add their noise; with sixteen they make it
 // better. docs/techniques/composite.md has the figures.
-#include "image/job_test.hpp"
-#include "render/bake_job.hpp"
-#include "render/probe_file.hpp"
-#include "support/assets.hpp"
-#include "support/temp_folder.hpp"
-
-#include "base/file.hpp"
-#include "scene/builtin.hpp"
+#include "image/source_choices.hpp"
 
 #include <array>
 #include <cmath>
 
 namespace glint::test {
 namespace {
-
-constexpr unsigned kScreen = 1, kRays = 2, kPlanar = 4, kProbes = 8, kSky = 16, kSources = 5;
 
 std::string nameOf(unsigned sources) {
     constexpr std::array kNames = {"screen ", "rays ", "planar ", "probes ", "sky "};
@@ -28,80 +19,61 @@ std::string nameOf(unsigned sources) {
 
 class SourcesTest : public JobTest {
 protected:
-    static render::RenderJob makeJob(const std::string& scene) {
-        render::RenderJob job;
-        job.scene = scene;
-        job.width = 160;
-        job.height = 90;
-        job.display = true;
-        job.planar = render::MirrorSearch::Auto;
-        job.settings = settingsOf({"rays.bounces=2"});
-        return job;
-    }
-
-    static std::vector<uint8_t> draw(render::JobSession& session, render::ProgramSettings settings, unsigned sources,
+    static std::vector<uint8_t> draw(render::JobSession& session, const render::ProgramSettings& settings,
                                      uint32_t frames) {
-        Settings& on = settings.reflections;
-        on.screen.enabled = (sources & kScreen) != 0;
-        on.rays.enabled = (sources & kRays) != 0;
-        on.planar.enabled = (sources & kPlanar) != 0;
-        on.probes.enabled = (sources & kProbes) != 0;
-        on.sky.enabled = (sources & kSky) != 0;
         must(session.setSettings(settings));
         for (uint32_t frame = 0; frame < frames; ++frame)
             must(session.renderFrame(frame));
         return must(session.readView("composite")).rgb8;
     }
 
-    /// Mean difference from the reference in bytes, of every choice of sources.
-    static std::array<double, 32> errors(render::RenderJob job) {
+    /// Mean differences from the reference in bytes.
+    struct Errors {
+        std::array<double, 32> of = {}; ///< every choice of sources
+        double manyRays = 0;            ///< all of them, with 16 rays a pixel
+    };
+
+    static Errors errors(render::RenderJob job) {
         const TempFolder folder;
-        render::BakeOptions options;
-        options.most = 4;
-        options.faceSize = 128;
-        const render::ProbeSet set = must(render::runBakeJob(device(), job, options));
-        job.probes = folder + "scene.probes";
-        EXPECT_TRUE(writeFile(job.probes, render::encodeProbes(set)));
+        bakeProbes(device(), job, folder);
         render::JobSession session = must(render::JobSession::create(device(), job));
-        render::ProgramSettings settings = job.settings;
-        settings.reflections.rays.samples = 16;
-        settings.reflections.rays.accumulate = true;
-        const std::vector<uint8_t> reference = draw(session, settings, kRays | kSky, 4);
-        std::array<double, 32> out = {};
-        for (unsigned sources = 0; sources < out.size(); ++sources) {
-            const std::vector<uint8_t> picture = draw(session, job.settings, sources, 1);
+        const std::vector<uint8_t> reference = draw(session, referenceOf(job.settings, 16), 4);
+        const auto errorOf = [&](unsigned sources, int samples, const std::string& name) {
+            render::ProgramSettings settings = job.settings;
+            choose(settings, sources);
+            settings.reflections.rays.samples = samples;
+            const std::vector<uint8_t> picture = draw(session, settings, 1);
+            double sum = 0;
             for (size_t i = 0; i < picture.size(); ++i)
-                out[sources] += std::abs(int(picture[i]) - int(reference[i]));
-            out[sources] /= static_cast<double>(picture.size());
-            RecordProperty(nameOf(sources), std::to_string(out[sources]));
-        }
+                sum += std::abs(int(picture[i]) - int(reference[i]));
+            RecordProperty(name, std::to_string(sum / static_cast<double>(picture.size())));
+            return sum / static_cast<double>(picture.size());
+        };
+        Errors out;
+        for (unsigned sources = 0; sources < out.of.size(); ++sources)
+            out.of[sources] = errorOf(sources, 1, nameOf(sources));
+        out.manyRays = errorOf(kAll, 16, "all with 16 rays");
         return out;
     }
 
-    static void expectMoreIsNotWorse(const std::array<double, 32>& error) {
-        for (unsigned sources = 0; sources < error.size(); ++sources)
+    static void expectMoreIsNotWorse(const Errors& error) {
+        for (unsigned sources = 0; sources < error.of.size(); ++sources)
             for (const unsigned source : {kScreen, kPlanar, kProbes, kSky}) {
                 const unsigned more = sources | source;
-                EXPECT_LE(error[more], 1.03 * error[sources] + 0.05) << nameOf(more) << "against " << nameOf(sources);
+                EXPECT_LE(error.of[more], 1.03 * error.of[sources] + 0.05)
+                    << nameOf(more) << "against " << nameOf(sources);
             }
+        EXPECT_LT(error.manyRays, error.of[kAll & ~kRays]);
     }
 };
 
 TEST_F(SourcesTest, MoreAreNotWorseInAHall) {
-    render::RenderJob job = makeJob("builtin:hall");
-    for (const scene::BuiltinInfo& info : scene::builtinScenes()) // lit as our programs light it
-        if (info.name == "hall")
-            job.settings.render.environment.strength = info.environmentStrength;
-    expectMoreIsNotWorse(errors(job));
+    expectMoreIsNotWorse(errors(hallJob(160, 90)));
 }
 
 TEST_F(SourcesTest, MoreAreNotWorseInTheOpen) {
     GLINT_NEED_ASSET(path, "scenes/stage1.glb");
-    render::RenderJob job = makeJob(path);
-    job.camera = (assetsFolder() / "scenes/stage1.camera.json").string();
-    job.environment = (assetsFolder() / "env/lebombo_1k.hdr").string();
-    job.settings.render.environment.strength = 0.6f;
-    expectMoreIsNotWorse(errors(job));
+    expectMoreIsNotWorse(errors(openJob(path, 160, 90)));
 }
 
 } // namespace

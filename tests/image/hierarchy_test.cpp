@@ -1,0 +1,102 @@
+// The hierarchy on whole scenes: at each pixel the source that wins is the best there is, and where one takes over from
+// another a seam is seldom seen. docs/techniques/composite.md has the figures.
+#include "image/source_regret.hpp"
+#include "image/source_seams.hpp"
+
+#include <fmt/format.h>
+
+namespace glint::test {
+namespace {
+
+class HierarchyTest : public JobTest {
+protected:
+    static void record(const std::string& name, double value) { RecordProperty(name, fmt::format("{:.2f}", value)); }
+
+    static void record(const std::string& prefix, const Regret& regret) {
+        const double percent = 100 / static_cast<double>(regret.all.pixels);
+        record(prefix + "best %", 100 * regret.best);
+        record(prefix + "error", regret.all.error);
+        record(prefix + "regret", regret.all.regret);
+        for (size_t w = 0; w < kMeasured; ++w) {
+            const Regret::Winner& won = regret.winners[w];
+            const std::string name = prefix + kMeasuredNames[w];
+            record(name + " wins %", static_cast<double>(won.pixels) * percent);
+            record(name + " error", won.error);
+            record(name + " regret", won.regret);
+            for (size_t source = 0; source < kMeasured; ++source) {
+                const Regret::Instead& instead = won.instead[source];
+                if (instead.pixels == 0)
+                    continue;
+                const std::string other = name + ", instead " + kMeasuredNames[source];
+                record(other + " %", static_cast<double>(instead.pixels) * percent);
+                record(other + ", better %", static_cast<double>(instead.better) * percent);
+                record(other + ", error before", instead.error);
+                record(other + ", error", instead.itsOwn);
+            }
+        }
+    }
+
+    static void record(const std::string& name, const Steps& steps) {
+        if (steps.steps.empty())
+            return;
+        RecordProperty(name + " pairs", std::to_string(steps.steps.size()));
+        record(name + " mean", steps.mean());
+        record(name + " 95 %", steps.percentile95());
+        record(name + " seen %", 100 * steps.seen());
+    }
+
+    static void record(const std::string& name, const Takeover& takeover) {
+        record(name + " across", takeover.across);
+        record(name + " beside", takeover.beside);
+        record(name + " in a row %", 100 * takeover.inRow());
+    }
+
+    static void record(const std::string& prefix, const Seams& seams) {
+        record(prefix + "all", seams.all);
+        record(prefix + "inside", seams.inside);
+        for (size_t one = 0; one < kMeasured; ++one)
+            for (size_t other = one + 1; other < kMeasured; ++other)
+                record(prefix + kMeasuredNames[one] + " to " + kMeasuredNames[other], seams.between[one][other]);
+    }
+
+    /// The order is right: on the pixels that a source wins, any other that has an answer there would be worse on the
+    /// whole.
+    static void expectTheBest(const Regret& regret) {
+        for (size_t w = 0; w < kMeasured; ++w)
+            for (size_t source = 0; source < kMeasured; ++source) {
+                const Regret::Instead& instead = regret.winners[w].instead[source];
+                EXPECT_LE(instead.error, instead.itsOwn)
+                    << kMeasuredNames[w] << ", and " << kMeasuredNames[source] << " instead";
+            }
+    }
+
+    static Seams measure(const std::string& prefix, const SourcePictures& pictures) {
+        const Regret regret = regretOf(pictures);
+        record(prefix, regret);
+        expectTheBest(regret);
+        const Seams seams = SeamFinder(pictures).find();
+        record(prefix, seams);
+        return seams;
+    }
+
+    /// Steps in a row are what the eye sees as a seam. `most`: of all takeovers, a third above what was measured when
+    /// this was written (1.4 %, without mirrors 3.5 %), so that it does not become worse.
+    static void expectFewSeams(const Seams& seams, double most) { EXPECT_LE(seams.all.inRow(), most); }
+};
+
+TEST_F(HierarchyTest, TheBestWinsWithFewSeamsInAHall) {
+    const SourcePictures pictures = drawSources(device(), hallJob(320, 180), 5);
+    expectFewSeams(measure("", pictures), 0.018);
+    expectFewSeams(measure("no mirrors: ", withoutMirrors(pictures)), 0.047);
+}
+
+// Seams are seen here, and recorded: docs/techniques/composite.md says where.
+TEST_F(HierarchyTest, TheBestWinsInTheOpen) {
+    GLINT_NEED_ASSET(path, "scenes/stage1.glb");
+    const SourcePictures pictures = drawSources(device(), openJob(path, 320, 180), 16);
+    measure("", pictures);
+    measure("no mirrors: ", withoutMirrors(pictures));
+}
+
+} // namespace
+} // namespace glint::test

@@ -1,0 +1,69 @@
+// Whole scenes drawn with chosen sources of reflections, and by rays for everything, which those are held against.
+#pragma once
+
+#include "base/file.hpp"
+#include "image/job_test.hpp"
+#include "render/bake_job.hpp"
+#include "render/probe_file.hpp"
+#include "scene/builtin.hpp"
+#include "support/assets.hpp"
+#include "support/temp_folder.hpp"
+
+namespace glint::test {
+
+constexpr unsigned kScreen = 1, kRays = 2, kPlanar = 4, kProbes = 8, kSky = 16, kSources = 5, kAll = 31;
+
+inline void choose(render::ProgramSettings& settings, unsigned sources) {
+    Settings& on = settings.reflections;
+    on.screen.enabled = (sources & kScreen) != 0;
+    on.rays.enabled = (sources & kRays) != 0;
+    on.planar.enabled = (sources & kPlanar) != 0;
+    on.probes.enabled = (sources & kProbes) != 0;
+    on.sky.enabled = (sources & kSky) != 0;
+}
+
+/// Rays for everything; each frame adds `samples` a pixel.
+inline render::ProgramSettings referenceOf(render::ProgramSettings settings, uint32_t samples) {
+    choose(settings, kRays | kSky);
+    settings.reflections.rays.samples = samples;
+    settings.reflections.rays.accumulate = true;
+    return settings;
+}
+
+/// Displayed, with all sources at hand: planar mirrors are looked for, and two bounces are followed, as probes have
+/// them.
+inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
+    render::RenderJob job;
+    job.scene = "builtin:hall";
+    job.width = width;
+    job.height = height;
+    job.display = true;
+    job.planar = render::MirrorSearch::Auto;
+    job.settings = settingsOf({"rays.bounces=2"});
+    for (const scene::BuiltinInfo& info : scene::builtinScenes()) // lit as our programs light it
+        if (info.name == "hall")
+            job.settings.render.environment.strength = info.environmentStrength;
+    return job;
+}
+
+/// The same of spheres and a wall on an open floor.
+inline render::RenderJob openJob(const std::string& scene, uint32_t width, uint32_t height) {
+    render::RenderJob job = hallJob(width, height);
+    job.scene = scene;
+    job.camera = (assetsFolder() / "scenes/stage1.camera.json").string();
+    job.environment = (assetsFolder() / "env/lebombo_1k.hdr").string();
+    job.settings.render.environment.strength = 0.6f;
+    return job;
+}
+
+/// Bakes probes for the job, keeps them in `folder` and hands them to it.
+inline void bakeProbes(gpu::Context& device, render::RenderJob& job, const TempFolder& folder) {
+    render::BakeOptions options;
+    options.most = 4;
+    options.faceSize = 128;
+    const render::ProbeSet set = must(render::runBakeJob(device, job, options));
+    job.probes = folder + "scene.probes";
+    EXPECT_TRUE(writeFile(job.probes, render::encodeProbes(set)));
+}
+
+} // namespace glint::test
