@@ -35,6 +35,10 @@ struct TransparentLayer {
     /// May be absent. World position of the centre of the pixel's object, in 32-bit floats: probes are chosen there, so
     /// that no seam of theirs runs across an object.
     HostImage objectCenter;
+    /// May be absent. r: how much of each pixel shows transparent surfaces, [0, 1], from a host that draws with several
+    /// samples: pixels at edges, those of what stands before the layer too, get that part of it, also where `depth` has
+    /// nothing at the pixel's centre.
+    HostImage coverage;
 };
 
 } // namespace glint

@@ -30,6 +30,7 @@ layout(set = 0, binding = 28) uniform sampler2D layerTransmittance;
 layout(set = 0, binding = 29) uniform sampler2D layerAbsorption;
 layout(set = 0, binding = 30) uniform sampler2D layerBody;
 layout(set = 0, binding = 31) uniform sampler2D layerCenter;
+layout(set = 0, binding = 40) uniform sampler2D layerCoverage;
 layout(set = 0, binding = 32) uniform sampler2D behind;  // the picture so far, with mips
 layout(set = 0, binding = 38) uniform sampler2D solid;   // the picture without layers, with mips
 layout(set = 0, binding = 39) uniform sampler2D layersZ; // viewZ of the nearest layer that `behind` shows
@@ -355,6 +356,8 @@ void main() {
     if (z >= kBackgroundZ || z > texelFetch(viewZ, px, 0).r)
         return; // nothing of this layer is seen here
     vec3 result = layered(loadLayer(px, z), px);
+    if (layerHas(kLayerCoverage))
+        result = mix(pictureAt(px), result, saturate(sanitize(texelFetch(layerCoverage, px, 0).r)));
     if ((frame.constants.flags & kOutputGamma) != 0u)
         result = encodeSrgb(result);
     imageStore(composite, px, vec4(result, texelFetch(behind, px, 0).a));

@@ -1,6 +1,6 @@
 // The depth of a transparent surface, if it is seen and lies behind those of the layer before. Everitt 2001,
 // "Interactive Order-Independent Transparency": depth peeling, from the eye on.
-#include "render/surface_bindings.glsl"
+#include "render/transparent_present.glsl"
 
 layout(set = 0, binding = 10) uniform sampler2D nearerLayer; // its depth
 
@@ -16,10 +16,6 @@ void main() {
         discard;
     if (kBehindAnother && gl_FragCoord.z >= texelFetch(nearerLayer, px, 0).r)
         discard;
-    Material material = drawnMaterial();
-    if ((material.flags & (kMaterialAlphaMask | kMaterialAlphaBlend)) != 0u) {
-        float alpha = sampleBaseColor(material, interpolatedPoint()).a;
-        if ((material.flags & kMaterialAlphaMask) != 0u ? alpha < material.alphaCutoff : alpha <= 0.0)
-            discard;
-    }
+    if (!isTransparentPresent())
+        discard;
 }

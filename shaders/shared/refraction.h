@@ -33,7 +33,8 @@ GLINT_CONSTANT(uint, kLayerProbes, 64);
 GLINT_CONSTANT(uint, kLayerSky, 128);
 GLINT_CONSTANT(uint, kLayerFallback, 256); // images that are there
 GLINT_CONSTANT(uint, kLayerCenters, 512);
-GLINT_CONSTANT(uint, kLayerViews, 1024); // keep what views show
+GLINT_CONSTANT(uint, kLayerCoverage, 1024);
+GLINT_CONSTANT(uint, kLayerViews, 2048); // keep what views show
 
 GLINT_SHARED_END
 

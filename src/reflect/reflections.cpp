@@ -8,6 +8,7 @@
 #include "reflect/views.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -100,29 +101,41 @@ Result<void> checkEnvironment(const EnvironmentMap& environment) {
 }
 
 /// Of a layer: one sample a pixel, and for most there is no stand-in.
-Result<void> checkLayerImage(const HostImage& image, const char* name, bool optional, const ReflectionsDesc& desc) {
-    if (optional && !image)
-        return {};
-    if (!image.image || !image.view)
-        return invalidArgument("the layer's `{}` is missing: hand over an image and its view", name);
-    if (image.width != desc.width || image.height != desc.height)
-        return invalidArgument("the layer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
-                               image.width, image.height, desc.width, desc.height);
-    if (image.samples != 1)
-        return invalidArgument("the layer's `{}` has {} samples a pixel, but must have 1", name, image.samples);
-    return checkLayout(image, name);
-}
+struct LayerImage {
+    const char* name;
+    HostImage TransparentLayer::*host;
+    gpu::Image reflect::LayerImages::*borrowed;
+    bool optional;
+};
+
+constexpr std::array<LayerImage, 10> kLayerImages = {{
+    {"depth", &TransparentLayer::depth, &reflect::LayerImages::depth, false},
+    {"normal", &TransparentLayer::normal, &reflect::LayerImages::normal, false},
+    {"material", &TransparentLayer::material, &reflect::LayerImages::material, false},
+    {"radiance", &TransparentLayer::radiance, &reflect::LayerImages::radiance, false},
+    {"fallbackSpecular", &TransparentLayer::fallbackSpecular, &reflect::LayerImages::fallbackSpecular, true},
+    {"transmittance", &TransparentLayer::transmittance, &reflect::LayerImages::transmittance, false},
+    {"absorption", &TransparentLayer::absorption, &reflect::LayerImages::absorption, false},
+    {"body", &TransparentLayer::body, &reflect::LayerImages::body, false},
+    {"objectCenter", &TransparentLayer::objectCenter, &reflect::LayerImages::objectCenter, true},
+    {"coverage", &TransparentLayer::coverage, &reflect::LayerImages::coverage, true},
+}};
 
 Result<void> checkLayer(const TransparentLayer& layer, const ReflectionsDesc& desc) {
-    GLINT_CHECK(checkLayerImage(layer.depth, "depth", false, desc));
-    GLINT_CHECK(checkLayerImage(layer.normal, "normal", false, desc));
-    GLINT_CHECK(checkLayerImage(layer.material, "material", false, desc));
-    GLINT_CHECK(checkLayerImage(layer.radiance, "radiance", false, desc));
-    GLINT_CHECK(checkLayerImage(layer.fallbackSpecular, "fallbackSpecular", true, desc));
-    GLINT_CHECK(checkLayerImage(layer.transmittance, "transmittance", false, desc));
-    GLINT_CHECK(checkLayerImage(layer.absorption, "absorption", false, desc));
-    GLINT_CHECK(checkLayerImage(layer.body, "body", false, desc));
-    return checkLayerImage(layer.objectCenter, "objectCenter", true, desc);
+    for (const auto& [name, host, borrowed, optional] : kLayerImages) {
+        const HostImage& image = layer.*host;
+        if (optional && !image)
+            continue;
+        if (!image.image || !image.view)
+            return invalidArgument("the layer's `{}` is missing: hand over an image and its view", name);
+        if (image.width != desc.width || image.height != desc.height)
+            return invalidArgument("the layer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
+                                   image.width, image.height, desc.width, desc.height);
+        if (image.samples != 1)
+            return invalidArgument("the layer's `{}` has {} samples a pixel, but must have 1", name, image.samples);
+        GLINT_CHECK(checkLayout(image, name));
+    }
+    return {};
 }
 
 /// The scene is made before it is handed over, so the setting can only ask.
@@ -325,27 +338,14 @@ Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const Trans
     state.inputs.environment = borrow(state_->environment.cube, "environment", state_->environment.mips, 6);
     state.composite.states()[0] = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, 0, 0,
                                    picture.layout}; // the host may have drawn over it since
-    reflect::LayerImages images = {borrow(layer.depth, "layer.depth"),
-                                   borrow(layer.normal, "layer.normal"),
-                                   borrow(layer.material, "layer.material"),
-                                   borrow(layer.radiance, "layer.radiance"),
-                                   borrow(layer.fallbackSpecular, "layer.fallbackSpecular"),
-                                   borrow(layer.transmittance, "layer.transmittance"),
-                                   borrow(layer.absorption, "layer.absorption"),
-                                   borrow(layer.body, "layer.body"),
-                                   borrow(layer.objectCenter, "layer.objectCenter")};
+    reflect::LayerImages images;
+    for (const LayerImage& image : kLayerImages)
+        images.*image.borrowed = borrow(layer.*image.host, image.name);
     gpu::Frame frame = gpu::Frame::more(*state.context, commands, *state.timers);
     state.recordLayer(frame, images);
     frame.hand(state.composite, kHandedOut);
-    giveBack(frame, images.depth, layer.depth);
-    giveBack(frame, images.normal, layer.normal);
-    giveBack(frame, images.material, layer.material);
-    giveBack(frame, images.radiance, layer.radiance);
-    giveBack(frame, images.fallbackSpecular, layer.fallbackSpecular);
-    giveBack(frame, images.transmittance, layer.transmittance);
-    giveBack(frame, images.absorption, layer.absorption);
-    giveBack(frame, images.body, layer.body);
-    giveBack(frame, images.objectCenter, layer.objectCenter);
+    for (const LayerImage& image : kLayerImages)
+        giveBack(frame, images.*image.borrowed, layer.*image.host);
     giveBack(frame, state.inputs.environment, state_->environment.cube);
     return handOut(state.composite);
 }

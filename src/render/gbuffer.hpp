@@ -26,11 +26,12 @@ GBufferOptions gbufferOptions(const Settings& settings, Antialias antialias);
 /// With several samples a pixel, mode prepass gives depth, normal and material all of them, as surfaces must not be
 /// mixed; mode geometry gives them one. The others are means over the samples.
 struct GBuffer {
-    gpu::Image deviceDepth;      ///< D32_SFLOAT: reversed; 0 = background
-    gpu::Image normal;           ///< RG16_SNORM (or RG32_SFLOAT): octahedral, world space, shading normal
-    gpu::Image material;         ///< RGBA16F: F0 in rgb, perceptual roughness in a; F0 = 0: reflects nothing
-    gpu::Image motion;           ///< RG16F: previous UV - current UV, without jitter
-    gpu::Image litRadiance;      ///< RGBA16F: the whole lit picture, linear, scene-referred; a = 1 on surfaces
+    gpu::Image deviceDepth; ///< D32_SFLOAT: reversed; 0 = background
+    gpu::Image normal;      ///< RG16_SNORM (or RG32_SFLOAT): octahedral, world space, shading normal
+    gpu::Image material;    ///< RGBA16F: F0 in rgb, perceptual roughness in a; F0 = 0: reflects nothing
+    gpu::Image motion;      ///< RG16F: previous UV - current UV, without jitter
+    gpu::Image
+        litRadiance; ///< RGBA16F: the whole lit picture, linear, scene-referred; a: Conventions::highlightsInAlpha
     gpu::Image fallbackSpecular; ///< RGBA16F: the environment's specular part of litRadiance, base layer only
     gpu::Image albedo;           ///< RGBA8_UNORM: base colour, linear, for debug views
     gpu::Image backDepth;        ///< as deviceDepth, of the nearest back faces; absent unless asked for; own size

@@ -54,7 +54,7 @@ glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g) {
     return inputs;
 }
 
-TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& layer) {
+TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& layer, gpu::Image& coverage) {
     TransparentLayer inputs;
     inputs.depth = lend(frame, depth);
     inputs.normal = lend(frame, layer.normal);
@@ -65,6 +65,8 @@ TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& la
     inputs.absorption = lend(frame, layer.absorption);
     inputs.body = lend(frame, layer.body);
     inputs.objectCenter = lend(frame, layer.objectCenter);
+    if (coverage)
+        inputs.coverage = lend(frame, coverage);
     return inputs;
 }
 

@@ -22,7 +22,8 @@ HostImage lend(gpu::Frame& frame, gpu::Image& image);
 gpu::Image borrow(const HostImage& image, const char* name, uint32_t mips = 1, uint32_t layers = 1);
 
 glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g);
-TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& layer);
+/// `coverage`: absent with one sample a pixel.
+TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& layer, gpu::Image& coverage);
 EnvironmentMap lendEnvironmentMap(gpu::Frame& frame, Environment& environment, const EnvironmentSettings& settings);
 glint::View libraryView(const View& view, uint32_t frameIndex, uint32_t seed);
 

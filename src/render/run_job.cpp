@@ -303,7 +303,7 @@ struct JobSession::State {
         renderer_->peelLayers(frame);
         for (uint32_t i = layers.count(); i-- > 0;) {
             LayerImages& images = renderer_->drawLayer(frame, i);
-            const TransparentLayer layer = lendLayer(frame, layers.depth(i), images);
+            const TransparentLayer layer = lendLayer(frame, layers.depth(i), images, layers.coverage());
             lendEnvironment(frame);
             GLINT_TRY(over, reflections_->recordLayer(commands, layer, lit));
             lit = over;

@@ -91,10 +91,55 @@ Result<TransparentLayers> TransparentLayers::create(gpu::Context& context, const
     result.depths_.resize(most);
     for (gpu::Image& depth : result.depths_)
         GLINT_CHECK(make(depth, "layer/depth", kDepthFormat, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT));
+    if (options.samples > 1)
+        GLINT_CHECK(result.createCoverage(context, scene, options.samples, width, height));
     return result;
 }
 
+Result<void> TransparentLayers::createCoverage(gpu::Context& context, const GpuScene& scene, uint32_t samples,
+                                               uint32_t width, uint32_t height) {
+    constexpr VkFormat kFormat = VK_FORMAT_R8_UNORM;
+    gpu::RasterDesc desc;
+    desc.vertexShader = "render/surface.vert";
+    desc.fragmentShader = "render/layer_cover.frag";
+    desc.pushSize = sizeof(shared::DrawConstants);
+    desc.colorFormats = {kFormat};
+    desc.depthFormat = kDepthFormat;
+    desc.depthWrite = false;
+    desc.samples = samples;
+    desc.tableLayout = scene.textures().layout();
+    for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
+        desc.topology = kTopologies[topology];
+        GLINT_TRY(pipeline, gpu::Pipeline::raster(context, desc));
+        cover_[topology] = std::move(pipeline);
+    }
+    gpu::ImageDesc image = {
+        "layer/coverSamples", kFormat, width, height, 1, 1, gpu::ImageShape::Flat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
+    image.samples = samples;
+    GLINT_TRY(many, gpu::Image::create(context, image));
+    image.name = "layer/coverage";
+    image.samples = 1;
+    image.usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
+    GLINT_TRY(mean, gpu::Image::create(context, image));
+    coverSamples_ = std::move(many);
+    coverage_ = std::move(mean);
+    return {};
+}
+
+void TransparentLayers::cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer) {
+    constexpr VkClearColorValue kZero = {};
+    drawTransparent(frame, scene, [&](size_t topology, bool first) {
+        gpu::Pass pass = geometryPass(frame, cover_[topology], scene, view);
+        pass.color(coverSamples_, first ? &kZero : nullptr)
+            .resolve(coverage_)
+            .depth(gbuffer.shadedDepth(), false, false);
+        return pass;
+    });
+}
+
 void TransparentLayers::peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer) {
+    if (coverage_)
+        cover(frame, scene, view, gbuffer);
     for (uint32_t layer = 0; layer < count(); ++layer) {
         const auto& pipelines = layer == 0 ? first_ : behind_;
         gpu::Image& nearer = layer == 0 ? images_.material : depths_[layer - 1]; // the first does not look at it

@@ -24,20 +24,30 @@ public:
     static Result<TransparentLayers> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
                                             const RayWorld* rayWorld, uint32_t width, uint32_t height, uint32_t most);
 
-    /// Finds the depth of each layer, the nearest first. What lies behind the last one is not drawn.
+    /// Finds the depth of each layer, the nearest first, and how much of each pixel they cover. What lies behind the
+    /// last one is not drawn.
     void peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
     /// Draws one of them. Valid until the next.
     LayerImages& draw(gpu::Frame& frame, GpuScene& scene, const LightingInputs& inputs, uint32_t layer);
 
     uint32_t count() const { return static_cast<uint32_t>(depths_.size()); }
     gpu::Image& depth(uint32_t layer) { return depths_[layer]; }
+    /// R8_UNORM: share of the pixel's samples in which any layer is seen; absent with one sample a pixel.
+    gpu::Image& coverage() { return coverage_; }
 
 private:
+    Result<void> createCoverage(gpu::Context& context, const GpuScene& scene, uint32_t samples, uint32_t width,
+                                uint32_t height);
+    void cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
+
     std::array<gpu::Pipeline, 3> first_;  ///< by topology: depth of the nearest layer, ...
     std::array<gpu::Pipeline, 3> behind_; ///< ... and of the others
     std::array<gpu::Pipeline, 3> lit_;
+    std::array<gpu::Pipeline, 3> cover_;
     std::vector<gpu::Image> depths_; ///< D32_SFLOAT: reversed; the nearest layer's first
     LayerImages images_;
+    gpu::Image coverSamples_;
+    gpu::Image coverage_;
 };
 
 } // namespace glint::render

@@ -1,6 +1,7 @@
 // Transparent layers as a host hands them over: what comes through, what is reflected, and what cannot be.
 #include "gpu/support/library_test.hpp"
 
+#include <glm/gtc/color_space.hpp>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -43,6 +44,8 @@ struct LayerSurface {
     float ior = 1.5f;
     float thickness = 0;
     BodyShape shape = BodyShape::Straight;
+    bool missesCenter = false; ///< of the pixel, though it covers a part
+    float coverage = 1;        ///< where there is nothing: 0
 };
 using LayerScene = std::function<std::optional<LayerSurface>(const glm::dvec3&, const glm::dvec3&)>;
 
@@ -52,7 +55,7 @@ struct DrawnLayer {
 
     static DrawnLayer draw(gpu::Context& context, const LayerScene& scene, const SyntheticCamera& camera,
                            uint32_t width, uint32_t height) {
-        std::vector<float> depth;
+        std::vector<float> depth, coverage;
         std::vector<glm::vec2> normal;
         std::vector<glm::vec4> material, radiance, transmittance, absorption, body;
         for (uint32_t i = 0; i < width * height; ++i) {
@@ -60,7 +63,8 @@ struct DrawnLayer {
             const glm::dvec3 direction = camera.rayThrough(i % width, i / width, width, height);
             const std::optional<LayerSurface> hit = scene(origin, direction);
             const LayerSurface s = hit.value_or(LayerSurface{});
-            depth.push_back(hit ? static_cast<float>(camera.deviceDepth(camera.viewZ(origin + direction * s.distance)))
+            depth.push_back(hit && !hit->missesCenter
+                                ? static_cast<float>(camera.deviceDepth(camera.viewZ(origin + direction * s.distance)))
                                 : 0.0f);
             normal.push_back(encodeOctahedral(s.normalWS));
             material.emplace_back(s.f0, s.roughness);
@@ -68,6 +72,7 @@ struct DrawnLayer {
             transmittance.push_back(s.transmittance);
             absorption.push_back(s.absorption);
             body.emplace_back(s.ior, s.thickness, static_cast<float>(s.shape), 1);
+            coverage.push_back(hit ? s.coverage : 0);
         }
         DrawnLayer out;
         const auto upload = [&](const auto& texels, VkFormat format) {
@@ -82,6 +87,7 @@ struct DrawnLayer {
         out.layer.transmittance = upload(transmittance, kFour);
         out.layer.absorption = upload(absorption, kFour);
         out.layer.body = upload(body, kFour);
+        out.layer.coverage = upload(coverage, VK_FORMAT_R32_SFLOAT);
         return out;
     }
 };
@@ -286,6 +292,42 @@ TEST_F(RefractionTest, LayersLieOverEachOther) {
     };
     EXPECT_LT(glm::distance(middle({pane(-3, dark), pane(-1, veil)}), plain * 0.25 + 1.0), 0.02);
     EXPECT_LT(glm::distance(middle({pane(-3, veil), pane(-1, dark)}), (plain * 0.5 + 1.0) * 0.5), 0.02);
+}
+
+TEST_F(RefractionTest, EdgesAreMixedByCoverage) {
+    // A bright pane left of a slanted line; of the pixels on it one holds the pane at its centre, the next does not.
+    LayerSurface bright;
+    bright.transmittance = glm::vec4(0);
+    bright.radiance = {9, 5, 3, 1};
+    const auto placed = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        std::optional<LayerSurface> s = pane(-2, bright)(origin, direction);
+        const glm::dvec2 px = camera_.project(origin + direction * s.value_or(bright).distance, kWidth, kHeight);
+        const double inside = kWidth / 2 + std::floor(px.y) - std::floor(px.x); // whole pixels left of the line
+        if (!s || inside < -1)
+            return std::optional<LayerSurface>();
+        s->coverage = inside > 0 ? 1 : inside < 0 ? 0.25f : 0.5f;
+        s->missesCenter = inside < 0;
+        return s;
+    };
+    for (const bool encoded : {false, true}) {
+        Settings wanted = settings();
+        wanted.output.colorIsGamma = encoded;
+        const std::vector<float> plain = without(settings());
+        const std::vector<float> picture = over({placed}, wanted);
+        const auto linear = [&](float stored) {
+            return encoded ? glm::convertSRGBToLinear(glm::vec3(stored)).r : stored;
+        };
+        const int y = 20;
+        for (int inside = -3; inside < 4; ++inside) {
+            const size_t pixel = static_cast<size_t>(y * int(kWidth) + int(kWidth) / 2 + y - inside);
+            const double part = inside > 0 ? 1 : inside == 0 ? 0.5 : inside == -1 ? 0.25 : 0;
+            for (int c = 0; c < 3; ++c) {
+                // Halves (2^-11), decoded (2.4 times that), and the neighbours' mixture undone (twice).
+                const double expected = glm::mix(double(plain[pixel * 4 + c]), double(bright.radiance[c]), part);
+                EXPECT_NEAR(linear(picture[pixel * 4 + c]), expected, 0.003 * expected) << inside << " " << c;
+            }
+        }
+    }
 }
 
 /// All that is seen is 1: so is what comes through and what is reflected, together.

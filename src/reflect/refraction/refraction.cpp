@@ -68,7 +68,7 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
 
 Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, uint32_t width, uint32_t height,
                                                        bool views) {
-    constexpr uint32_t kSampled = 20; // in the larger of its passes
+    constexpr uint32_t kSampled = 21; // in the larger of its passes
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
     const VkPhysicalDeviceLimits& limits = properties.properties.limits;
@@ -80,6 +80,7 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
                          kSampled, context.info().name, most);
     std::unique_ptr<Refraction> result(new Refraction(context));
     GLINT_TRY(alone, gpu::Pipeline::compute(context, {"refraction/layer", sizeof(LayerConstants), {}}));
+    GLINT_TRY(edges, gpu::Pipeline::compute(context, {"refraction/layer_edges", 0, {}}));
     GLINT_TRY(depth, gpu::Pipeline::compute(context, {"refraction/layers_depth", 0, {}}));
     const auto makePicture = [&](const char* name) {
         const auto mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));
@@ -98,6 +99,7 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
     GLINT_TRY(refracted, makeStored("glint/refracted", VK_FORMAT_R16G16B16A16_SFLOAT, views));
     GLINT_TRY(weights, makeStored("glint/refractionWeights", VK_FORMAT_R16G16B16A16_SFLOAT, views));
     result->alone_ = std::move(alone);
+    result->edges_ = std::move(edges);
     result->depth_ = std::move(depth);
     result->solid_ = std::move(solid);
     result->behind_ = std::move(behind);
@@ -135,7 +137,8 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
     LayerConstants constants = {layerTraceConstants(settings, inputs.pyramid.levels),
                                 refractionConstants(settings, probes != nullptr, inputs.environment != nullptr)};
     constants.refraction.flags |= (layer.fallbackSpecular ? shared::kLayerFallback : 0) |
-                                  (layer.objectCenter ? shared::kLayerCenters : 0) | (views_ ? shared::kLayerViews : 0);
+                                  (layer.objectCenter ? shared::kLayerCenters : 0) |
+                                  (layer.coverage ? shared::kLayerCoverage : 0) | (views_ ? shared::kLayerViews : 0);
     gpu::Pass pass = frame.pass(probes ? withProbes_ : alone_);
     pass.read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)
@@ -151,6 +154,7 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
         .read("layerAbsorption", layer.absorption, kTexels)
         .read("layerBody", layer.body, kTexels)
         .read("layerCenter", layer.objectCenter ? layer.objectCenter : inputs.black, kTexels)
+        .read("layerCoverage", layer.coverage ? layer.coverage : inputs.black, kTexels)
         .read("behind", behind_)
         .read("solid", solid_)
         .read("layersZ", layersZ_)
@@ -162,6 +166,15 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
     if (probes)
         probes->bind(pass);
     pass.push(constants).dispatch(composite.width(), composite.height());
+    if (layer.coverage || frame.rehearsing())
+        frame.pass(edges_)
+            .read("frame", inputs.frameConstants)
+            .read("viewZ", inputs.prepared.viewZ)
+            .read("layerDepth", layer.depth, kTexels)
+            .read("layerCoverage", layer.coverage, kTexels)
+            .read("behind", behind_, kTexels)
+            .readWrite("composite", composite)
+            .dispatch(composite.width(), composite.height());
     frame.pass(depth_)
         .read("frame", inputs.frameConstants)
         .read("viewZ", inputs.prepared.viewZ)

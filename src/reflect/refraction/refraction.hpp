@@ -22,6 +22,7 @@ struct LayerImages {
     gpu::Image absorption;
     gpu::Image body;
     gpu::Image objectCenter; ///< may be absent
+    gpu::Image coverage;     ///< may be absent
 };
 
 /// What the pass reads of the frame.
@@ -61,6 +62,7 @@ private:
     gpu::Context& context_;
     gpu::Pipeline alone_;
     gpu::Pipeline withProbes_; ///< for the host's probes
+    gpu::Pipeline edges_;
     gpu::Pipeline depth_;
     gpu::Image solid_;     ///< RGBA16F with mips: the picture without layers
     gpu::Image behind_;    ///< the same with those so far
