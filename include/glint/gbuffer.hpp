@@ -60,9 +60,9 @@ struct Conventions {
     /// Stored motion times this is previous UV - current UV, x and y: {-1, -1} for the opposite sign, {0.5f, -0.5f} for
     /// clip space with +Y up, {1 / width, 1 / height} for pixels. Jitter is left out of motion.
     float motionScale[2] = {1, 1};
-    /// The alpha of `litRadiance` holds the share of its light, summed over linear channels, that is no light's
-    /// highlight; where several samples are averaged, their mean. Highlights belong to the eye, and a mirror that shows
-    /// them where the eye sees them shows lamps that are not there: screen.highlights leaves them out.
+    /// The alpha of `litRadiance` holds the mean of its linear channels without lights' highlights; of what has none
+    /// (emission, the background), the mean of its channels. Highlights belong to the eye, and a mirror that shows them
+    /// where the eye sees them shows lamps that are not there. With this, hits leave them out (screen.highlights).
     bool highlightsInAlpha = false;
 };
 

@@ -207,7 +207,7 @@
         "Reflections lie where the probes' distances or proxy volumes say; off: infinitely far away",                  \
         "")                                                                                                            \
     SETTING(int, steps, 12, "[0, 64]", "",                                                                             \
-        "Looks along a ray for what it meets in a probe that has distances; 0: proxy volumes alone",                   \
+        "Most looks along a ray for what it meets in a probe that has distances; 0: proxy volumes alone",              \
         "")                                                                                                            \
     SETTING(bool, distanceRoughness, true, "", "",                                                                     \
         "What is near its reflection is sharper than its roughness says at the probe; off: as rough everywhere",       \
@@ -276,7 +276,7 @@
         "Place of the screen source in the walk: smaller is asked first, equal ones in the order of this list",        \
         "")                                                                                                            \
     SETTING(int, rays, 3, "[0, 9]", "",                                                                                \
-        "Place of rays, which are traced only where the sources before leave something",                                \
+        "Place of rays, which are traced only where the sources before leave something",                               \
         "")                                                                                                            \
     SETTING(int, planar, 1, "[0, 9]", "",                                                                              \
         "Place of planar mirrors, which also show what is hidden, off screen and rough",                               \

@@ -17,6 +17,10 @@ float pow5(float x) {
     return x2 * x2 * x;
 }
 
+float meanComponent(vec3 v) {
+    return (v.x + v.y + v.z) / 3.0;
+}
+
 float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }

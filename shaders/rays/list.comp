@@ -52,7 +52,9 @@ void main() {
             record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
             bool reflects = record.outcome == kOutcomeNone;
             needsRay = reflects && !takeAll(settings.before, px);
-            if (reflects && !needsRay && takesBack(screenRay(px))) { // even if others then have all and no ray is needed
+            // Even if others then have all and no ray is needed; behind the sky rays have no say.
+            bool heard = (settings.before & (1u << kSourceSky)) == 0u;
+            if (reflects && !needsRay && heard && takesBack(screenRay(px))) {
                 needsRay = !takeAll(settings.before & ~(1u << kSourceScreen), px);
                 route = kRaysReplaceScreen;
             }

@@ -1,5 +1,6 @@
-// Pixels that a layer covers in part and whose centre it misses: they get that part of what their neighbours show of it.
-// Where it holds the centre, layer_main.glsl has mixed the part in already.
+// Pixels that are covered in part, and whose centre neither this layer nor one behind it holds: they get that part of
+// what their neighbours show of the layer. Where it holds the centre, layer_main.glsl has mixed the part in already; where
+// all is covered, it is by others.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -16,7 +17,8 @@ layout(scalar, set = 0, binding = 0) uniform FrameBlock {
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform sampler2D layerDepth;
 layout(set = 0, binding = 3) uniform sampler2D layerCoverage;
-layout(set = 0, binding = 4) uniform sampler2D behind;             // the picture without this layer
+layout(set = 0, binding = 6) uniform sampler2D layersZ;          // of the layers behind this one
+layout(set = 0, binding = 4) uniform sampler2D behind;           // the picture without this layer
 layout(set = 0, binding = 5, rgba16f) uniform image2D composite; // and with it; pixels read here are not written
 
 const float kSeen = 1.0 / 32.0; // less than a sample of sixteen
@@ -47,7 +49,8 @@ void main() {
     if (any(greaterThanEqual(px, size)))
         return;
     float coverage = coverageAt(px);
-    if (coverage < kSeen || isShown(px))
+    bool inPart = coverage >= kSeen && coverage <= 1.0 - kSeen;
+    if (!inPart || isShown(px) || texelFetch(layersZ, px, 0).r < kBackgroundZ)
         return;
     vec4 sum = vec4(0.0);
     for (int y = -1; y <= 1; ++y)

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "lib/environment.glsl"
+#include "lib/math.glsl"
 #include "render/background_ray.glsl"
 
 layout(set = 0, binding = 1) uniform samplerCube environmentRadiance;
@@ -21,5 +22,6 @@ vec3 backgroundRadiance(vec3 directionWS) {
 }
 
 void main() {
-    outLitRadiance = vec4(backgroundRadiance(viewRay()), 1.0);
+    vec3 radiance = backgroundRadiance(viewRay());
+    outLitRadiance = vec4(radiance, meanComponent(radiance)); // no highlight
 }

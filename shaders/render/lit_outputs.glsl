@@ -15,12 +15,11 @@ Lighting shownLighting(MaterialSample surface, SurfacePoint point, vec3 V) {
     return lighting;
 }
 
-/// All of it, and in the alpha the share that is no highlight (Conventions::highlightsInAlpha).
+/// All of it, and in the alpha the mean of its channels without highlights (Conventions::highlightsInAlpha).
 vec4 litRadiance(Lighting lighting) {
-    const vec3 kChannels = vec3(1.0);
     vec3 total = totalRadiance(lighting);
-    float light = dot(total, kChannels);
-    return vec4(min(total, kLargest), light > 0.0 ? 1.0 - saturate(dot(lighting.directSpecular, kChannels) / light) : 1.0);
+    lighting.directSpecular = vec3(0.0);
+    return vec4(min(total, kLargest), min(meanComponent(totalRadiance(lighting)), kLargest.r));
 }
 
 vec4 fallbackSpecular(Lighting lighting) {

@@ -57,7 +57,7 @@ GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
 
 GLINT_CONSTANT(uint, kInputResolved, 262144); // material is to be read as prepare resolved it: F0 and coverage
 
-// Hits leave highlights out: litRadiance's alpha is the share of its light without them.
+// Hits leave highlights out: litRadiance's alpha is the mean of its linear channels without them.
 GLINT_CONSTANT(uint, kInputHighlights, 524288);
 
 GLINT_CONSTANT(uint, kHostMaterialF0Roughness, 0);

@@ -5,6 +5,7 @@
 
 #include "lib/camera.glsl"
 #include "lib/input_color.glsl"
+#include "lib/math.glsl"
 #include "lib/surface.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2D litRadiance;
@@ -109,20 +110,19 @@ bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
     return abs(dot(normalVS, directionVS)) > growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
 }
 
-/// Of a hit's light at `px` that shows from elsewhere too. Highlights of smooth surfaces are where the eye sees them and
-/// nowhere else; those of rough ones are wide, and show from all around.
-float shareWithoutHighlights(vec4 stored, float perceptualRoughness) {
-    if ((frame.constants.flags & kInputHighlights) == 0u)
-        return 1.0;
-    const float kSmooth = 0.2;
-    const float kRough = 0.6;
-    return mix(clamp(sanitize(stored.a), 0.0, 1.0), 1.0, smoothstep(kSmooth, kRough, perceptualRoughness));
-}
-
+/// What a hit at `px` shows of its light. Highlights of smooth surfaces are where the eye sees them and nowhere else;
+/// those of rough ones are wide, and show from all around.
 vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
     vec4 stored = texelFetch(litRadiance, px, 0);
-    return linearColor(stored.rgb, (frame.constants.flags & kInputGamma) != 0u) *
-           shareWithoutHighlights(stored, perceptualRoughness);
+    vec3 radiance = linearColor(stored.rgb, (frame.constants.flags & kInputGamma) != 0u);
+    float mean = meanComponent(radiance);
+    if ((frame.constants.flags & kInputHighlights) == 0u || mean <= 0.0)
+        return radiance;
+    const float kSmooth = 0.2;
+    const float kRough = 0.6;
+    const float kHalves = 1.0 + 1.0 / 1024.0; // both are rounded, and where there is no highlight the share is 1
+    float share = clamp(kHalves * sanitize(stored.a) / mean, 0.0, 1.0);
+    return radiance * mix(share, 1.0, smoothstep(kSmooth, kRough, perceptualRoughness));
 }
 
 /// Of this frame, at `px`: the texel there, or where texels look large, bilinear over those of the four that show the

@@ -117,7 +117,8 @@ void FrameState::prepare(gpu::Frame& frame, const View& view) {
     flag(static_cast<bool>(inputs.motion), shared::kInputMotion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
     flag(usesHistory, shared::kInputHistory);
-    flag(conventions.highlightsInAlpha && !settings.screen.highlights, shared::kInputHighlights);
+    const bool now = settings.screen.colorSource == ColorSource::Current; // the last frame's picture does not tell them
+    flag(conventions.highlightsInAlpha && !settings.screen.highlights && now, shared::kInputHighlights);
     flag(historyGamma, shared::kHistoryGamma);
     flag(settings.input.colorIsGamma, shared::kInputGamma);
     flag(settings.output.colorIsGamma, shared::kOutputGamma);

@@ -85,7 +85,7 @@ TEST_F(ColorSourceTest, highlightsOfSmoothSurfacesStayWithTheEye) {
             auto hit = floorAndWall()(origin, direction);
             if (hit && hit->f0.x == 0) {
                 hit->radiance = shown;
-                hit->withoutHighlights = kShare;
+                hit->alpha = kShare * (shown.r + shown.g + shown.b) / 3;
                 hit->perceptualRoughness = perceptualRoughness;
             }
             return hit;

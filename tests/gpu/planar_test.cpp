@@ -314,6 +314,19 @@ TEST_F(RaysAfterMirrorsTest, neitherAreRaysTracedWhereProbesOrTheSkyComeFirst) {
     EXPECT_EQ(pixels(settings), 0u);
 }
 
+TEST_F(RaysAfterMirrorsTest, raysBehindTheSkyTakeNothingBackFromTheScreen) {
+    TestEnvironment sky = TestEnvironment::make(gpu(), 4, 1, [](const auto&, uint32_t) { return glm::vec3(1); });
+    must(reflections_.setInputs(rough_.gbuffer, sky.map));
+    Settings settings = raysAnd(true, false);
+    settings.sky.enabled = true;
+    settings.order.screen = 0;
+    settings.order.sky = 1;
+    const Picture with = look(settings);
+    EXPECT_EQ(with.statistics.scene.pixels, 0u);
+    settings.rays.enabled = false;
+    EXPECT_EQ(with.reflection, look(settings).reflection);
+}
+
 TEST_F(PlanarSourceTest, whatCannotBeIsNamed) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     const auto errorOf = [&](const std::function<void(PlanarMirror&)>& spoil, uint32_t width = 8) {

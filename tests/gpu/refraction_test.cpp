@@ -44,8 +44,8 @@ struct LayerSurface {
     float ior = 1.5f;
     float thickness = 0;
     BodyShape shape = BodyShape::Straight;
-    bool missesCenter = false; ///< of the pixel, though it covers a part
-    float coverage = 1;        ///< where there is nothing: 0
+    bool missesCenter = false; ///< of the pixel, though something covers a part
+    float coverage = 1;        ///< where there is nothing: 0; a layer without parts hands over none
 };
 using LayerScene = std::function<std::optional<LayerSurface>(const glm::dvec3&, const glm::dvec3&)>;
 
@@ -56,6 +56,7 @@ struct DrawnLayer {
     static DrawnLayer draw(gpu::Context& context, const LayerScene& scene, const SyntheticCamera& camera,
                            uint32_t width, uint32_t height) {
         std::vector<float> depth, coverage;
+        bool hasParts = false;
         std::vector<glm::vec2> normal;
         std::vector<glm::vec4> material, radiance, transmittance, absorption, body;
         for (uint32_t i = 0; i < width * height; ++i) {
@@ -73,6 +74,7 @@ struct DrawnLayer {
             absorption.push_back(s.absorption);
             body.emplace_back(s.ior, s.thickness, static_cast<float>(s.shape), 1);
             coverage.push_back(hit ? s.coverage : 0);
+            hasParts |= s.coverage < 1 || s.missesCenter;
         }
         DrawnLayer out;
         const auto upload = [&](const auto& texels, VkFormat format) {
@@ -87,7 +89,8 @@ struct DrawnLayer {
         out.layer.transmittance = upload(transmittance, kFour);
         out.layer.absorption = upload(absorption, kFour);
         out.layer.body = upload(body, kFour);
-        out.layer.coverage = upload(coverage, VK_FORMAT_R32_SFLOAT);
+        if (hasParts)
+            out.layer.coverage = upload(coverage, VK_FORMAT_R32_SFLOAT);
         return out;
     }
 };
@@ -292,6 +295,25 @@ TEST_F(RefractionTest, LayersLieOverEachOther) {
     };
     EXPECT_LT(glm::distance(middle({pane(-3, dark), pane(-1, veil)}), plain * 0.25 + 1.0), 0.02);
     EXPECT_LT(glm::distance(middle({pane(-3, veil), pane(-1, dark)}), (plain * 0.5 + 1.0) * 0.5), 0.02);
+}
+
+TEST_F(RefractionTest, ALayerBehindAnotherDoesNotGrow) {
+    // Both cover all of their pixels, so no pixel gets anything of a layer that misses its centre.
+    LayerSurface tinted;
+    tinted.transmittance = glm::vec4(0.5f);
+    const auto half = [&](bool right, double z) -> LayerScene {
+        return [=, this](const glm::dvec3& origin, const glm::dvec3& direction) {
+            std::optional<LayerSurface> s = pane(z, tinted)(origin, direction);
+            if (s)
+                s->missesCenter =
+                    (camera_.project(origin + direction * s->distance, kWidth, kHeight).x > kWidth / 2) != right;
+            return s;
+        };
+    };
+    const std::vector<float> plain = without(settings());
+    const std::vector<float> whole = over({pane(-2, tinted)}, settings());
+    EXPECT_NE(whole, plain);
+    EXPECT_EQ(over({half(true, -3), half(false, -2)}, settings()), whole);
 }
 
 TEST_F(RefractionTest, EdgesAreMixedByCoverage) {

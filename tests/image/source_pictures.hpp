@@ -14,7 +14,7 @@ namespace glint::test {
 constexpr size_t kMeasured = 4;
 constexpr std::array<const char*, kMeasured> kMeasuredNames = {"screen", "planar", "probes", "sky"};
 
-constexpr size_t kScreenHits = 0, kPlanarMirrors = 1, kProbeLookups = 2;
+constexpr size_t kPlanarMirrors = 1;
 
 /// Bytes of 255. Steps of one surface are seen from about 1 % of its luminance on (Barten 1999), which is near one byte
 /// anywhere on the sRGB curve; rounding adds up to one to either side of a difference.
@@ -91,7 +91,7 @@ inline std::vector<double> noiseOf(const std::vector<Rgb>& half, const std::vect
     return out;
 }
 
-/// `samples`  of the reference, a pixel, twice: the difference of the halves is its noise.
+/// The reference gets `samples` a pixel twice: the difference of the halves is its noise.
 inline SourcePictures drawSources(gpu::Context& device, render::RenderJob job, uint32_t samples) {
     const TempFolder folder;
     bakeProbes(device, job, folder);

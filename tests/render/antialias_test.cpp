@@ -180,6 +180,27 @@ TEST_F(AntialiasTest, EveryKindIsNearerToManyPixels) {
         }
 }
 
+TEST_F(AntialiasTest, LayersOfGlassAreSmoothToo) {
+    // Nothing but the balls' and cubes' outlines: with an index of 1 and no reflections they only absorb.
+    const std::vector<std::string> sets = {"display.tonemap=none",          "screen.enabled=false",
+                                           "refraction.reflections=false",  "refraction.ior=1",
+                                           "refraction.thickness=0.5",      "refraction.absorptionDistance=0.2",
+                                           "refraction.transmittanceRed=0", "refraction.transmittanceGreen=0.5",
+                                           "refraction.transmittanceBlue=0"};
+    const Picture truth = shrunk(render("builtin:glass", sets, 480, 272));
+    const auto errorOf = [&](const std::string& antialias, const std::string& mode) {
+        std::vector<std::string> all = sets;
+        all.insert(all.end(), {"display.antialias=" + antialias, "gbuffer.mode=" + mode});
+        return error(render("builtin:glass", all, 120, 68), truth);
+    };
+    const double none = errorOf("none", "prepass");
+    const double prepass = errorOf("msaa4", "prepass");
+    const double geometry = errorOf("msaa4", "geometry");
+    std::printf("none %.4f, msaa4 prepass %.4f, geometry %.4f\n", none, prepass, geometry);
+    EXPECT_LT(prepass, 0.8 * none);
+    EXPECT_LT(geometry, 0.8 * none);
+}
+
 TEST_F(AntialiasTest, FxaaSmoothsSlantsAndLeavesTheRest) {
     // Dark left of a steep line, bright right of it: what a pixel should be is the part of it that lies right.
     constexpr uint32_t kSize = 64;

@@ -172,6 +172,7 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
             .read("viewZ", inputs.prepared.viewZ)
             .read("layerDepth", layer.depth, kTexels)
             .read("layerCoverage", layer.coverage, kTexels)
+            .read("layersZ", layersZ_)
             .read("behind", behind_, kTexels)
             .readWrite("composite", composite)
             .dispatch(composite.width(), composite.height());

@@ -135,7 +135,7 @@ SyntheticGBuffer SyntheticGBuffer::render(gpu::Context& context, const Synthetic
         depth.push_back(pixels[i] ? static_cast<float>(camera.deviceDepth(viewZ)) : 0.0f);
         normal.push_back(encodeOctahedral(surface.normalWS));
         material.emplace_back(surface.f0, surface.perceptualRoughness);
-        lit.emplace_back(surface.radiance, surface.withoutHighlights);
+        lit.emplace_back(surface.radiance, surface.alpha);
     }
     SyntheticGBuffer out;
     out.depth = uploadTestImage(context, "test/depth", VK_FORMAT_R32_SFLOAT, width, height, bytesOf(depth));

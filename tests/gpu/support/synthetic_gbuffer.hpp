@@ -18,7 +18,7 @@ struct SyntheticSurface {
     glm::vec3 f0 = glm::vec3(0);
     float perceptualRoughness = 0;
     glm::vec3 radiance = glm::vec3(0);
-    float withoutHighlights = 1; ///< share of `radiance`
+    float alpha = 1; ///< of litRadiance: Conventions::highlightsInAlpha gives it a meaning
 };
 
 /// `originWS`, `directionWS` (unit) -> surface, or nothing for the background.
