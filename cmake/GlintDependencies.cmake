@@ -8,7 +8,11 @@ find_program(SPIRV_VAL spirv-val REQUIRED)
 
 # VMA is one header; Debian 12 has no package of it, so the set-up unpacks Debian 13's into .deps/.
 find_path(VMA_INCLUDE_DIR vk_mem_alloc.h HINTS ${PROJECT_SOURCE_DIR}/.deps/vma/include
-    PATH_SUFFIXES vma include REQUIRED)
+    PATH_SUFFIXES vma include)
+if(NOT VMA_INCLUDE_DIR)
+    message(FATAL_ERROR "vk_mem_alloc.h, the Vulkan Memory Allocator, is not found: install libvulkan-memory-allocator-dev "
+        "(Debian 13, Ubuntu 24.04), or say where it is with -DVMA_INCLUDE_DIR=<folder>; scripts/test brings its own")
+endif()
 add_library(glint_vma INTERFACE)
 target_include_directories(glint_vma SYSTEM INTERFACE $<BUILD_INTERFACE:${VMA_INCLUDE_DIR}>)
 

@@ -1,7 +1,8 @@
 # GLSL -> SPIR-V (validated) -> one C++ file per set, with the reflected bindings beside the words.
 
 # Shared with the viewer, which reflects what it compiles while it runs.
-add_library(glint_shader_reflection STATIC ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_reflection.cpp)
+add_library(glint_shader_reflection STATIC ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_reflection.cpp
+    ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_variants.cpp)
 target_include_directories(glint_shader_reflection PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
 target_include_directories(glint_shader_reflection SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
 target_link_libraries(glint_shader_reflection PUBLIC fmt::fmt PRIVATE ${SPIRV_CROSS_C} glint_warnings)
@@ -10,33 +11,67 @@ add_executable(glint_shader_pack ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_pack
 target_link_libraries(glint_shader_pack PRIVATE glint_shader_reflection glint_warnings)
 set_target_properties(glint_shader_pack PROPERTIES CROSSCOMPILING_EMULATOR "")
 
+# One shader: `file`, its name with its stage's suffix, is compiled from `source` with the macros in ARGN. The SPIR-V file
+# is added to the list `spirv_files`. apps/view/shader_reload.cpp compiles in the same way.
+function(glint_compile_shader set file source)
+    set(spirv ${CMAKE_CURRENT_BINARY_DIR}/shaders/${set}/${file}.spv)
+    if(spirv IN_LIST spirv_files)
+        message(FATAL_ERROR "The shader ${file} is stated twice: as a file, or in variants.txt")
+    endif()
+    get_filename_component(folder ${spirv} DIRECTORY)
+    file(MAKE_DIRECTORY ${folder})
+    string(REGEX REPLACE ".*\\." "" stage ${file})
+    list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE macros)
+    # No -O: it strips the names that bindings are matched by, and drivers optimize anyway.
+    # SPIR-V 1.6 would say LocalSizeId, which the packaged SPIRV-Cross reads as 0: ask for 1.5.
+    add_custom_command(OUTPUT ${spirv}
+        COMMAND ${GLSLC} --target-env=vulkan1.3 --target-spv=spv1.5 -std=460 -Werror -fshader-stage=${stage}
+            $<$<CONFIG:Debug>:-g> -I ${PROJECT_SOURCE_DIR}/shaders ${macros}
+            -MD -MF ${spirv}.d -o ${spirv} ${source}
+        COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
+        DEPENDS ${source} DEPFILE ${spirv}.d
+        COMMENT "Compiling shader ${file}" VERBATIM COMMAND_EXPAND_LISTS)
+    set(spirv_files ${spirv_files} ${spirv} PARENT_SCOPE)
+endfunction()
+
 # glint_embed_shaders(TARGET SET name FOLDERS shaders/trace ... [ROOT tests/gpu/shaders])
-# A shader is named by its path under ROOT (default: shaders): shaders/trace/linear.comp is "trace/linear"; raster stages
-# keep their suffix, "render/gbuffer.vert". The set appears in C++ as glint::gpu::shaders::<name>() (gpu/shader.hpp).
+# A shader is named by its path under ROOT (default: shaders): shaders/trace/classify.comp is "trace/classify"; raster
+# stages keep their suffix, "render/surface.vert". ROOT/variants.txt names those that are built from one source with
+# different macros; they belong to the folder in their name. The set appears in C++ as glint::gpu::shaders::<name>()
+# (gpu/shader.hpp).
 function(glint_embed_shaders target)
     cmake_parse_arguments(arg "" "SET;ROOT" "FOLDERS" ${ARGN})
     if(NOT arg_ROOT)
         set(arg_ROOT shaders)
+    endif()
+    set(root ${PROJECT_SOURCE_DIR}/${arg_ROOT})
+    set(variants)
+    if(EXISTS ${root}/variants.txt)
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/variants.txt)
+        file(STRINGS ${root}/variants.txt variants REGEX "^[^#]")
     endif()
     set(spirv_files)
     foreach(folder ${arg_FOLDERS})
         file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.comp
             ${PROJECT_SOURCE_DIR}/${folder}/*.vert ${PROJECT_SOURCE_DIR}/${folder}/*.frag)
         foreach(source ${sources})
-            file(RELATIVE_PATH name ${PROJECT_SOURCE_DIR}/${arg_ROOT} ${source})
-            set(spirv ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}/${name}.spv)
-            get_filename_component(spirv_folder ${spirv} DIRECTORY)
-            file(MAKE_DIRECTORY ${spirv_folder})
-            # No -O: it strips the names that bindings are matched by, and drivers optimize anyway.
-            # SPIR-V 1.6 would say LocalSizeId, which the packaged SPIRV-Cross reads as 0: ask for 1.5.
-            add_custom_command(OUTPUT ${spirv}
-                COMMAND ${GLSLC} --target-env=vulkan1.3 --target-spv=spv1.5 -std=460 -Werror
-                    $<$<CONFIG:Debug>:-g> -I ${PROJECT_SOURCE_DIR}/shaders
-                    -MD -MF ${spirv}.d -o ${spirv} ${source}
-                COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
-                DEPENDS ${source} DEPFILE ${spirv}.d
-                COMMENT "Compiling shader ${name}" VERBATIM COMMAND_EXPAND_LISTS)
-            list(APPEND spirv_files ${spirv})
+            file(RELATIVE_PATH file ${root} ${source})
+            glint_compile_shader(${arg_SET} ${file} ${source})
+        endforeach()
+        foreach(variant ${variants})
+            string(REGEX MATCHALL "[^ \t]+" words "${variant}")
+            list(POP_FRONT words file source)
+            if(NOT source)
+                message(FATAL_ERROR "${arg_ROOT}/variants.txt: ${variant}: a line is NAME SOURCE [MACRO ...]")
+            endif()
+            get_filename_component(place ${root}/${file} DIRECTORY)
+            if(NOT place STREQUAL ${PROJECT_SOURCE_DIR}/${folder})
+                continue()
+            endif()
+            if(NOT file MATCHES "\\.(vert|frag)$")
+                string(APPEND file .comp)
+            endif()
+            glint_compile_shader(${arg_SET} ${file} ${root}/${source} ${words})
         endforeach()
     endforeach()
     set(packed ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}.cpp)

@@ -1,11 +1,12 @@
-// glint bench: what the reflections cost, pass by pass, over sizes and over the share of the picture that reflects; or
-// what rays cost.
+// glint bench: measures the cost of the reflections, pass by pass, over image sizes and over the fraction of the image
+// that reflects; or the cost of rays.
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "bench.hpp"
+#include "bench_output.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
-#include "ray_bench.hpp"
+#include "ray_bench_options.hpp"
+#include "ray_bench_output.hpp"
 #include "render_options.hpp"
 
 #include <unistd.h>
@@ -46,8 +47,8 @@ Result<std::vector<float>> readShares(const std::vector<std::string>& texts) {
     return shares;
 }
 
-Result<BenchPlan> makePlan(const BenchOptions& options) {
-    BenchPlan plan;
+Result<measure::BenchPlan> makePlan(const BenchOptions& options) {
+    measure::BenchPlan plan;
     for (const std::string& size : options.sizes) {
         render::RenderJob job;
         auto read = readSize("--sizes", size, job);
@@ -69,8 +70,8 @@ Result<BenchPlan> makePlan(const BenchOptions& options) {
 }
 
 /// All that can be known to be wrong is found here, before any scene is read.
-Result<BenchScene> makeScene(const BenchOptions& options, const std::string& name, bool shares) {
-    BenchScene scene;
+Result<measure::BenchScene> makeScene(const BenchOptions& options, const std::string& name, bool shares) {
+    measure::BenchScene scene;
     for (const std::string& text : options.configs) {
         GLINT_TRY(job, makeConfigJob(options.scene, name, text));
         if (shares && job.settings.render.display.antialias == render::Antialias::Msaa4)
@@ -94,7 +95,7 @@ Result<void> checkOutput(const BenchOptions& options) {
     return checkFolder("--json", options.json);
 }
 
-/// Nothing is shown of a device that the validation layer complains about.
+/// Shows no figures if the validation layer reports messages.
 Result<void> show(const BenchOptions& options, const gpu::Context& context, const std::string& text,
                   const std::string& json) {
     if (!context.validationMessages().empty())
@@ -111,21 +112,21 @@ Result<void> benchRays(const BenchOptions& options) {
     GLINT_TRY(series, makeRayBenchSeries(options.rays));
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(result, runRayBench(*context, series, showProgress));
+    GLINT_TRY(result, measure::runRayBench(*context, series, showProgress));
     GLINT_CHECK(show(options, *context, rayBenchText(result), rayBenchJson(result)));
-    return checkSameHits(result);
+    return measure::checkSameHits(result);
 }
 
 Result<void> bench(const BenchOptions& options) {
     GLINT_TRY(plan, makePlan(options));
-    std::vector<BenchScene> scenes;
+    std::vector<measure::BenchScene> scenes;
     for (const std::string& name : options.scenes.empty() ? std::vector<std::string>{"builtin:hall"} : options.scenes) {
         GLINT_TRY(scene, makeScene(options, name, !plan.shares.empty()));
         scenes.push_back(std::move(scene));
     }
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(result, runBench(*context, scenes, plan, showProgress));
+    GLINT_TRY(result, measure::runBench(*context, scenes, plan, showProgress));
     return show(options, *context, benchText(result), benchJson(result));
 }
 

@@ -1,5 +1,5 @@
-// A benchmark as text and as JSON.
-#include "bench.hpp"
+#include "bench_output.hpp"
+
 #include "comparison_output.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,6 +10,8 @@ namespace glint::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using measure::BenchPoint;
+using measure::BenchResult;
 
 double rayShare(const BenchPoint& point, const measure::SeriesFigures& figures) {
     return static_cast<double>(figures.stats.rays) / (double(point.plan.width) * double(point.plan.height));

@@ -1,5 +1,5 @@
-// One function a command: it adds the command with its options, and sets `chosen` to the work when the user asks for
-// it.
+// One function per command: it adds the command with its options, and sets `chosen` to the work if the user runs that
+// command.
 #pragma once
 
 #include "base/result.hpp"

@@ -26,8 +26,8 @@ struct CompareOptions {
 };
 
 /// All that can be known to be wrong is found here, before the scene is read.
-Result<std::vector<ComparedConfig>> makeConfigs(const CompareOptions& options) {
-    std::vector<ComparedConfig> configs;
+Result<std::vector<measure::ComparedConfig>> makeConfigs(const CompareOptions& options) {
+    std::vector<measure::ComparedConfig> configs;
     for (const std::string& text : options.configs) {
         GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, text));
         configs.push_back({text, std::move(job)});
@@ -36,13 +36,13 @@ Result<std::vector<ComparedConfig>> makeConfigs(const CompareOptions& options) {
 }
 
 /// One frame, or enough for the samples of preset `reference` to settle where the settings average over frames.
-Result<std::optional<ComparedConfig>> makeReference(const CompareOptions& options) {
+Result<std::optional<measure::ComparedConfig>> makeReference(const CompareOptions& options) {
     if (options.reference.empty())
-        return std::optional<ComparedConfig>();
+        return std::optional<measure::ComparedConfig>();
     GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, options.reference));
     const bool accumulates = job.settings.reflections.rays.enabled && job.settings.reflections.rays.accumulate;
     job.frames = static_cast<uint32_t>(options.referenceFrames > 0 ? options.referenceFrames : accumulates ? 16 : 1);
-    return std::optional<ComparedConfig>(ComparedConfig{options.reference, std::move(job)});
+    return std::optional<measure::ComparedConfig>(measure::ComparedConfig{options.reference, std::move(job)});
 }
 
 Result<void> checkOutputs(const CompareOptions& options) {
@@ -69,8 +69,8 @@ Result<void> compare(const CompareOptions& options) {
     GLINT_TRY(configs, makeConfigs(options));
     GLINT_TRY(reference, makeReference(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(comparison,
-              compareConfigs(*context, configs, reference, static_cast<uint32_t>(options.scene.frames), showProgress));
+    GLINT_TRY(comparison, measure::compareConfigs(*context, configs, reference,
+                                                  static_cast<uint32_t>(options.scene.frames), showProgress));
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());

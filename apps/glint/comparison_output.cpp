@@ -45,7 +45,7 @@ std::string exactText(const measure::MirrorError& exact) {
                        100 * exact.oneBounceShare(), 100 * exact.share());
 }
 
-std::string referenceText(const ReferenceError& error) {
+std::string referenceText(const measure::ReferenceError& error) {
     return fmt::format(
         "  from the reference: PSNR {:.1f} dB, {:.1f} on mirrors; relative MSE {:.2e}, {:.2e} on mirrors\n", error.psnr,
         error.psnrMirrors, error.relativeMse, error.relativeMseMirrors);
@@ -68,7 +68,7 @@ Json passesJson(const measure::EffectTimes& times) {
     return passes;
 }
 
-Json configJson(const ConfigFigures& config) {
+Json configJson(const measure::ConfigFigures& config) {
     Json json;
     json["name"] = config.name;
     json["preset"] = config.settings.preset;
@@ -107,12 +107,12 @@ std::string clockWords(bool software) {
     return software ? "timestamps of a software device: compare ratios within one run" : "GPU timestamps";
 }
 
-std::string comparisonText(const Comparison& comparison) {
+std::string comparisonText(const measure::Comparison& comparison) {
     std::string text = fmt::format("{}, {}x{}, {}; {}\n", comparison.scene, comparison.width, comparison.height,
                                    comparison.device, clockWords(comparison.software));
     if (!comparison.noExact.empty())
         text += fmt::format("wrong mirror pixels: {}\n", comparison.noExact);
-    for (const ConfigFigures& config : comparison.configs) {
+    for (const measure::ConfigFigures& config : comparison.configs) {
         const measure::HitFigures& all = config.hits.all;
         text += fmt::format("\n{}\n", config.name);
         text += hitsLine("all", all);
@@ -135,7 +135,7 @@ std::string comparisonText(const Comparison& comparison) {
     return text;
 }
 
-std::string comparisonJson(const Comparison& comparison) {
+std::string comparisonJson(const measure::Comparison& comparison) {
     Json json;
     json["scene"] = comparison.scene;
     json["width"] = comparison.width;
@@ -147,7 +147,7 @@ std::string comparisonJson(const Comparison& comparison) {
     if (!comparison.noExact.empty())
         json["noExact"] = comparison.noExact;
     json["configs"] = Json::array();
-    for (const ConfigFigures& config : comparison.configs)
+    for (const measure::ConfigFigures& config : comparison.configs)
         json["configs"].push_back(configJson(config));
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

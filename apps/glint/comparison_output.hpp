@@ -1,24 +1,24 @@
-// A comparison as text, as JSON and as a page with pictures.
+// Formats a comparison as text, as JSON and as a page with images.
 #pragma once
 
-#include "comparison.hpp"
+#include "measure/comparison.hpp"
 
 namespace glint::cli {
 
-/// A block of lines a config, for people.
-std::string comparisonText(const Comparison& comparison);
+/// Returns text for the terminal: a block of lines per config.
+std::string comparisonText(const measure::Comparison& comparison);
 
 /// {"scene", "width", "height", "device": {"name", "driver", "software"}, "clock", "configs": [{"name", "preset",
 ///  "hits": hitReportJson, "exact": exactJson, "effectMs", "effectMs95", "floorMs", "floorMultiple", "frames",
 ///  "passes": [{"name", "ms", "ms95"}], "rays", "lookupsPerRay", "lookups95", "outcomes", "notes", "settings"}]}
 /// "exact" is absent where no exact picture exists, and "noExact" says why.
-std::string comparisonJson(const Comparison& comparison);
+std::string comparisonJson(const measure::Comparison& comparison);
 
-/// Writes the pictures of each config (composite, outcome, hits: measure::classColors) and index.html with the figures
-/// into `folder`, which is made if it is not there. Errors: Io.
-Result<void> writeReport(const std::string& folder, const Comparison& comparison);
+/// Writes the images of each config (composite, outcome, hits: measure::classColors) and index.html with the figures
+/// into `folder`, which is created if necessary. Errors: Io.
+Result<void> writeReport(const std::string& folder, const measure::Comparison& comparison);
 
-/// What the times of a device mean, in words.
+/// Returns a sentence about the meaning of a device's times.
 std::string clockWords(bool software);
 
 } // namespace glint::cli

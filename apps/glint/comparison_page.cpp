@@ -41,7 +41,7 @@ std::string pictureName(size_t number, std::string_view config, std::string_view
     return fmt::format("{}-{}.{}.png", number + 1, name, picture);
 }
 
-std::string row(const ConfigFigures& config) {
+std::string row(const measure::ConfigFigures& config) {
     const measure::HitFigures& all = config.hits.all;
     const measure::HitFigures& mirror = config.hits.bands[static_cast<size_t>(measure::RoughnessBand::Mirror)];
     const std::string wrong = config.exact ? fmt::format("{:.2f} % ({:.2f} %)", 100 * config.exact->oneBounceShare(),
@@ -54,7 +54,7 @@ std::string row(const ConfigFigures& config) {
                        config.times.total().median, config.times.floorMultiple(), wrong);
 }
 
-std::string page(const Comparison& comparison) {
+std::string page(const measure::Comparison& comparison) {
     std::string html = "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>glint compare</title>\n";
     html += kStyle;
     html += fmt::format("<h1>{}, {}x{}</h1>\n<p>{}; {}</p>\n", escaped(comparison.scene), comparison.width,
@@ -62,7 +62,7 @@ std::string page(const Comparison& comparison) {
     html += "<table><tr><th>settings</th><th>precision (mirrors)</th><th>recall (mirrors)</th>"
             "<th>error px: median, 95 %</th><th>lookups: mean, 95 %</th><th>effect ms</th><th>floors</th>"
             "<th>wrong: one bounce (all)</th></tr>\n";
-    for (const ConfigFigures& config : comparison.configs)
+    for (const measure::ConfigFigures& config : comparison.configs)
         html += row(config);
     html += "</table>\n<p>Hits:<i style=\"background:#28aa3c\"></i>right<i style=\"background:#f59614\"></i>wrong place"
             "<i style=\"background:#dc1e28\"></i>false<i style=\"background:#325ae6\"></i>missed"
@@ -81,13 +81,13 @@ std::string page(const Comparison& comparison) {
 
 } // namespace
 
-Result<void> writeReport(const std::string& folder, const Comparison& comparison) {
+Result<void> writeReport(const std::string& folder, const measure::Comparison& comparison) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
         return makeError(ErrorCode::Io, "--report {}: {}", folder, error.message());
     for (size_t i = 0; i < comparison.configs.size(); ++i) {
-        const ConfigFigures& config = comparison.configs[i];
+        const measure::ConfigFigures& config = comparison.configs[i];
         const std::vector<uint8_t> classes = measure::classColors(config.hits.classes);
         const std::array<std::pair<std::string_view, const std::vector<uint8_t>*>, 3> pictures = {
             {{"composite", &config.composite}, {"outcome", &config.outcome}, {"hits", &classes}}};

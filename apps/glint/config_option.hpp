@@ -1,4 +1,4 @@
-// `--config TEXT`: settings in one word, for commands that take several of them.
+// `--config TEXT`: settings in one argument, for commands that take several of them.
 #pragma once
 
 #include "base/result.hpp"
@@ -10,16 +10,17 @@
 
 namespace glint::cli {
 
-/// What each `--config` may say, for help texts.
+/// The syntax of `--config`, for help texts.
 extern const char* const kConfigHelp;
 
-/// "babylon", "mine.json", "screen.step=4,fade.border=none", "babylon+screen.step=4,thickness=0.5": a preset's name or
-/// a .json file, then KEY=VALUE; the base and what follows are parted by + or a comma, assignments by commas. Errors:
-/// InvalidArgument names `--config` and the text. Keys and values are checked later, by render::loadSettings.
+/// Parses "babylon", "mine.json", "screen.step=4,fade.border=none" or "babylon+screen.step=4,thickness=0.5": a preset's
+/// name or a .json file, then KEY=VALUE assignments. A + or a comma separates the base from the assignments, commas
+/// separate assignments. Errors: InvalidArgument names `--config` and the text. Keys and values are checked later, by
+/// render::loadSettings.
 Result<render::SettingsRequest> readConfig(std::string_view text);
 
-/// The job of a scene with one config. `options` has what all configs share: its assignments are weaker than theirs.
-/// Errors: as readConfig's and makeRenderJob's; they name `--config` and the text.
+/// Returns the job of a scene with one config. `options` are shared by all configs; a config's assignments override
+/// theirs. Errors: as readConfig and makeRenderJob; they name `--config` and the text.
 Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std::string& scene,
                                         const std::string& config);
 

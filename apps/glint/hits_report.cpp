@@ -1,11 +1,6 @@
 #include "hits_report.hpp"
 
-#include "render/job_inputs.hpp"
-#include "render/view.hpp"
-
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace glint::cli {
 namespace {
@@ -26,48 +21,7 @@ Json countsJson(const std::array<uint64_t, kCount>& counts, const OutcomeNames& 
     return json;
 }
 
-const std::vector<float>& viewOf(const render::RenderResult& result, std::string_view name) {
-    return std::ranges::find(result.views, name, &render::RenderedView::name)->rgba;
-}
-
 } // namespace
-
-render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
-    render::ProgramSettings all = settings;
-    Settings& reflections = all.reflections;
-    reflections.reflect.threshold = 0;
-    reflections.reflect.roughnessFadeStart = 1;
-    reflections.reflect.maxRoughness = 1;
-    reflections.rough.factor = 0;
-    all.render.display.antialias = render::Antialias::None; // one surface a pixel
-    return all;
-}
-
-std::vector<std::string> hitViews() {
-    return {"depth", "normal", "reflectivity", "ray"};
-}
-
-render::RenderJob hitJob(const render::RenderJob& job) {
-    render::RenderJob traced = job;
-    traced.settings = hitSettings(job.settings);
-    traced.views = hitViews();
-    traced.display = false;
-    traced.statistics = true;
-    traced.progress = {};
-    return traced;
-}
-
-measure::GBufferPicture gbufferPicture(const render::RenderResult& result) {
-    return {viewOf(result, "depth"), viewOf(result, "normal"), viewOf(result, "reflectivity")};
-}
-
-Result<measure::HitReport> measureHits(const render::RenderJob& job, const render::RenderResult& result) {
-    GLINT_TRY(inputs, render::loadJobInputs(job));
-    GLINT_TRY(oracle, measure::RayOracle::create(*inputs.scene, inputs.pose));
-    const render::View view = render::makeView(inputs.camera, result.width, result.height);
-    const measure::GBufferPicture gbuffer = gbufferPicture(result);
-    return measure::judgeHits(view, gbuffer, measure::traceTruth(oracle, view, gbuffer), viewOf(result, "ray"));
-}
 
 Json hitFiguresJson(const measure::HitFigures& figures, const OutcomeNames& outcomeNames) {
     Json json;

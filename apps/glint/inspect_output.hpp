@@ -1,4 +1,4 @@
-// A pixel's ray in words: docs/inspect.md lists the fields.
+// Formats the inspection of a pixel's ray: docs/inspect.md lists the fields.
 #pragma once
 
 #include "render/render_job.hpp"
@@ -7,7 +7,7 @@
 
 namespace glint::cli {
 
-/// `result` holds an inspection.
+/// `result` must hold an inspection.
 std::string inspectionJson(const render::RenderJob& job, const render::RenderResult& result);
 
 } // namespace glint::cli

@@ -1,6 +1,6 @@
-// `glint bench --rays` and what goes with it, from words to numbers.
+#include "ray_bench_options.hpp"
+
 #include "base/text.hpp"
-#include "ray_bench.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -35,8 +35,8 @@ void addRayBenchOptions(CLI::App& command, RayBenchOptions& options) {
         ->capture_default_str();
 }
 
-Result<RayBenchSeries> makeRayBenchSeries(const RayBenchOptions& options) {
-    RayBenchSeries series;
+Result<measure::RayBenchSeries> makeRayBenchSeries(const RayBenchOptions& options) {
+    measure::RayBenchSeries series;
     for (const std::string& text : options.triangles) {
         double count = 0;
         const char* const end = text.data() + text.size();

@@ -1,5 +1,4 @@
-// Times of the ray back ends as text and as JSON.
-#include "ray_bench.hpp"
+#include "ray_bench_output.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,6 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using measure::RayBackendFigures;
 using measure::RayBenchFigures;
+using measure::RayBenchResult;
 using measure::RayTraceTimes;
 using measure::RayUpdateTimes;
 

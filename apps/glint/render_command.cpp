@@ -2,8 +2,8 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands.hpp"
-#include "exact_report.hpp"
-#include "hits_report.hpp"
+#include "measure/job_exact.hpp"
+#include "measure/job_hits.hpp"
 #include "render_options.hpp"
 #include "render_output.hpp"
 
@@ -30,16 +30,16 @@ Result<void> renderPictures(const RenderOptions& options, const render::RenderFu
     GLINT_CHECK(writePictures(options.output, result));
     std::optional<measure::MirrorError> exact;
     if (job.settings.render.measure.exact) {
-        GLINT_TRY(error, measureExact(job, result));
+        GLINT_TRY(error, measure::measureExact(job, result));
         exact = error;
     }
     if (options.statsFile.empty())
         return {};
     std::optional<measure::HitReport> hits;
     if (job.settings.render.measure.hits) {
-        const render::RenderJob traced = hitJob(job);
+        const render::RenderJob traced = measure::hitJob(job);
         GLINT_TRY(tracedResult, render(traced));
-        GLINT_TRY(report, measureHits(traced, tracedResult));
+        GLINT_TRY(report, measure::measureHits(traced, tracedResult));
         hits = std::move(report);
     }
     return writeFile(options.statsFile, statsJson(job, result, {std::move(exact), std::move(hits)}));

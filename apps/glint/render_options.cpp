@@ -133,7 +133,10 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     addPictureOptions(command, options);
     command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
         ->capture_default_str();
-    command.add_option("--view", options.views, "What to show, several parted by commas: " + viewNames())
+    command
+        .add_option("--view", options.views,
+                    "What to show, several parted by commas: " + viewNames() +
+                        "; or an image that a pass wrote, as trace/hiz:radianceWeight")
         ->delimiter(',')
         ->allow_extra_args(false);
     command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON");

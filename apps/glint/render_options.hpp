@@ -1,4 +1,4 @@
-// The options of `glint render`, and the job that they ask for.
+// The options of `glint render`, and the job that they describe.
 #pragma once
 
 #include "base/result.hpp"
@@ -12,7 +12,7 @@
 
 namespace glint::cli {
 
-/// As they were written; makeRenderJob checks them.
+/// The options as the user wrote them; makeRenderJob checks them.
 struct RenderOptions {
     std::string scene;
     std::string output = "out.png";
@@ -32,30 +32,29 @@ struct RenderOptions {
 };
 
 void addRenderOptions(CLI::App& command, RenderOptions& options);
-/// Those of a command that renders one picture: the scene and its options, size, frames, settings.
+/// Adds the options of a command that renders one image: the scene and its options, size, frames, settings.
 void addPictureOptions(CLI::App& command, RenderOptions& options);
-/// Those of every command that renders a scene: camera, environment, time, seed, device.
+/// Adds the options of every command that renders a scene: camera, environment, time, seed, device.
 void addSceneOptions(CLI::App& command, RenderOptions& options);
-/// What reflections may be taken from besides the screen: probes, planar mirrors.
+/// Adds the options of reflection sources besides the screen: probes, planar mirrors.
 void addSourceOptions(CLI::App& command, RenderOptions& options);
-/// What SCENE may be.
+/// Returns the help text of the SCENE argument.
 std::string sceneHelp();
 
-/// "1280x720" into the job. Errors: InvalidArgument names the option.
+/// Parses "1280x720" into the job. Errors: InvalidArgument names the option.
 Result<void> readSize(std::string_view option, const std::string& text, render::RenderJob& job);
 
-/// Errors: NotFound if the folder that `file` is to be written to is not there.
+/// Errors: NotFound if the folder of the output file `file` does not exist.
 Result<void> checkFolder(std::string_view option, const std::string& file);
 
-/// The settings that are asked for, with what suits the scene under them.
+/// Returns the requested settings, with the scene's defaults below them.
 render::SettingsRequest settingsRequest(const RenderOptions& options);
 
-/// Without what is written: views, files, figures. Errors: InvalidArgument, InvalidInput or NotFound, each naming its
-/// option.
+/// Without outputs: views, files, figures. Errors: InvalidArgument, InvalidInput or NotFound, each naming its option.
 Result<render::RenderJob> makePictureJob(const RenderOptions& options);
 
-/// Errors: InvalidArgument, InvalidInput or NotFound, each naming its option. All that can be known before the scene is
-/// read is checked here, so that a long job does not fail at its end for a misspelt name.
+/// Checks everything that can be checked before the scene is read, so that a long job does not fail at its end because
+/// of a misspelt name. Errors: InvalidArgument, InvalidInput or NotFound, each naming its option.
 Result<render::RenderJob> makeRenderJob(const RenderOptions& options);
 
 } // namespace glint::cli

@@ -64,7 +64,10 @@ Result<PictureKind> pictureKind(std::string_view path) {
 std::string pathForView(const std::string& path, std::string_view view) {
     std::filesystem::path named(path);
     const std::string ending = named.extension().string();
-    return named.replace_extension().string() + "." + std::string(view) + ending;
+    std::string part(view);
+    std::ranges::replace_if(
+        part, [](char c) { return c == '/' || c == ':'; }, '-'); // of a pass and its image
+    return named.replace_extension().string() + "." + part + ending;
 }
 
 Result<void> writePictures(const std::string& path, const render::RenderResult& result) {

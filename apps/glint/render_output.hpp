@@ -1,4 +1,4 @@
-// What `glint render` leaves behind: pictures and figures.
+// The output of `glint render`: images and figures.
 #pragma once
 
 #include "base/result.hpp"
@@ -16,20 +16,20 @@ namespace glint::cli {
 
 enum class PictureKind { Png, Exr };
 
-/// By the name's ending. Errors: InvalidArgument.
+/// Determines the kind from the file extension. Errors: InvalidArgument.
 Result<PictureKind> pictureKind(std::string_view path);
 
-/// "out.png" and "depth" make "out.depth.png".
+/// "out.png" and "depth" become "out.depth.png".
 std::string pathForView(const std::string& path, std::string_view view);
 
-/// RGB as a PNG shows it. Errors: InvalidArgument for an unknown view.
+/// Returns RGB bytes for a PNG. Errors: InvalidArgument for an unknown view.
 Result<std::vector<uint8_t>> displayedBytes(const render::RenderedView& view);
 
-/// PNG: a file a view, the first under `path` itself, the others under pathForView. EXR: one file, the first view bare
-/// (R, G, B, A), the others as layers with their names. Errors: Io.
+/// PNG: one file per view, the first at `path`, the others at pathForView. EXR: one file, the first view without a
+/// layer name (R, G, B, A), the others as named layers. Errors: Io.
 Result<void> writePictures(const std::string& path, const render::RenderResult& result);
 
-/// What was measured beside the rendering, where it was asked for.
+/// Additional measurements, where requested.
 struct Measured {
     std::optional<measure::MirrorError> exact; ///< measure.exact
     std::optional<measure::HitReport> hits;    ///< measure.hits

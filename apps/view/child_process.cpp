@@ -35,7 +35,7 @@ struct Pipe {
     Pipe& operator=(const Pipe&) = delete;
 };
 
-/// Both at once: a program that nobody listens to waits.
+/// Reads both pipes at once, as a program blocks on a full pipe.
 void drain(Pipe& out, std::string& outText, Pipe& error, std::string& errorText) {
     std::array<char, 65536> buffer;
     while (out.ends[0] >= 0 || error.ends[0] >= 0) {

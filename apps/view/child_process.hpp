@@ -1,4 +1,4 @@
-// Another program, run to its end, and what it said.
+// Runs another program to completion and returns its output.
 #pragma once
 
 #include "base/result.hpp"
@@ -9,13 +9,13 @@
 namespace glint::view {
 
 struct ProgramOutput {
-    int code = 0; ///< 128 + the signal that ended it
+    int code = 0; ///< or 128 + the signal that ended the program
     std::string out;
     std::string error;
 };
 
-/// `command`  the program, looked for on PATH, and its arguments; no shell reads them
-/// Errors: NotFound where there is no such program; Io.
+/// `command`  the program, found through PATH, and its arguments; not interpreted by a shell
+/// Errors: NotFound if there is no such program; Io.
 Result<ProgramOutput> runProgram(const std::vector<std::string>& command);
 
 } // namespace glint::view

@@ -1,4 +1,4 @@
-// What is shown, as the `glint render` that makes the same picture.
+// The `glint render` command line that makes the shown picture.
 #pragma once
 
 #include "viewer_state.hpp"
@@ -10,14 +10,14 @@ namespace glint::view {
 
 struct SavedCamera {
     std::string path;
-    scene::Camera camera; ///< as the file has it
+    scene::Camera camera; ///< as stored in the file
 };
 
-/// No option of `glint render` makes the camera that is shown: it was moved, and is not the saved one.
+/// True if no option of `glint render` gives the shown camera: it was moved and is not the saved one.
 bool cameraIsLost(const ViewerState& state, const std::optional<SavedCamera>& saved);
 
-/// Without a camera where that is lost.
-/// `job`  of the scene that is open
+/// Returns the command line, without a camera if cameraIsLost.
+/// `job`  of the open scene
 std::string commandLine(const ViewerState& state, const render::RenderJob& job,
                         const std::optional<SavedCamera>& saved);
 

@@ -1,4 +1,4 @@
-// What a frame costs, as the help panel says it: compute_ssr's four figures and their loads.
+// The cost of a frame as the help panel shows it: compute_ssr's four figures and their loads.
 #pragma once
 
 #include "render/run_job.hpp"
@@ -8,27 +8,27 @@
 namespace glint::view {
 
 struct FrameFigures {
-    double computeMs = 0;  ///< GPU: the marching of rays alone (passes trace/...)
-    double renderMs = 0;   ///< GPU: what the host draws, G-buffer and light
-    double totalMs = 0;    ///< GPU: all passes of the frame; the copy into the window is none of them
-    double cpuMs = 0;      ///< from the frame's begin to its end, less what was waited for the GPU
-    double intervalMs = 0; ///< from this frame to the next
+    double computeMs = 0;  ///< GPU: ray marching only (passes trace/...)
+    double renderMs = 0;   ///< GPU: the host's draws, G-buffer and lighting
+    double totalMs = 0;    ///< GPU: all passes of the frame, without the copy into the window
+    double cpuMs = 0;      ///< from the start of the frame to its end, without waits for the GPU
+    double intervalMs = 0; ///< from the start of this frame to the start of the next
 
     double load(double milliseconds) const { return intervalMs > 0 ? milliseconds / intervalMs : 0; }
 };
 
-/// `intervalMs`  from the begin of the frame to the begin of the next
+/// `intervalMs`  from the start of the frame to the start of the next
 FrameFigures frameFigures(const render::FrameTimes& times, double intervalMs);
 
-/// The last frames of one size and one set of settings. A single frame's times jump about; medians can be read, and are
-/// what --stats says.
+/// The times of the last frames with the same size and settings. Times of single frames fluctuate; medians are
+/// readable, and --stats reports them too.
 class RecentTimes {
 public:
     static constexpr size_t kFrames = 31;
 
     void clear() { frames_.clear(); }
     void add(const render::FrameTimes& times, double intervalMs);
-    /// Of the medians of each pass and of the interval.
+    /// Returns figures from the medians of each pass and of the interval.
     FrameFigures figures() const;
 
 private:
@@ -39,8 +39,8 @@ private:
     std::deque<Frame> frames_;
 };
 
-/// {"gpuComputeMs", "gpuRenderMs", "gpuMs", "cpuMs", "intervalMs"}: what the help panel shows; "deviceBytes"; "passes"
-/// as --stats has them, but only those of `lastFrame`: what was done once, for the first frame, is no frame's cost.
+/// {"gpuComputeMs", "gpuRenderMs", "gpuMs", "cpuMs", "intervalMs"}, as in the help panel; "deviceBytes"; "passes" as in
+/// --stats, but only those of `lastFrame`: work done once, in the first frame, is not a cost per frame.
 std::string figuresJson(const FrameFigures& figures, const render::RenderStats& stats,
                         const std::vector<std::string>& lastFrame, size_t deviceBytes);
 

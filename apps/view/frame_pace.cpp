@@ -4,7 +4,7 @@ namespace glint::view {
 
 void FramePace::rendered(uint32_t divisor, double milliseconds) {
     const double whole = milliseconds * divisor * divisor;
-    // What coarse frames tell of whole ones is a guess, for they cost more a pixel: better than nothing.
+    // The cost of a full frame is only estimated from coarse frames, which cost more per pixel.
     if (divisor == 1 || wholeMs_ == 0)
         wholeMs_ = whole;
 }

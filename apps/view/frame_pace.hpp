@@ -1,27 +1,27 @@
-// How finely a moving picture is rendered, so that the window answers in time on a slow device too.
+// Reduces the resolution of a moving picture, so that the window stays responsive on a slow device.
 #pragma once
 
 #include <cstdint>
 
 namespace glint::view {
 
-/// While something moves, the picture has 1/2, 1/4 or 1/8 of the window's pixels a side if whole frames take longer
-/// than kLongestFrame; when it has stood still for kStillSeconds, all of them.
+/// While something moves, and if full frames take longer than kLongestFrame, the picture has 1/2, 1/4 or 1/8 of the
+/// window's pixels per side. After kStillSeconds without movement it has all of them.
 class FramePace {
 public:
     static constexpr double kLongestFrame = 100; ///< milliseconds
-    static constexpr double kStillSeconds = 0.2; ///< long enough to move the hand on
+    static constexpr double kStillSeconds = 0.2; ///< seconds: long enough for short pauses of the user's hand
     static constexpr uint32_t kCoarsest = 8;
 
-    /// A frame of width/divisor x height/divisor pixels took so long.
+    /// Reports the time of a frame of width/divisor x height/divisor pixels.
     void rendered(uint32_t divisor, double milliseconds);
     void moved(double now) { lastMove_ = now; }
     bool moving(double now) const { return now - lastMove_ < kStillSeconds; }
-    /// What the next frame's size is divided by: 1, 2, 4 or 8.
+    /// Returns the divisor of the next frame's size: 1, 2, 4 or 8.
     uint32_t divisor(double now) const;
 
 private:
-    double wholeMs_ = 0; ///< of a frame with all pixels, as far as is known
+    double wholeMs_ = 0; ///< estimated time of a frame with all pixels
     double lastMove_ = -1e9;
 };
 

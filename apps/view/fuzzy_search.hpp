@@ -1,4 +1,4 @@
-// Finds what a person means by a few letters: "rfmin" finds "Reflect Min".
+// Fuzzy search for names by a few letters: "rfmin" finds "Reflect Min".
 #pragma once
 
 #include <optional>
@@ -6,9 +6,9 @@
 
 namespace glint::view {
 
-/// How well `text` answers to `query`; larger is better. No answer where a letter of the query is missing in `text`, in
-/// the query's order; case and spaces of the query do not count. Letters that follow each other, that begin a word, or
-/// that begin the text count more; what is left over counts a little against it. The empty query finds everything.
+/// Returns how well `text` matches `query`; larger is better. No value if `text` lacks a letter of the query in the
+/// query's order; case and spaces of the query are ignored. Letters score higher if they follow each other, begin a
+/// word, or begin the text; unmatched letters lower the score slightly. The empty query matches everything.
 std::optional<int> fuzzyScore(std::string_view query, std::string_view text);
 
 } // namespace glint::view

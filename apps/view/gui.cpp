@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <cmath>
+#include <filesystem>
 
 namespace glint::view {
 namespace {
@@ -110,6 +112,19 @@ void setLooks(float scale) {
     style.ScaleAllSizes(scale);
 }
 
+/// Where the package fonts-dejavu-core has it.
+constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr float kFontHeight = 14; ///< pixels on an ordinary screen
+
+/// A scalable font in the size that the screen needs; without the file ImGui's bitmap font, enlarged.
+void setFont(ImGuiIO& io, float scale) {
+    std::error_code ignored;
+    const bool there = std::filesystem::exists(kFontFile, ignored); // ImGui asserts that it can be read
+    if (there && io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontHeight * scale)))
+        return;
+    io.FontGlobalScale = scale;
+}
+
 } // namespace
 
 Gui::Gui(float scale, Clipboard clipboard) : clipboard_(std::move(clipboard)) {
@@ -117,7 +132,7 @@ Gui::Gui(float scale, Clipboard clipboard) : clipboard_(std::move(clipboard)) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // leaves no files behind
-    io.FontGlobalScale = scale;
+    setFont(io, scale);
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ClipboardUserData = this;
     io.SetClipboardTextFn = [](void* gui, const char* text) { static_cast<Gui*>(gui)->clipboard_.set(text); };

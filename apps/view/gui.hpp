@@ -1,4 +1,4 @@
-// Dear ImGui's one context: fed with our input events, its draw lists taken by GuiRenderer.
+// Dear ImGui's context: receives our input events; GuiRenderer draws its draw lists.
 #pragma once
 
 #include "input_event.hpp"
@@ -9,26 +9,25 @@
 
 namespace glint::view {
 
-/// One at a time.
+/// Only one may exist at a time.
 class Gui {
 public:
     struct Clipboard {
         std::function<void(const std::string&)> set;
         std::function<std::string()> get;
     };
-    /// `scale`  of texts and sizes, 1 on an ordinary screen
+    /// `scale`  of texts and sizes, 1 on a standard-resolution screen
     Gui(float scale, Clipboard clipboard);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
-    /// Starts a frame with what happened since the last one.
-    /// `seconds` since then, > 0
+    /// Starts a frame with the events since the last frame. `seconds`: time since the last frame, > 0.
     void begin(std::span<const InputEvent> events, glm::uvec2 size, double seconds);
-    /// Ends the frame: ImGui::GetDrawData() has it.
+    /// Ends the frame; ImGui::GetDrawData() then returns its draw data.
     void end();
 
-    /// In the frame before: the person types into a field, or points at a panel.
+    /// State of the previous frame: the user types into a field, or the mouse is over a panel.
     bool wantsKeys() const;
     bool wantsMouse() const;
 
@@ -36,7 +35,7 @@ private:
     void feed(const InputEvent& event);
 
     Clipboard clipboard_;
-    std::string pasted_; ///< what ImGui reads from the clipboard, as long as it may look at it
+    std::string pasted_; ///< clipboard text that ImGui reads, kept while ImGui may refer to it
 };
 
 } // namespace glint::view

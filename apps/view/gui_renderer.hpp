@@ -1,5 +1,5 @@
-// Draws what Dear ImGui has put together, by one pipeline of src/gpu: no backend of ImGui's own, so no second view of
-// Vulkan in the program.
+// Draws Dear ImGui's draw data with one pipeline of src/gpu instead of ImGui's own Vulkan backend, so that the program
+// has a single Vulkan layer.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -11,25 +11,25 @@ struct ImDrawData;
 
 namespace glint::view {
 
-/// Which texture an ImGui draw command shows: ImTextureID holds this number.
+/// The texture of an ImGui draw command: ImTextureID holds this number.
 using GuiTexture = uint32_t;
 constexpr GuiTexture kFontTexture = 0;
 
 class GuiRenderer {
 public:
-    /// Makes the font's texture from ImGui's context, which must be there. `context` knows gpu::shaders::view().
-    /// Errors: OutOfMemory, DeviceLost.
+    /// Creates the font texture from ImGui's context, which must exist. Requires that `context` has
+    /// gpu::shaders::view() registered. Errors: OutOfMemory, DeviceLost.
     static Result<GuiRenderer> create(gpu::Context& context);
 
-    /// The pictures that draw commands may name, as textures 1, 2, ...: each twice, smooth (odd numbers) and with every
-    /// pixel a square (even ones). They must be ready for sampling when `draw` runs, and outlive it.
-    /// Errors: OutOfMemory.
+    /// Sets the images that draw commands may refer to, as textures 1, 2, ...: each has two textures, one with linear
+    /// filtering (odd numbers) and one with nearest filtering (even numbers). The images must be ready for sampling
+    /// when `draw` executes, and must outlive their use. Errors: OutOfMemory.
     Result<void> setPictures(std::span<const gpu::Image* const> pictures);
     static constexpr GuiTexture smooth(uint32_t picture) { return 1 + 2 * picture; }
     static constexpr GuiTexture squares(uint32_t picture) { return 2 + 2 * picture; }
 
-    /// Into `target` (RGBA8_UNORM, a colour attachment), over black. Waits until it is done.
-    /// Errors: OutOfMemory, DeviceLost.
+    /// Draws into `target` (RGBA8_UNORM, a colour attachment), over black, and waits for completion. Errors:
+    /// OutOfMemory, DeviceLost.
     Result<void> draw(const ImDrawData& data, gpu::Image& target);
     static constexpr VkFormat kFormat = VK_FORMAT_R8G8B8A8_UNORM;
 

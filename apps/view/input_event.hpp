@@ -1,5 +1,5 @@
-// What a person does to the window, as one list: the window system and scripts (input_script.hpp) both write it, and
-// all that reacts reads it, so that a script is a person to the rest of the program.
+// User input as one list of events. The window system and scripts (input_script.hpp) both write it, and all input
+// handling reads it, so that a script acts exactly like a user.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,12 +21,12 @@ struct Modifiers {
 
 struct InputEvent {
     InputKind kind = InputKind::Key;
-    int key = 0; ///< Key: GLFW's number of it; Button: 0 left, 1 right, 2 middle
+    int key = 0; ///< Key: GLFW key number; Button: 0 left, 1 right, 2 middle
     bool down = false;
-    bool repeated = false; ///< Key: by being held
+    bool repeated = false; ///< Key: repeated because the key is held
     Modifiers modifiers;
     uint32_t character = 0;              ///< Text: a code point
-    glm::vec2 position = glm::vec2(0);   ///< Move: pixels from the top left; Scroll: notches, +y away from the person
+    glm::vec2 position = glm::vec2(0);   ///< Move: pixels from the top left; Scroll: notches, +y away from the user
     std::vector<std::string> files = {}; ///< Drop
 };
 

@@ -15,9 +15,10 @@ namespace glint::view {
 namespace {
 
 constexpr double kDoubleClick = 0.35; ///< seconds
-constexpr float kClickSlack = 4;      ///< pixels that a click's hand may tremble
-constexpr float kLineReach = 6;       ///< pixels around the dividing line
-constexpr float kTurn = 3;            ///< radians for a drag over the window's height
+/// Pixels; movement of the mouse that still counts as a click, also between two clicks.
+constexpr float kClickSlack = 4;
+constexpr float kLineReach = 6; ///< pixels around the dividing line
+constexpr float kTurn = 3;      ///< radians for a drag over the window's height
 constexpr std::string_view kFlyKeys = "WASDQE";
 
 } // namespace
@@ -116,11 +117,13 @@ void InputHandler::move(glm::vec2 to, ViewerState& state, glm::uvec2 window) {
 void InputHandler::click(ViewerState& state, glm::uvec2 window) {
     state.asked = glm::clamp(makeCanvas(state.zoom, window).toUV(mouse_), glm::vec2(0), glm::vec2(1));
     state.askFollows = false;
-    if (state.now - lastClick_ < kDoubleClick) {
+    const bool again = lastClick_ >= 0 && state.now - lastClick_ < kDoubleClick;
+    if (again && glm::distance(mouse_, lastClickAt_) < kClickSlack) {
         state.focusAsked = true;
         lastClick_ = -1;
     } else {
         lastClick_ = state.now;
+        lastClickAt_ = mouse_;
     }
 }
 

@@ -1,4 +1,4 @@
-// What keys and the mouse do to the viewer's state, where no panel wants them.
+// Applies key and mouse input that no panel uses to the viewer's state.
 #pragma once
 
 #include "gui.hpp"
@@ -10,11 +10,11 @@ namespace glint::view {
 
 class InputHandler {
 public:
-    /// `metres`  the scene's size: how fast to fly
+    /// `metres`  size of the scene, which determines the speed of flying
     void setScale(float metres) { scale_ = metres; }
     void handle(std::span<const InputEvent> events, ViewerState& state, const Gui& gui, glm::uvec2 window,
                 double seconds);
-    /// Keys or buttons are held that move things.
+    /// True if keys or buttons that move something are held.
     bool holding() const { return !held_.empty() || drag_ != Drag::Nothing; }
 
 private:
@@ -32,8 +32,9 @@ private:
     glm::vec2 mouse_ = glm::vec2(-1);
     glm::vec2 pressedAt_ = glm::vec2(0);
     Drag drag_ = Drag::Nothing;
-    bool dragged_ = false; ///< since the button went down: no click
-    double lastClick_ = -1;
+    bool dragged_ = false;  ///< moved since the button was pressed, so that it is not a click
+    double lastClick_ = -1; ///< seconds; -1: the next click is the first of two
+    glm::vec2 lastClickAt_ = glm::vec2(0);
     float scale_ = 1;
 };
 

@@ -1,4 +1,4 @@
-// A person on paper: lines that drive the viewer as keys and a mouse do, for tests and for pictures in documents.
+// Scripted input: lines that drive the viewer with keys and mouse, for tests and for images in documentation.
 #pragma once
 
 #include "base/result.hpp"
@@ -10,11 +10,11 @@
 
 namespace glint::view {
 
-/// One line. docs/viewer.md has the same list.
+/// One line of a script. docs/viewer.md has the same list.
 struct ScriptStep {
     enum class Kind {
         Frame,       ///< frame N: lets N frames pass
-        Still,       ///< still: waits until the picture is complete, in its full size
+        Still,       ///< still: waits until the picture is complete at full size
         Key,         ///< key Ctrl+P: presses and releases
         Press,       ///< press W
         Release,     ///< release W
@@ -23,7 +23,7 @@ struct ScriptStep {
         Click,       ///< click X Y: with the left button
         DoubleClick, ///< doubleclick X Y
         Drag,        ///< drag X Y X2 Y2 [right|middle]
-        Scroll,      ///< scroll N: notches, away from the person
+        Scroll,      ///< scroll N: notches, away from the user
         Resize,      ///< resize W H
         Minimize,    ///< minimize
         Restore,     ///< restore
@@ -38,10 +38,10 @@ struct ScriptStep {
     int line = 0;
     KeyStroke stroke;
     std::vector<int> numbers;
-    std::string text; ///< what is typed, a file, or a button's name
+    std::string text; ///< typed text, a file, or a button's name
 };
 
-/// Empty lines and those that begin with # are for people. Errors: InvalidInput, "name:line: ...".
+/// Empty lines and lines that begin with # are comments. Errors: InvalidInput, "name:line: ...".
 Result<std::vector<ScriptStep>> readScript(std::string_view text, std::string_view name);
 
 } // namespace glint::view

@@ -1,4 +1,4 @@
-// Keys by their names: "V", "Ctrl+P", "F12", "Home".
+// Key names: "V", "Ctrl+P", "F12", "Home".
 #pragma once
 
 #include "base/result.hpp"
@@ -13,7 +13,7 @@ struct KeyStroke {
     Modifiers modifiers;
 };
 
-/// Errors: InvalidArgument for a name that is none.
+/// Errors: InvalidArgument for an unknown name.
 Result<KeyStroke> readKeyStroke(std::string_view text);
 
 } // namespace glint::view

@@ -1,4 +1,5 @@
-// Shaders that change while the window is open: from files to pipelines, or back to those of before.
+// Reloads shaders while the window is open: compiles changed files and replaces pipelines, or keeps the previous ones
+// on error.
 #pragma once
 
 #include "gpu/context.hpp"
@@ -10,16 +11,16 @@
 
 namespace glint::view {
 
-/// What it compiled lives as long as it does: it must outlive every pipeline.
+/// Owns the compiled shaders: it must outlive every pipeline.
 class LiveShaders {
 public:
-    /// `folder`  that was asked for, looked at once a second; empty: that of the sources where the program was started
-    /// from their root, looked at when asked. Errors: InvalidArgument where it is no folder of shaders.
+    /// `folder`  requested folder, checked once a second. Empty: the source folder, if the program was started from the
+    ///           repository root, checked on request. Errors: InvalidArgument if it is not a shader folder.
     Result<void> follow(const std::string& folder);
-    /// Asks for a reload as soon as files have changed.
+    /// Requests a reload if files have changed.
     void look(ViewerState& state);
-    /// Compiles what has changed, or `all`, and has the pipelines made anew; what came of it is in `state`.
-    /// `remake`  all or nothing. Errors: NotFound where there is no folder; DeviceLost.
+    /// Compiles changed shaders, or `all`, and rebuilds the pipelines; writes the result to `state`.
+    /// `remake`  succeeds or changes nothing. Errors: NotFound if there is no folder; DeviceLost.
     Result<void> reload(bool all, gpu::Context& context, ViewerState& state,
                         const std::function<Result<void>()>& remake);
 

@@ -1,13 +1,13 @@
-// What happens to a window on X11 that nobody here asked for: something else destroys it, or the server ends. Xlib's
-// own answer is to end the program in the middle of whatever it does.
+// Handles the loss of a window on X11: another client destroys the window, or the server ends. Xlib's default is to end
+// the program immediately.
 #pragma once
 
 namespace glint::view {
 
-/// From here on a destroyed window is noticed (windowIsLost), and a server that is gone ends the program with 1 and one
-/// line: nothing can be shown or asked any more. Does nothing without X11.
+/// After this call, a destroyed window is detected (windowIsLost). If the server is gone, the program ends with 1 and
+/// one line of error, as nothing can be shown or queried any more. Does nothing without X11.
 void watchForLostWindow();
-/// Since then an X request has failed because the window is not there any more.
+/// True if an X request has failed since then because the window no longer exists.
 bool windowIsLost();
 
 } // namespace glint::view

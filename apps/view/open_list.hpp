@@ -1,4 +1,4 @@
-// What can be opened from here: files of a folder, what was opened lately, and scenes that the program brings along.
+// Lists what can be opened: files of a folder, recently opened files, and built-in scenes.
 #pragma once
 
 #include <span>
@@ -11,30 +11,29 @@ namespace glint::view {
 struct OpenEntry {
     enum class Kind { Recent, Folder, File, Builtin };
     Kind kind = Kind::File;
-    std::string name; ///< as it is shown
-    std::string path; ///< what to open, or to enter
+    std::string name; ///< the displayed name
+    std::string path; ///< the path to open, or the folder to enter
 };
 
-/// `folder`  absolute; one that cannot be read has no entries but the way out
-/// `filter`  parts of a name (fuzzyScore), the best first; empty: everything, recent ones first, folders before files;
-/// a
-///           path (with a slash) is what it says
+/// `folder`  absolute; an unreadable folder has only the entry of its parent
+/// `filter`  parts of a name (fuzzyScore), the best match first; empty: all entries, recent ones first, folders before
+///           files; text with a slash is used as a path
 std::vector<OpenEntry> openEntries(const std::string& folder, std::string_view filter,
                                    std::span<const std::string> recent);
 
-/// What the panel that opens files has on it.
+/// State of the panel that opens files.
 struct OpenPanel {
     bool shown = false;
-    bool begins = false; ///< in this frame
-    std::string folder;  ///< empty: the current one
+    bool begins = false; ///< the panel opens in this frame
+    std::string folder;  ///< empty: the current folder
     std::string text;
     int choice = 0;
-    bool scroll = false;            ///< to the choice
-    std::vector<OpenEntry> entries; ///< of `listed`
+    bool scroll = false;            ///< scroll to the selected entry
+    std::vector<OpenEntry> entries; ///< entries of `listed`
     std::string listed;
 };
 
-/// Can the viewer open a file with this name's ending?
+/// True if the viewer can open a file with this name's extension.
 bool isOpenable(std::string_view name);
 
 } // namespace glint::view

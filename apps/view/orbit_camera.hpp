@@ -1,4 +1,4 @@
-// The camera in a person's hands: it turns about a point, slides, comes closer, or flies.
+// A camera controlled by the user: it orbits around a point, pans, dollies, or flies.
 #pragma once
 
 #include "scene/camera.hpp"
@@ -7,40 +7,41 @@
 
 namespace glint::view {
 
-/// Looks from `position()` to `target()`, +Y up. A camera of the scene is shown exactly as it is, rolled or not, until
-/// it is moved by hand for the first time.
+/// Looks from `position()` to `target()`, +Y up. A scene's camera is used unchanged, rolled or not, until the user
+/// first moves it.
 class OrbitCamera {
 public:
     OrbitCamera() = default;
-    /// `distance`  metres to what the camera is to turn about, > 0
+    /// `distance`  metres to the orbit target, > 0
     OrbitCamera(const scene::Camera& camera, float distance);
 
-    /// Turns about the target as if the scene were in the hand: its near side goes so many radians to the right and up.
-    /// Stops short of straight up and down.
+    /// Orbits around the target as if the user turned the scene: its near side moves by these radians to the right and
+    /// up. Stops short of straight up and down.
     void orbit(float right, float up);
-    /// Turns about its own place, as a head does.
+    /// Rotates around the camera's own position.
     void look(float right, float up);
-    /// Slides in the picture's plane: in heights of the picture at the target's distance, to the right and up.
+    /// Moves in the image plane, to the right and up, in units of the image height at the target's distance.
     void pan(float right, float up);
-    /// Comes closer to the target by this factor, (0, 1), or farther away, (1, inf). The target stays where it is.
+    /// Multiplies the distance to the target by this factor: (0, 1) moves closer, (1, inf) farther away. The target
+    /// does not move.
     void dolly(float factor);
-    /// Flies: metres to the right, up and ahead, in the camera's own axes; the target comes along.
+    /// Moves by metres to the right, up and ahead, in the camera's own axes; the target moves along.
     void fly(const glm::vec3& rightUpAhead);
-    /// Turns to a point, about which it turns from then on, and stays as far away as it is.
+    /// Turns towards a point, which becomes the target. The position does not change.
     void focus(const glm::vec3& pointWS);
-    /// Shows a scene's camera that moves by itself; does nothing once it was moved by hand.
+    /// Follows an animated scene camera; has no effect once the user has moved the camera.
     void follow(const scene::Camera& camera);
 
-    /// Becomes exactly this camera, which is what a file made of it: its numbers are rounded. Counts as moved.
+    /// Becomes exactly this camera, which was read back from a file with rounded numbers. Counts as moved.
     void settle(const scene::Camera& camera);
 
     const scene::Camera& camera() const { return camera_; }
     glm::vec3 position() const { return glm::vec3(camera_.viewToWorld[3]); }
     glm::vec3 target() const { return target_; }
     float distance() const { return glm::length(target_ - position()); }
-    bool moved() const { return moved_; } ///< by hand
+    bool moved() const { return moved_; } ///< by the user
 
-    /// As a camera file (scene::readCameraFile), for pictures of this size.
+    /// Returns the camera as a camera file (scene::readCameraFile), for images of this size.
     std::string json(uint32_t width, uint32_t height) const;
 
 private:
@@ -52,7 +53,7 @@ private:
     bool moved_ = false;
 };
 
-/// To the bit.
+/// True if all bits are equal.
 bool sameCamera(const scene::Camera& a, const scene::Camera& b);
 
 } // namespace glint::view

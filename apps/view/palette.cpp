@@ -17,7 +17,7 @@ void drawEntry(ViewerState& state, const PaletteEntry& entry, bool chosen, bool 
         ImGui::PopStyleColor();
         ImGui::SameLine(ImGui::GetFontSize() * 14);
         drawSetting(state, *entry.setting, ImGui::GetFontSize() * 8);
-        if (run && entry.setting->type == SettingType::Bool)
+        if (run && entry.setting->type == SettingType::Boolean)
             state.settings.set(*entry.setting, state.settings.value(*entry.setting) != 0 ? 0 : 1);
         return;
     }
@@ -51,13 +51,20 @@ void pageTabs(ViewerState& state) {
     }
 }
 
+/// In as many lines as they need: on a software driver each figure has several digits more.
 void figuresLine(const ViewerState& state) {
     const FrameFigures& f = state.figures;
-    const auto part = [&](const char* name, double ms) {
-        return fmt::format("{} {} ({:.0f} %)", name, millisecondsText(ms), 100 * f.load(ms));
-    };
-    ImGui::TextDisabled("%s  %s  %s  %s", part("GPU Compute", f.computeMs).c_str(), part("Render", f.renderMs).c_str(),
-                        part("Total", f.totalMs).c_str(), part("CPU", f.cpuMs).c_str());
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const float space = ImGui::GetFontSize();
+    bool first = true;
+    for (const auto& [name, ms] :
+         {std::pair("GPU Compute", f.computeMs), {"Render", f.renderMs}, {"Total", f.totalMs}, {"CPU", f.cpuMs}}) {
+        const std::string text = fmt::format("{} {} ({:.0f} %)", name, millisecondsText(ms), 100 * f.load(ms));
+        if (!first && ImGui::GetItemRectMax().x + space + ImGui::CalcTextSize(text.c_str()).x <= right)
+            ImGui::SameLine(0, space);
+        ImGui::TextDisabled("%s", text.c_str());
+        first = false;
+    }
 }
 
 } // namespace

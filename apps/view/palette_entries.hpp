@@ -1,4 +1,4 @@
-// What the command palette offers: pages to leaf through, and one list of everything to search.
+// The content of the command palette: pages, and one searchable list of all entries.
 #pragma once
 
 #include "view_commands.hpp"
@@ -9,22 +9,22 @@
 
 namespace glint::view {
 
-/// A command, or a setting that is changed on the spot.
+/// A command, or a setting that is changed in place.
 struct PaletteEntry {
     std::string name;
     const ViewCommand* command = nullptr;
-    const SettingInfo* setting = nullptr; ///< where there is no command
+    const SettingInfo* setting = nullptr; ///< for entries without a command
 };
 
-/// 1: what to do. 2: compute_ssr's settings that have keys. 3: the rest of them, "Reflect Min" first. Then the table's
-/// groups.
+/// Page 1: commands. Page 2: compute_ssr's settings that have keys. Page 3: its other settings, "Reflect Min" first.
+/// Then the groups of the settings table.
 struct PalettePage {
     std::string title;
     std::vector<PaletteEntry> entries;
 };
 const std::vector<PalettePage>& palettePages();
 
-/// Those entries of all pages that answer to `text` (fuzzyScore), the best first, each once.
+/// Returns the entries of all pages that match `text` (fuzzyScore), the best first, without duplicates.
 std::vector<PaletteEntry> searchPalette(std::string_view text);
 
 } // namespace glint::view

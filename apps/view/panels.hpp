@@ -1,4 +1,4 @@
-// The panels over the picture, one file each. They show the state and write down what the person wants.
+// The panels over the picture, one file each. They show the state and store the user's requests in it.
 #pragma once
 
 #include "viewer_state.hpp"
@@ -16,16 +16,17 @@ void drawSecondPanel(ViewerState& state);   ///< second_panel.cpp
 void drawMessage(ViewerState& state);       ///< view_bar.cpp
 void drawShaderError(ViewerState& state);   ///< view_bar.cpp
 
-/// A slider, a box or a list for one setting; a change goes into the model. One edit of a slider is one step to undo.
+/// Draws a slider, a check box or a list for one setting; a change is made in the model. One drag of a slider is one
+/// undo step.
 void drawSetting(ViewerState& state, const SettingInfo& info, float width); ///< setting_control.cpp
 
-/// For ImGui::SetNextWindowPos: a panel goes where it belongs when it is new and when the window's size changes.
+/// For ImGui::SetNextWindowPos: a panel is placed when it is new and when the window's size changes.
 int placing(const ViewerState& state);
 
-/// One of ImGui's keys went down, or repeats.
+/// True if this ImGui key was pressed or repeats.
 bool keyPressed(int key); ///< palette.cpp
 
-/// "0.50 ms", or "-" for nothing measured.
+/// "0.50 ms", or "-" without a measurement.
 std::string millisecondsText(double milliseconds);
 
 } // namespace glint::view

@@ -15,7 +15,7 @@ double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The settings of what stands beside.
+/// The settings of the picture beside.
 Result<render::ProgramSettings> besideSettings(const ViewerState& state) {
     if (!state.besidePreset.empty()) {
         SettingsModel model = state.settings;
@@ -44,7 +44,7 @@ std::vector<uint8_t> difference(const std::vector<uint8_t>& a, const std::vector
     return out;
 }
 
-/// Metres along the view axis, a number a pixel.
+/// Metres along the view axis, one number per pixel.
 Result<std::vector<float>> depths(ScenePicture& picture) {
     GLINT_TRY(view, picture.session().readView("depth"));
     std::vector<float> depth(view.rgba.size() / 4);
@@ -100,8 +100,7 @@ bool PicturePair::moved(const ViewerState& state, glm::uvec2 window) {
 Result<void> PicturePair::prepare(ScenePicture& picture, const ViewerState& state, glm::uvec2 size) {
     GLINT_CHECK(picture.resize(size.x, size.y));
     GLINT_CHECK(picture.setTime(state.animation.seconds));
-    picture.setCamera(state.camera.camera());
-    return {};
+    return picture.setCamera(state.camera.camera());
 }
 
 Result<void> PicturePair::update(ViewerState& state, glm::uvec2 window) {
@@ -247,7 +246,7 @@ Result<void> PicturePair::updateSecond(ViewerState& state) {
     GLINT_CHECK(second_->setSettings(state.settings.settings()));
     scene::Camera camera = second.camera.camera();
     camera.near = std::max(camera.near, second.cut);
-    second_->setCamera(camera);
+    GLINT_CHECK(second_->setCamera(camera));
     if (!second_->complete())
         GLINT_CHECK(second_->render());
     const std::string wanted = fmt::format("{} {} {}", state.view, second_->version(), second_->images());

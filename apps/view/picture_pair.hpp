@@ -1,4 +1,4 @@
-// What the window shows of the scene: the picture, what stands beside it, and how the two differ.
+// The window's content for the scene: the picture, the picture beside it, and their difference.
 #pragma once
 
 #include "frame_pace.hpp"
@@ -10,7 +10,7 @@ namespace glint::view {
 
 class PicturePair {
 public:
-    /// Numbers for GuiRenderer::smooth and squares.
+    /// Texture numbers for GuiRenderer::smooth and squares.
     static constexpr uint32_t kPicture = 0;
     static constexpr uint32_t kBesideView = 1;
     static constexpr uint32_t kBesideSettings = 2;
@@ -19,21 +19,21 @@ public:
 
     explicit PicturePair(gpu::Context& context) : context_(context) {}
 
-    /// Opens a scene; what was open before stays if that fails. Errors: as ScenePicture::create.
+    /// Opens a scene; on error the open scene is kept. Errors: as ScenePicture::create.
     Result<void> open(const render::RenderJob& job);
 
-    /// Renders what `state` asks for, one frame at most of each picture, in `window` divided by what the pace allows;
-    /// writes figures and the asked ray into `state`. Does nothing for a window without area.
-    /// Errors: DeviceLost, OutOfMemory; settings that the device cannot have are taken back with a message instead.
+    /// Renders what `state` requests, at most one frame of each picture, at the size of `window` reduced by the frame
+    /// pace. Writes figures and the inspected ray into `state`. Does nothing for a window without area. Errors:
+    /// DeviceLost, OutOfMemory; settings that the device does not support are reverted with a message instead.
     Result<void> update(ViewerState& state, glm::uvec2 window);
-    /// Everything on the device anew, as after gpu::Context::replaceShaders; what is shown stays if that fails.
-    /// Errors: as ScenePicture::remake.
+    /// Recreates all device objects, as needed after gpu::Context::replaceShaders; on error the shown pictures are
+    /// kept. Errors: as ScenePicture::remake.
     Result<void> remake();
-    /// Renders anew although nothing has changed.
+    /// Restarts rendering although nothing has changed.
     void restart();
-    /// More updates would change nothing.
+    /// True if more updates would change nothing.
     bool complete() const { return complete_; }
-    /// The images changed since the last call: the panels' renderer has to be told.
+    /// True if the images changed since the last call: the panels' renderer must then be updated.
     bool imagesChanged();
     std::vector<const gpu::Image*> images() const;
 
@@ -53,22 +53,22 @@ private:
     gpu::Context& context_;
     render::RenderJob job_;
     std::unique_ptr<ScenePicture> picture_;
-    std::unique_ptr<ScenePicture> beside_; ///< with other settings; absent until asked for
-    std::unique_ptr<ScenePicture> second_; ///< from another camera; absent until asked for
+    std::unique_ptr<ScenePicture> beside_; ///< with other settings; absent until requested
+    std::unique_ptr<ScenePicture> second_; ///< from another camera; absent until requested
     gpu::Image heat_;
     FramePace pace_;
     RecentTimes recent_;
-    std::string recentOf_; ///< what size and which settings they are of
+    std::string recentOf_; ///< size and settings that the recent times belong to
     bool complete_ = false;
     double frameStart_ = 0;
 
-    // What was seen last, to know what has changed.
+    // State of the last update, to detect changes.
     glm::mat4 lastCamera_ = glm::mat4(0);
     uint64_t lastSettings_ = 0;
     double lastSeconds_ = 0;
     glm::uvec2 lastWindow_ = glm::uvec2(0);
-    std::string shown_;       ///< view and versions in picture_'s image
-    std::string shownBeside_; ///< the same of what stands beside
+    std::string shown_;       ///< view and versions shown in picture_'s image
+    std::string shownBeside_; ///< view and versions shown beside it
     std::string shownSecond_;
     std::string heatOf_;
     std::string rayOf_;

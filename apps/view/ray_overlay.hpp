@@ -1,4 +1,4 @@
-// The asked pixel's ray, drawn over the picture: docs/inspect.md says what marks and colours mean.
+// Draws the inspected pixel's ray over the picture: docs/inspect.md explains marks and colours.
 #pragma once
 
 #include "canvas.hpp"

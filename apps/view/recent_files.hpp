@@ -1,4 +1,4 @@
-// What was opened lately, remembered from one start of the program to the next.
+// Recently opened files, stored between runs of the program.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 
 namespace glint::view {
 
-/// A file with a name a line, the newest first. Where it cannot be read or written, the list lasts as long as the
-/// program: nobody is told of it.
+/// A file with one name per line, the newest first. If the file cannot be read or written, the list is kept only while
+/// the program runs, without a message.
 class RecentFiles {
 public:
     static constexpr size_t kMost = 12;
 
     RecentFiles() = default;
     explicit RecentFiles(std::string file);
-    /// $XDG_STATE_HOME/glint/recent, by default ~/.local/state/glint/recent; empty: there is no home.
+    /// Returns $XDG_STATE_HOME/glint/recent, by default ~/.local/state/glint/recent; empty if there is no home folder.
     static std::string usualFile();
 
-    /// Puts it first. A path is made absolute: the next start may be from another folder.
+    /// Adds an entry at the front. A path is made absolute, as the next run may start in another folder.
     void add(const std::string& opened);
     const std::vector<std::string>& list() const { return list_; }
 
@@ -29,7 +29,7 @@ private:
     std::vector<std::string> list_;
 };
 
-/// "builtin:hall": no file, however it looks.
+/// True for "builtin:hall" and the like, which are never files.
 inline bool isBuiltin(std::string_view name) {
     return name.starts_with("builtin:");
 }

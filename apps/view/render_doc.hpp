@@ -1,4 +1,4 @@
-// RenderDoc, where this program was started under it: a frame for its replay, when asked.
+// Captures a frame with RenderDoc, if this program was started under it.
 #pragma once
 
 #include <optional>
@@ -7,17 +7,17 @@ namespace glint::view {
 
 class RenderDoc {
 public:
-    /// Absent where RenderDoc's library is not in this process, or is too old to be talked to.
+    /// Returns no value if RenderDoc's library is not loaded in this process, or is too old.
     static std::optional<RenderDoc> find();
 
-    /// All that the device does between the two becomes one capture.
+    /// All device work between start and end becomes one capture.
     void start() const;
-    bool end() const; ///< false: there is no capture
+    bool end() const; ///< false: no capture was made
 
 private:
     struct Functions;
     explicit RenderDoc(const Functions& functions) : functions_(&functions) {}
-    const Functions* functions_; ///< RenderDoc's own
+    const Functions* functions_; ///< owned by RenderDoc
 };
 
 } // namespace glint::view

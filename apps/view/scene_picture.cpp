@@ -13,7 +13,7 @@ bool sameSettings(const render::ProgramSettings& a, const render::ProgramSetting
 } // namespace
 
 Result<std::unique_ptr<ScenePicture>> ScenePicture::create(gpu::Context& context, const render::RenderJob& job) {
-    GLINT_TRY(session, render::JobSession::create(context, job));
+    GLINT_TRY(session, render::openJob(context, job));
     std::unique_ptr<ScenePicture> picture(new ScenePicture(context, job, std::move(session)));
     picture->camera_ = picture->session_.inputs().camera;
     picture->width_ = picture->session_.inputs().width;
@@ -56,12 +56,13 @@ Result<void> ScenePicture::setSettings(const render::ProgramSettings& settings) 
     return {};
 }
 
-void ScenePicture::setCamera(const scene::Camera& camera) {
+Result<void> ScenePicture::setCamera(const scene::Camera& camera) {
     if (sameCamera(camera, camera_))
-        return;
+        return {};
+    GLINT_CHECK(session_.setCamera(camera));
     camera_ = camera;
-    session_.setCamera(camera);
     changed();
+    return {};
 }
 
 Result<void> ScenePicture::setTime(double seconds) {

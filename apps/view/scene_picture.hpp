@@ -1,5 +1,5 @@
-// One scene with one set of settings, rendered when something has changed and otherwise left alone. The viewer has one,
-// and a second one where two sets of settings stand side by side.
+// One scene with one set of settings, rendered only when something has changed. The viewer has one, and a second one if
+// two sets of settings are shown side by side.
 #pragma once
 
 #include "render/run_job.hpp"
@@ -10,40 +10,41 @@ namespace glint::view {
 
 class ScenePicture {
 public:
-    /// Reads the scene. Errors: as the scene's readers and the device give them.
+    /// Reads the scene. Errors: those of the scene's readers and the device.
     static Result<std::unique_ptr<ScenePicture>> create(gpu::Context& context, const render::RenderJob& job);
 
-    // Each starts the picture anew if it changes something.
-    /// After an error the session has some of them: settings have to be set that it takes, be they those of before.
+    // Each setter restarts the picture if it changes something.
+    /// On error, settings may be partly applied: set settings that the session accepts next, for example the previous
+    /// ones.
     Result<void> setSettings(const render::ProgramSettings& settings);
-    void setCamera(const scene::Camera& camera);
+    Result<void> setCamera(const scene::Camera& camera);
     Result<void> setTime(double seconds);
     Result<void> resize(uint32_t width, uint32_t height);
 
-    /// Everything on the device anew (JobSession::remake). After an error the picture is as it was.
+    /// Recreates all device objects (ReflectionSession::remake). On error the picture does not change.
     Result<void> remake();
-    /// Starts anew although nothing has changed.
+    /// Restarts although nothing has changed.
     void restart() { changed(); }
 
-    /// Renders one frame more: as `glint render --frames` with frames() + 1. Errors: DeviceLost, OutOfMemory.
+    /// Renders one more frame, as `glint render --frames` with frames() + 1. Errors: DeviceLost, OutOfMemory.
     Result<void> render();
-    /// Frames since something changed; the picture is that of the last one.
+    /// Returns the number of frames since the last change; the picture is the last of them.
     uint32_t frames() const { return frames_; }
     /// More frames would not change it, or there are enough of them: RenderJob::frames, or kAccumulatedFrames for 1.
     bool complete() const { return frames_ >= wanted(); }
-    uint64_t version() const { return version_; } ///< another one for every frame
+    uint64_t version() const { return version_; } ///< differs for every frame
 
-    /// Shows a view of the last frame in `image()`, and one in `secondImage()`; both are ready for sampling then.
-    /// Errors: as JobSession::showView.
+    /// Shows a view of the last frame in `image()`, and another in `secondImage()`; both are then ready for sampling.
+    /// Errors: as ReflectionSession::showView.
     Result<void> show(const std::string& view);
     Result<void> showSecond(const std::string& view);
     const gpu::Image& image() const { return image_; }
     const gpu::Image& secondImage() const { return second_; }
-    uint64_t images() const { return imagesMade_; } ///< another number when the images are others
-    /// The bytes of `image()` as displayed: RGB, rows from the top.
+    uint64_t images() const { return imagesMade_; } ///< changes when the images are replaced
+    /// Returns the bytes of `image()` as displayed: RGB, rows from the top.
     Result<std::vector<uint8_t>> bytes();
 
-    render::JobSession& session() { return session_; }
+    render::ReflectionSession& session() { return session_; }
     const render::RenderJob& job() const { return job_; }
     const render::FrameTimes& times() const { return times_; } ///< of the last frame
     uint32_t width() const { return width_; }
@@ -52,7 +53,7 @@ public:
     static constexpr uint32_t kAccumulatedFrames = 1024;
 
 private:
-    ScenePicture(gpu::Context& context, const render::RenderJob& job, render::JobSession&& session)
+    ScenePicture(gpu::Context& context, const render::RenderJob& job, render::ReflectionSession&& session)
         : context_(context), job_(job), session_(std::move(session)) {}
     Result<gpu::Image> makeImage() const;
     Result<void> makeImages();
@@ -61,8 +62,8 @@ private:
 
     gpu::Context& context_;
     render::RenderJob job_;
-    bool settingsRefused_ = false; ///< the session's are not those of job_
-    render::JobSession session_;
+    bool settingsRefused_ = false; ///< the session's settings differ from those of job_
+    render::ReflectionSession session_;
     scene::Camera camera_;
     gpu::Image image_;
     gpu::Image second_;

@@ -58,7 +58,7 @@ void ScriptPlayer::start(const ScriptStep& step, const ScriptTarget& target) {
     case Kind::Release: frames_ = {{keyEvent(step.stroke, false)}}; break;
     case Kind::Type: frames_ = {{}, {}, textEvents(step.text), {}}; break; // a field takes two frames to listen
     case Kind::Move: frames_ = {{moveEvent(n[0], n[1])}, {}}; break;
-    case Kind::Click: // a panel under the mouse learns of it a frame before the button
+    case Kind::Click: // a panel detects the mouse one frame before the button press
         frames_ = {{moveEvent(n[0], n[1])}, {}, {buttonEvent(0, true)}, {buttonEvent(0, false)}, {}};
         break;
     case Kind::DoubleClick:

@@ -1,4 +1,4 @@
-// Plays a script (input_script.hpp): a step a frame becomes input events, as a person's hands would make them.
+// Plays a script (input_script.hpp): each frame, a step becomes the input events of a user.
 #pragma once
 
 #include "input_event.hpp"
@@ -9,7 +9,7 @@
 
 namespace glint::view {
 
-/// What a script asks of the window and of the program itself.
+/// The actions of a script on the window and the program.
 struct ScriptTarget {
     std::function<void(uint32_t, uint32_t)> resize;
     std::function<void()> minimize;
@@ -23,8 +23,8 @@ public:
     explicit ScriptPlayer(std::vector<ScriptStep> steps) : steps_(std::move(steps)) {}
 
     bool playing() const { return !frames_.empty() || next_ < steps_.size() || waiting_ > 0; }
-    /// The events of the frame that begins now.
-    /// `complete`  the picture is as good as it gets; `busy`: a request has not been served yet
+    /// Returns the events of the frame that begins now.
+    /// `complete`  the picture is final; `busy`: a request is not yet finished
     std::vector<InputEvent> frame(const ScriptTarget& target, bool complete, bool busy);
 
 private:
@@ -32,9 +32,9 @@ private:
 
     std::vector<ScriptStep> steps_;
     size_t next_ = 0;
-    std::deque<std::vector<InputEvent>> frames_; ///< of the step that is being played
-    int waiting_ = 0;                            ///< frames to let pass
-    int calm_ = 0;                               ///< frames for which the picture has been complete
+    std::deque<std::vector<InputEvent>> frames_; ///< of the current step
+    int waiting_ = 0;                            ///< remaining frames to skip
+    int calm_ = 0;                               ///< consecutive frames with a complete picture
 };
 
 } // namespace glint::view

@@ -74,7 +74,7 @@ void drawSetting(ViewerState& state, const SettingInfo& info, float width) {
     ImGui::PushID(info.key.c_str());
     const bool changed = state.settings.changed(info);
     ImGui::SetNextItemWidth(width);
-    if (info.type == SettingType::Bool) {
+    if (info.type == SettingType::Boolean) {
         bool on = state.settings.value(info) != 0;
         if (ImGui::Checkbox("##value", &on))
             state.settings.set(info, on ? 1 : 0);

@@ -17,7 +17,7 @@ bool isIn(std::span<const SettingInfo> table, const SettingInfo& info) {
 
 /// Into the setting's range, and off its open ends by as little as a float can tell.
 double clamped(const SettingInfo& info, double value) {
-    if (info.type == SettingType::Bool)
+    if (info.type == SettingType::Boolean)
         return value != 0 ? 1 : 0;
     if (info.type == SettingType::Enum)
         return std::clamp(value, 0.0, static_cast<double>(info.choices.size() - 1));

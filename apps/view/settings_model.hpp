@@ -1,5 +1,5 @@
-// The settings as a person tunes them: every change can be taken back, and what differs from the preset is known.
-// Knows no window; the panel, the keys and the palette all change settings through it.
+// The settings as the user changes them: every change can be undone, and differences from the preset are known.
+// Independent of the window; the panel, the keys and the palette all change settings through it.
 #pragma once
 
 #include "base/result.hpp"
@@ -14,22 +14,23 @@ namespace glint::view {
 
 class SettingsModel {
 public:
-    /// `request`  as the command line states it; it has been checked. `settings` are what it comes to
+    /// `request`   as on the command line, already checked
+    /// `settings`  the result of `request`
     SettingsModel(render::SettingsRequest request, const render::ProgramSettings& settings);
 
     const render::ProgramSettings& settings() const { return state_.now; }
-    uint64_t version() const { return version_; } ///< grows with every change
+    uint64_t version() const { return version_; } ///< increases with every change
 
     double value(const SettingInfo& info) const;
-    /// What it is without changes: the preset's, or the scene's own.
+    /// Returns the unchanged value: the preset's, or the scene's default.
     double baseline(const SettingInfo& info) const;
     bool changed(const SettingInfo& info) const { return value(info) != baseline(info); }
     size_t changedCount() const;
 
-    /// Takes the value if it is in range, else the nearest that is.
-    /// `continues`  the gesture of the call before, as when a slider is dragged: one step to take back
+    /// Sets the value, clamped to the setting's range.
+    /// `continues`  true within one gesture, such as the drag of a slider: it becomes one undo step
     void set(const SettingInfo& info, double value, bool continues = false);
-    /// By key or other systems' names, as `--set` does. Errors: InvalidArgument.
+    /// Sets by key or by other systems' names, as `--set` does. Errors: InvalidArgument.
     Result<void> assign(std::string_view key, std::string_view value);
     void reset(const SettingInfo& info);
     void resetAll();
@@ -38,31 +39,31 @@ public:
     bool canUndo() const { return stack_.canUndo(); }
     bool canRedo() const { return stack_.canRedo(); }
 
-    /// Another scene: what suits it takes the place of what suited the one before, also in what undo brings back; what
-    /// was changed stays as it is.
+    /// Replaces the scene's defaults after another scene was opened, also in the undo steps; the user's changes are
+    /// kept.
     /// `defaults`  as SettingsRequest::defaults. Errors: InvalidArgument; nothing changes then.
     Result<void> suitScene(const std::vector<std::string>& defaults);
-    /// All settings as the preset has them. Errors: InvalidArgument.
+    /// Sets all settings to the preset's values. Errors: InvalidArgument.
     Result<void> usePreset(std::string_view name);
-    /// On top of the preset in force. Errors: as render::loadSettings gives them; nothing changes then.
+    /// Loads a file on top of the active preset. Errors: as render::loadSettings; nothing changes then.
     Result<void> load(const std::string& path);
-    /// What `--settings` reads. Errors: Io.
+    /// Writes a file that `--settings` reads. Errors: Io.
     Result<void> save(const std::string& path) const;
 
-    /// "--preset fast --set screen.step=4": those options that make these settings from nothing.
+    /// Returns the options that give these settings, such as "--preset fast --set screen.step=4".
     std::string options() const;
 
-    /// Those whose key, meaning or other systems' names answer to `text`, as fuzzyScore has it for names and as a part
-    /// of the meaning; all in the table's order for an empty text, else the best first.
+    /// Returns the settings whose key, meaning or other systems' names match `text`: names by fuzzyScore, the meaning
+    /// by substring. For an empty text all settings in the table's order, otherwise the best match first.
     std::vector<const SettingInfo*> search(std::string_view text) const;
 
 private:
     struct State {
-        render::SettingsRequest request; ///< preset and the scene's defaults: they make the baseline
+        render::SettingsRequest request; ///< preset and scene defaults, which form the baseline
         render::ProgramSettings now;
         render::ProgramSettings baseline;
     };
-    /// The same changes to another baseline.
+    /// Applies the same changes to another baseline.
     static Result<void> suit(State& state, const std::vector<std::string>& defaults);
     void change(bool continues);
     static void* object(const SettingInfo& info, render::ProgramSettings& settings);
@@ -72,7 +73,7 @@ private:
     uint64_t version_ = 1;
 };
 
-/// The setting of this key. A key that is none is a programmer's mistake.
+/// Returns the setting of this key. An unknown key is a programming error.
 const SettingInfo& settingOf(std::string_view key);
 
 } // namespace glint::view

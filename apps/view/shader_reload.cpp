@@ -24,8 +24,8 @@ std::vector<std::string_view> knownShaders() {
     return names;
 }
 
-/// What stands in the quotes of `#include "..."`, line by line; also where a comment or #if takes it away: a shader too
-/// many is compiled then.
+/// Returns the names in `#include "..."`, line by line, also those disabled by a comment or #if: then one shader too
+/// many is compiled.
 std::vector<std::string> includes(std::string_view text) {
     std::vector<std::string> found;
     constexpr std::string_view kWord = "#include \"";
@@ -62,6 +62,7 @@ Result<ShaderReload> ShaderReload::create(const std::string& folder) {
         return invalidArgument("{}: no folder of Glint's shaders: it must hold {}", printable(folder),
                                gpu::shaderFile(gpu::shaders::view().front().name));
     ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // as it stands before a name
+    GLINT_CHECK(reload.readVariants());
     reload.seen_ = reload.stamps();
     return reload;
 }
@@ -78,17 +79,22 @@ std::map<std::string, ShaderReload::Stamp> ShaderReload::stamps() const {
     return found;
 }
 
-/// A file and all that it includes, by path in the folder.
-std::set<std::string> ShaderReload::filesOf(const std::string& file) const {
-    std::set<std::string> known = {file};
-    std::vector<std::string> open = {file};
+Result<gpu::ShaderVariants> ShaderReload::readVariants() const {
+    GLINT_TRY(text, readFile((fs::path(folder_) / gpu::kShaderVariantsFile).string(), kLongestShader));
+    return gpu::parseShaderVariants(text);
+}
+
+/// A shader's file and all that it includes, by path in the folder.
+std::set<std::string> ShaderReload::filesOf(const gpu::ShaderSource& source) const {
+    std::set<std::string> known = {source.file};
+    std::vector<std::string> open = {source.file};
     std::error_code ignored;
     while (!open.empty()) {
         const fs::path here = open.back();
         open.pop_back();
         const auto text = readFile((fs::path(folder_) / here).string(), kLongestShader);
         for (const std::string& name : text ? includes(*text) : std::vector<std::string>()) {
-            const fs::path beside = (here.parent_path() / name).lexically_normal(); // glslc looks there first
+            const fs::path beside = (here.parent_path() / name).lexically_normal(); // glslc searches here first
             const bool found = fs::exists(fs::path(folder_) / beside, ignored);
             const std::string path =
                 found ? beside.generic_string() : fs::path(name).lexically_normal().generic_string();
@@ -111,9 +117,16 @@ bool ShaderReload::look() {
     seen_ = std::move(now);
     if (changed.empty())
         return false;
+    if (changed.contains(gpu::kShaderVariantsFile)) { // rare: no need to tell which lines
+        markAll();
+        return true;
+    }
+    const auto variants = readVariants();
+    if (!variants) // every shader waits already, and compile() says why
+        return false;
     bool any = false;
     for (const std::string_view name : knownShaders()) {
-        const std::set<std::string> files = filesOf(gpu::shaderFile(name));
+        const std::set<std::string> files = filesOf(gpu::shaderSource(*variants, name));
         if (std::ranges::any_of(files, [&](const std::string& file) { return changed.contains(file); })) {
             waiting_.insert(std::string(name));
             any = true;
@@ -128,19 +141,27 @@ void ShaderReload::markAll() {
 }
 
 /// As cmake/GlintShaders.cmake does it.
-Result<gpu::ReflectedShader> ShaderReload::compileOne(const std::string& name) const {
-    const std::string file = (fs::path(folder_) / gpu::shaderFile(name)).string();
-    GLINT_TRY(output, runProgram({"glslc", "--target-env=vulkan1.3", "--target-spv=spv1.5", "-std=460", "-Werror", "-I",
-                                  folder_, "-o", "-", file}));
+Result<gpu::ReflectedShader> ShaderReload::compileOne(const std::string& name, const gpu::ShaderSource& source) const {
+    const std::string file = gpu::shaderFile(name);
+    std::vector<std::string> command = {"glslc", "--target-env=vulkan1.3", "--target-spv=spv1.5", "-std=460",
+                                        "-Werror"};
+    command.push_back("-fshader-stage=" + file.substr(file.rfind('.') + 1));
+    for (const std::string& macro : source.macros)
+        command.push_back("-D" + macro);
+    for (const std::string& last :
+         {std::string("-I"), folder_, std::string("-o"), std::string("-"), (fs::path(folder_) / source.file).string()})
+        command.push_back(last);
+    GLINT_TRY(output, runProgram(command));
     if (output.code != 0)
         return invalidInput("{}", firstLines(output.error, folder_));
-    return gpu::reflectShader(output.out, gpu::shaderFile(name));
+    return gpu::reflectShader(output.out, file);
 }
 
 Result<ShaderReload::Compiled> ShaderReload::compile() {
     Compiled compiled = {taken_, waiting_.size()};
+    GLINT_TRY(variants, readVariants());
     for (const std::string& name : waiting_) {
-        GLINT_TRY(reflected, compileOne(name));
+        GLINT_TRY(reflected, compileOne(name, gpu::shaderSource(variants, name)));
         auto version = std::make_unique<Version>();
         version->name = name;
         version->reflected = std::move(reflected);

@@ -4,6 +4,17 @@
 #include <cmath>
 
 namespace glint::view {
+namespace {
+
+/// To six digits, as many as a float holds: 20 comes back as 20 after a step down and a step up, not as 19.999998.
+double rounded(double value) {
+    if (value == 0)
+        return 0;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 5);
+    return std::round(value / unit) * unit;
+}
+
+} // namespace
 
 std::string_view nextView(std::string_view view) {
     const auto found = std::ranges::find(kCycledViews, view);
@@ -21,7 +32,7 @@ std::optional<std::string> pressSsrKey(char digit, SettingsModel& model) {
         if (key.step > 0) // on a grid of steps: ten times 0.1 are 1
             next = std::round((now + (more ? key.step : -key.step)) / key.step * 1e6) / 1e6 * key.step;
         else // what has reached zero must find back
-            next = std::max(now, key.min) * (more ? key.factor : 1 / key.factor);
+            next = rounded(std::max(now, key.min) * (more ? key.factor : 1 / key.factor));
         model.set(info, std::clamp(next, key.min, key.max));
         return fmt::format("{} {}{}{}", key.name, settingText(info, model.value(info)), info.unit.empty() ? "" : " ",
                            info.unit);

@@ -1,4 +1,4 @@
-// The keys of compute_ssr's viewer, which tune without a panel: V and the digits.
+// The keys of compute_ssr's viewer that change settings without a panel: V and the digits.
 #pragma once
 
 #include "settings_model.hpp"
@@ -10,21 +10,22 @@
 
 namespace glint::view {
 
-/// What V goes through.
+/// The views that V cycles through.
 constexpr std::array<std::string_view, 5> kCycledViews = {"composite", "scene", "reflection", "normal", "depth"};
 
-/// The view after `view`; the first one where that is none of them.
+/// Returns the view after `view`; the first one if `view` is not in the list.
 std::string_view nextView(std::string_view view);
 
-/// 1 2 intensity, 3 4 distance, 5 6 thickness, 7 8 base steps, 9 0 scale of the reflections: less and more.
+/// Keys 1 2 intensity, 3 4 distance, 5 6 thickness, 7 8 base steps, 9 0 scale of the reflections: decrease and
+/// increase.
 struct SsrKey {
     char less;
     char more;
-    std::string_view name;    ///< compute_ssr's
-    std::string_view setting; ///< ours
-    double step = 0;          ///< added; 0: `factor` multiplies
+    std::string_view name;    ///< compute_ssr's name
+    std::string_view setting; ///< Glint's setting
+    double step = 0;          ///< added to the value; 0: `factor` multiplies it
     double factor = 1;
-    double min = 0; ///< what the keys stay inside, besides the setting's own range
+    double min = 0; ///< limits of the keys, in addition to the setting's own range
     double max = 0;
 };
 constexpr std::array<SsrKey, 5> kSsrKeys = {{
@@ -35,7 +36,7 @@ constexpr std::array<SsrKey, 5> kSsrKeys = {{
     {'9', '0', "SSR scale", "screen.resolutionScale", 0.1, 1, 0.5, 1},
 }};
 
-/// Changes what the digit stands for. Returns what is to be said ("Intensity 1.1"), or nothing for other keys.
+/// Applies the key of a digit. Returns the message to show ("Intensity 1.1"), or no value for other keys.
 std::optional<std::string> pressSsrKey(char digit, SettingsModel& model);
 
 } // namespace glint::view

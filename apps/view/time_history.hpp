@@ -1,4 +1,4 @@
-// The last frames' times of each pass, for a graph.
+// The times of each pass in the last frames, for a graph.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ class TimeHistory {
 public:
     static constexpr size_t kFrames = 240;
 
-    /// Milliseconds of a frame's passes, in the order in which they ran.
+    /// Adds the milliseconds of a frame's passes, in execution order.
     void add(const std::vector<std::pair<std::string, double>>& passes) {
         frames_.push_back(passes);
         if (frames_.size() > kFrames)
@@ -23,7 +23,7 @@ public:
     void clear() { frames_.clear(); }
     size_t frames() const { return frames_.size(); }
     const std::vector<std::pair<std::string, double>>& frame(size_t i) const { return frames_[i]; }
-    /// The passes of the newest frame.
+    /// Returns the passes of the newest frame.
     std::vector<std::string> passes() const {
         std::vector<std::string> names;
         if (!frames_.empty())

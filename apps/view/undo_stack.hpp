@@ -1,4 +1,4 @@
-// Steps back and forth between states that a person has made.
+// Undo and redo of states changed by the user.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@ namespace glint::view {
 template <class State>
 class UndoStack {
 public:
-    /// States that are kept.
+    /// Maximum number of stored states.
     static constexpr size_t kMost = 200;
 
-    /// Remembers `before`, what was there before the change that comes now. What was undone is gone.
+    /// Stores `before`, the state before the coming change. Undone states are discarded.
     void push(State before) {
         undone_.clear();
         if (done_.size() >= kMost)
@@ -22,7 +22,7 @@ public:
     }
     bool canUndo() const { return !done_.empty(); }
     bool canRedo() const { return !undone_.empty(); }
-    /// Changes every state that is kept.
+    /// Applies a change to every stored state.
     template <class Change>
     void forEach(const Change& change) {
         for (State& state : done_)
@@ -30,7 +30,7 @@ public:
         for (State& state : undone_)
             change(state);
     }
-    /// Exchanges `now` for the state before; does nothing where there is none.
+    /// Exchanges `now` with the previous state; does nothing if there is none.
     bool undo(State& now) { return move(done_, undone_, now); }
     bool redo(State& now) { return move(undone_, done_, now); }
 

@@ -1,4 +1,4 @@
-// Everything that the viewer can be told to do, by name: keys and the command palette take it from here.
+// All commands of the viewer by name; keys and the command palette use this list.
 #pragma once
 
 #include "input_event.hpp"
@@ -12,14 +12,14 @@ namespace glint::view {
 
 struct ViewCommand {
     std::string name;
-    std::string keys; ///< "Ctrl+P", as readKeyStroke reads it; empty: in the palette only
+    std::string keys; ///< "Ctrl+P", in the form of readKeyStroke; empty: in the palette only
     std::function<void(ViewerState&)> run;
-    bool whileTyping = false; ///< its keys act in a text field too
+    bool whileTyping = false; ///< its keys also act in a text field
 };
 
 const std::vector<ViewCommand>& viewCommands();
 
-/// Does what the key stands for. False: it stands for nothing.
+/// Runs the command of a key. Returns false if the key has no command.
 bool runShortcut(const InputEvent& event, ViewerState& state, bool typing);
 
 } // namespace glint::view

@@ -1,4 +1,4 @@
-// What `glint view` was asked for.
+// The options of `glint view`.
 #pragma once
 
 #include "render_options.hpp"
@@ -8,9 +8,9 @@ namespace glint::view {
 struct ViewOptions {
     cli::RenderOptions scene;
     std::string view = "composite";
-    std::string screenshot; ///< written after `scene.frames` frames, then the window closes
-    std::string script;     ///< a file of input_script.hpp
-    std::string shaders;    ///< a folder of shader sources to follow (shader_reload.hpp); empty: none
+    std::string screenshot; ///< file written after `scene.frames` frames; the window then closes
+    std::string script;     ///< script file (input_script.hpp)
+    std::string shaders;    ///< folder of shader sources to watch (shader_reload.hpp); empty: none
 };
 
 } // namespace glint::view

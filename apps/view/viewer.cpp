@@ -33,10 +33,10 @@
 namespace glint::view {
 namespace {
 
-constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, where nobody says
-constexpr double kScriptFrame = 1.0 / 60;        ///< seconds that a frame of a script lasts, however long it took
+constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, unless specified
+constexpr double kScriptFrame = 1.0 / 60;        ///< seconds of a frame in a script, whatever its real time
 constexpr uint32_t kMostSurfacesLost = 10;       ///< in a row
-constexpr double kIdle = 0.1;                    ///< seconds to sleep where nothing happens
+constexpr double kIdle = 0.1;                    ///< seconds to sleep while nothing happens
 
 double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -221,7 +221,7 @@ Result<void> Viewer::run() {
         state_.now += step;
         handler_.handle(events, state_, *gui_, window_->size(), step);
         GLINT_CHECK(checkWindow());
-        if (closeIsAllThatIsAsked()) // nobody waits for one frame more
+        if (closeIsAllThatIsAsked()) // no further frame is needed
             break;
         advanceTime(step);
         if (!scripted_) // a script says itself when
@@ -253,7 +253,7 @@ bool Viewer::closeIsAllThatIsAsked() const {
     return state_.requests.size() == 1 && state_.requests.front().kind == Request::Kind::Close;
 }
 
-/// Left of the line the picture, right of it what stands beside.
+/// Draws the picture to the left of the line, and the picture beside to its right.
 void Viewer::drawPictures() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Canvas canvas = makeCanvas(state_.zoom, window_->size());
@@ -305,7 +305,7 @@ Result<void> Viewer::present() {
     return makeSwapchain();
 }
 
-/// Something to see while a scene is read.
+/// Drawn while a scene is read.
 Result<void> Viewer::drawLoading() {
     const glm::uvec2 size = window_->size();
     if (size.x == 0 || size.y == 0)
@@ -477,7 +477,7 @@ Result<void> Viewer::openFile(const std::string& path) {
     return {};
 }
 
-/// All or nothing.
+/// Succeeds or changes nothing.
 Result<void> Viewer::remakePipelines() {
     GLINT_TRY(renderer, GuiRenderer::create(*context_));
     GLINT_CHECK(pictures_->remake());
@@ -503,7 +503,7 @@ void Viewer::endCapture() {
     capturing_.reset();
 }
 
-/// A file's probes fit one scene in one light; others can be found or baked.
+/// A file's probes fit one scene in one lighting; others can be found or baked.
 std::string Viewer::probesElsewhere() const {
     return job_.probes == "auto" ? job_.probes : std::string();
 }

@@ -1,4 +1,5 @@
-// The loop of `glint view`: input in, the scene rendered where something changed, panels over it, into the window.
+// The main loop of `glint view`: reads input, renders the scene if something has changed, draws panels over it, and
+// presents.
 #pragma once
 
 #include "base/result.hpp"
@@ -6,8 +7,8 @@
 
 namespace glint::view {
 
-/// Runs until the window is closed. Errors: NotFound where there is no display; as the scene's readers, the device and
-/// the settings give them; with `--validate` also the first message of the validation layer.
+/// Runs until the window is closed. Errors: NotFound if there is no display; those of the scene's readers, the device
+/// and the settings; with `--validate` also the first message of the validation layer.
 Result<void> runViewer(const ViewOptions& options);
 
 } // namespace glint::view

@@ -1,5 +1,5 @@
-// What the viewer knows and what the person has asked for: panels and keys read and write it, the loop (viewer.hpp)
-// acts on it.
+// The state of the viewer and the requests of the user: panels and keys read and write it, the loop (viewer.hpp) acts
+// on it.
 #pragma once
 
 #include "frame_figures.hpp"
@@ -17,23 +17,23 @@
 
 namespace glint::view {
 
-/// What stands beside the picture, right of a line that can be dragged.
+/// What is shown beside the picture, to the right of a line that can be dragged.
 enum class Beside { Nothing, View, Settings };
 
-/// Instead of the picture: how it differs from the one beside it.
+/// Shown instead of the picture: its difference from the one beside it.
 enum class Heat { None, Difference, Flip };
 
 struct Request {
     enum class Kind {
-        Screenshot,      ///< of the window, into `text`
-        Picture,         ///< of the scene alone, .png or .exr, into `text`
-        Stats,           ///< what the help panel shows, into `text`
-        Save,            ///< settings into `text`, the camera beside them
-        Open,            ///< `text`: a scene, an environment, settings or a camera
-        CopyCommandLine, ///< into the clipboard
-        CopyRay,         ///< what `glint inspect` would print
-        Capture,         ///< the next frame, by RenderDoc
-        ReloadShaders,   ///< `text` "all": also those that have not changed
+        Screenshot,      ///< write the window to `text`
+        Picture,         ///< write the scene's picture alone to `text`, .png or .exr
+        Stats,           ///< write the help panel's figures to `text`
+        Save,            ///< write the settings to `text`, and the camera beside them
+        Open,            ///< open `text`: a scene, an environment, settings or a camera
+        CopyCommandLine, ///< copy it to the clipboard
+        CopyRay,         ///< copy the output of `glint inspect`
+        Capture,         ///< capture the next frame with RenderDoc
+        ReloadShaders,   ///< `text` "all": also shaders that have not changed
         Close,
     };
     Kind kind = Kind::Close;
@@ -41,73 +41,73 @@ struct Request {
 };
 
 struct Animation {
-    double seconds = 0; ///< into the scene's animations
-    double length = 0;  ///< of the longest one; 0: there are none
+    double seconds = 0; ///< time in the scene's animations
+    double length = 0;  ///< of the longest animation; 0: there are none
     bool playing = false;
 };
 
-/// Single pixels in sight: the picture's pixel at the window's centre, and how many of the window's it is wide.
+/// Zoom into the picture: the picture's pixel at the window's centre, and the magnification.
 struct Zoom {
-    float factor = 1; ///< 1: the whole picture
+    float factor = 1; ///< 1: shows the whole picture
     glm::vec2 centerUV = glm::vec2(0.5f);
 };
 
 struct ViewerState {
     explicit ViewerState(SettingsModel model) : settings(std::move(model)) {}
 
-    std::string scene; ///< as the command line has it
+    std::string scene; ///< as given on the command line
     SettingsModel settings;
     OrbitCamera camera;
-    std::vector<scene::Camera> cameras; ///< the scene's own
-    int cameraIndex = -1;               ///< -1: none of them
+    std::vector<scene::Camera> cameras; ///< cameras of the scene
+    int cameraIndex = -1;               ///< -1: none of the scene's cameras
     Animation animation;
 
     std::string view = "composite";
     Beside beside = Beside::Nothing;
     std::string besideView = "scene";
-    std::string besidePreset = "reference"; ///< empty: our settings with `besideMarch`
+    std::string besidePreset = "reference"; ///< empty: the current settings with `besideMarch`
     std::string besideMarch = "linear";
     Heat heat = Heat::None;
-    float line = 0.5f; ///< where the two meet, share of the window's width
+    float line = 0.5f; ///< position of the dividing line, fraction of the window's width
     double heatMean = 0;
     uint32_t besideFrames = 0;
     Zoom zoom;
 
-    std::optional<glm::vec2> asked; ///< the pixel to explain, as UV
-    bool askFollows = false;        ///< the mouse
-    bool focusAsked = false;        ///< turn to it as soon as it is known
+    std::optional<glm::vec2> asked; ///< the pixel to inspect, as UV
+    bool askFollows = false;        ///< inspect the pixel under the mouse
+    bool focusAsked = false;        ///< focus on the inspected point as soon as it is known
     std::optional<RayInspection> ray;
-    render::View rayView; ///< that it was asked in
+    render::View rayView; ///< view that the ray was traced in
     SecondCamera second;
 
     bool showSettings = true;
     bool showHelp = false;
     bool showTimes = false;
     bool showPalette = false;
-    bool paletteOpens = false; ///< in this frame
+    bool paletteOpens = false; ///< the palette opens in this frame
     bool showPanels = true;
-    bool placePanels = true; ///< where they belong: the window is new, or has another size
+    bool placePanels = true; ///< move panels to their default positions: the window is new, or has another size
     int palettePage = 0;
     std::string paletteText;
     int paletteChoice = 0;
     OpenPanel open;
     RecentFiles recent;
-    std::string settingsText; ///< what is searched for
+    std::string settingsText; ///< search text
     std::string fileText = "view.json";
 
-    // Measured.
+    // Measurements.
     FrameFigures figures;
     TimeHistory history;
     render::RenderStats stats;
     std::vector<std::string> notes;
-    uint32_t width = 0; ///< of the picture as it is rendered now
+    uint32_t width = 0; ///< size of the picture as currently rendered
     uint32_t height = 0;
     uint32_t frames = 0;
 
     std::string message;
     bool messageIsError = false;
     double messageUntil = 0;
-    std::string shaderError; ///< of the compiler or the device; stays until shaders are taken again
+    std::string shaderError; ///< of the compiler or the device; kept until shaders are accepted again
     double now = 0;          ///< seconds since the start
     std::vector<Request> requests;
 

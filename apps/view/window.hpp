@@ -1,4 +1,4 @@
-// The window, by GLFW: made, asked for what happened in it, and lent to Vulkan as a surface.
+// The window, by GLFW: creates it, reads its events, and creates its Vulkan surface.
 #pragma once
 
 #include "base/result.hpp"
@@ -15,22 +15,22 @@ namespace glint::view {
 
 class Window {
 public:
-    /// `width`, `height`  pixels. Errors: NotFound where there is no display; it points to `glint render`.
+    /// `width`, `height`  pixels. Errors: NotFound if there is no display; the message suggests `glint render`.
     static Result<std::unique_ptr<Window>> create(const std::string& title, uint32_t width, uint32_t height);
     ~Window();
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// What the instance must have for makeSurface.
+    /// Returns the instance extensions that makeSurface requires.
     std::vector<const char*> vulkanExtensions() const;
-    /// The caller's to destroy. Errors: Unsupported.
+    /// Returns a surface that the caller must destroy. Errors: Unsupported.
     Result<VkSurfaceKHR> makeSurface(VkInstance instance) const;
 
-    /// What happened since the last call; waits at most `seconds` for something to happen.
+    /// Returns the events since the last call; waits at most `seconds` for an event.
     std::vector<InputEvent> poll(double seconds);
     glm::uvec2 size() const; ///< pixels; 0 x 0 while minimized or lost
-    bool lost() const;       ///< something else has destroyed it; that shows as soon as it is asked for something
-    float scale() const;     ///< how much larger than on an ordinary screen texts should be
+    bool lost() const;       ///< another client has destroyed the window; detected at the next request
+    float scale() const;     ///< scale of texts relative to a standard-resolution screen
     void resize(uint32_t width, uint32_t height);
     void minimize();
     void restore();

@@ -26,6 +26,7 @@ struct Host {
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
     uint32_t queueFamily = 0;
+    bool draws = false; ///< the queue could
     VkQueue queue = VK_NULL_HANDLE;
     VkCommandPool pool = VK_NULL_HANDLE;
     VkCommandBuffer commands = VK_NULL_HANDLE;
@@ -74,12 +75,12 @@ inline bool Host::createDevice(VkPhysicalDevice candidate) {
     uint32_t count = 16;
     VkQueueFamilyProperties families[16];
     vkGetPhysicalDeviceQueueFamilyProperties(candidate, &count, families);
-    constexpr VkQueueFlags kNeeded = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
-    for (queueFamily = 0; queueFamily < count; ++queueFamily)
-        if ((families[queueFamily].queueFlags & kNeeded) == kNeeded)
+    for (queueFamily = 0; queueFamily < count; ++queueFamily) // Glint draws nothing: a queue that computes will do
+        if ((families[queueFamily].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0)
             break;
     if (properties.apiVersion < VK_API_VERSION_1_3 || queueFamily == count)
         return false;
+    draws = (families[queueFamily].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0;
 
     // 1. Glint adds what it needs to the features and extensions that the host asks for.
     VkPhysicalDeviceVulkan13Features v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};

@@ -8,6 +8,7 @@
 #include <glint/glint.hpp>
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -69,7 +70,8 @@ int main(int argc, char** argv) {
         return host.upload(format, picture.width, picture.height, pixels.data(), pixels.size() * sizeof(pixels[0]));
     };
     glint::GBuffer gbuffer;
-    gbuffer.depth = upload(VK_FORMAT_D32_SFLOAT_S8_UINT, picture.depth); // a view of the depth aspect alone
+    // A view of the depth aspect alone. Only queues that draw may copy into depth images: elsewhere a float image.
+    gbuffer.depth = upload(host.draws ? VK_FORMAT_D32_SFLOAT_S8_UINT : VK_FORMAT_R32_SFLOAT, picture.depth);
     gbuffer.normal = upload(VK_FORMAT_R16G16B16A16_UNORM, picture.normal);
     gbuffer.material = upload(VK_FORMAT_R8G8B8A8_UNORM, picture.material);
     gbuffer.litRadiance = upload(VK_FORMAT_R32G32B32A32_SFLOAT, picture.lit);
@@ -113,7 +115,7 @@ int main(int argc, char** argv) {
     check(vkQueueWaitIdle(host.queue), "vkQueueWaitIdle");
 
     // 5. Whenever the host likes: what Glint's passes cost on the GPU.
-    std::printf("%s\n", context->deviceName().c_str());
+    std::printf("%s, on a queue that %s\n", context->deviceName().c_str(), host.draws ? "draws" : "only computes");
     for (const glint::PassTime& pass : reflections->passTimes())
         std::printf("%-22s %8.3f ms\n", pass.name.c_str(), pass.milliseconds);
 

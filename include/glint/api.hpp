@@ -1,4 +1,4 @@
-// What a shared library of Glint offers to its host; everything that is not marked stays inside.
+// Symbol export for a shared library of Glint. Symbols without GLINT_API are hidden.
 #pragma once
 
 #if defined(GLINT_SHARED) && (defined(__GNUC__) || defined(__clang__))

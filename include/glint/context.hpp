@@ -1,4 +1,4 @@
-// A host's Vulkan device, as Glint borrows it.
+// The host's Vulkan device, which Glint uses but does not own.
 #pragma once
 
 #include "glint/api.hpp"
@@ -6,6 +6,7 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,35 +18,47 @@ namespace gpu {
 class Context;
 }
 
-/// The host's own handles. They must outlive every Glint object made from them.
+/// The parts of Glint that the host uses. They determine the required device features. Vulkan cannot report which
+/// features a device was created with, so the host declares the demands.
+enum class DeviceDemands : uint8_t {
+    Screen,  ///< screen-space reflections, the environment, transparent layers
+    Sources, ///< Screen, and probes, planar mirrors and rays
+};
+
+/// The host's Vulkan handles. They must outlive every Glint object created from them: destroy the device last.
 struct HostDevice {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
-    uint32_t queueFamily = 0; ///< that of the command buffers given to Glint; it must draw and compute
+    uint32_t queueFamily = 0; ///< family of the command buffers that Glint records into; requires compute, not graphics
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
-    /// The host enabled rayQueryExtensions() and the features accelerationStructure and rayQuery. Without them rays go
-    /// through Glint's own hierarchy (RayBackend::Bvh).
+    /// True if the host enabled rayQueryExtensions() and the features accelerationStructure and rayQuery. If false,
+    /// rays use Glint's own hierarchy (RayBackend::Bvh).
     bool rayQuery = false;
+    DeviceDemands demands = DeviceDemands::Sources; ///< the host enabled their features (requireDeviceFeatures)
 };
 
-/// Device extensions that the host must have enabled, besides Vulkan 1.3.
+/// Returns the device extensions that the host must enable in addition to Vulkan 1.3.
 GLINT_API std::span<const char* const> requiredDeviceExtensions();
 
-/// Device extensions that ray queries need besides; optional (HostDevice::rayQuery).
+/// Returns the additional device extensions that ray queries require. Optional (HostDevice::rayQuery).
 GLINT_API std::span<const char* const> rayQueryExtensions();
 
-/// Switches on, in the structs that the host is about to create its device with, every feature that Glint needs.
-/// A null struct is skipped: then the host switches those on itself (docs/embedding.md has the list).
+/// Enables every feature that Glint requires in the structs that the host will create its device with.
+/// A null struct is skipped: the host then enables its features itself (docs/embedding.md has the list).
 GLINT_API void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
-                                     VkPhysicalDeviceVulkan13Features* v13);
+                                     VkPhysicalDeviceVulkan13Features* v13,
+                                     DeviceDemands demands = DeviceDemands::Sources);
 
-/// Glint on one device. It keeps a dispatch table and a memory allocator of its own and touches no global state, so
-/// several may live side by side, and any loader may be used beside them. Threading: external synchronisation.
+/// Glint on one device. A Context has its own dispatch table and memory allocator and uses no global state, so several
+/// contexts can coexist, with any Vulkan loader. Objects created from a Context share ownership of its internals, so
+/// the Context and these objects may be destroyed in any order. Threading: external synchronization.
 class GLINT_API Context {
 public:
-    /// Errors: InvalidArgument for a null handle or a queue family that is not there; Unsupported, with what is
-    /// missing, for a device that cannot run Glint, or that has not enabled the ray queries it is said to have.
+    /// Creates a Context on the host's device.
+    /// Errors: InvalidArgument for a null handle, a queue family that does not exist or lacks compute, or `rayQuery`
+    /// with DeviceDemands::Screen. Unsupported, with the missing feature, for a device that does not support `demands`,
+    /// or that does not have ray queries enabled although `rayQuery` is set.
     static Result<Context> adopt(const HostDevice& device);
     ~Context();
     Context(Context&&) noexcept;
@@ -57,8 +70,8 @@ public:
     gpu::Context& gpu() { return *gpu_; } ///< for Glint's own classes
 
 private:
-    explicit Context(std::unique_ptr<gpu::Context> context);
-    std::unique_ptr<gpu::Context> gpu_;
+    explicit Context(std::shared_ptr<gpu::Context> context);
+    std::shared_ptr<gpu::Context> gpu_;
 };
 
 } // namespace glint

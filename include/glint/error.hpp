@@ -1,4 +1,4 @@
-// What can go wrong, as a value: the library throws nothing across its boundary.
+// Errors as values. The library throws no exceptions across its boundary.
 #pragma once
 
 #include <cassert>
@@ -9,23 +9,23 @@
 namespace glint {
 
 enum class ErrorCode {
-    InvalidArgument, ///< the caller's request cannot be met: an unknown name, a value out of range
-    InvalidInput,    ///< data from outside is malformed: a file, an image, JSON
-    NotFound,        ///< a file or a device is not there
-    Unsupported,     ///< understood, but this device or this build cannot do it
+    InvalidArgument, ///< the caller's request is invalid: an unknown name, a value out of range
+    InvalidInput,    ///< external data is malformed: a file, an image, JSON
+    NotFound,        ///< a file or a device does not exist
+    Unsupported,     ///< the request is valid, but this device or this build does not support it
     DeviceLost,      ///< the GPU stopped; the message names the last pass that ran
-    OutOfMemory,     ///< of the device or of the host
-    Io,              ///< reading or writing failed half-way
+    OutOfMemory,     ///< device memory or host memory
+    Io,              ///< a read or a write failed
 };
 
-/// One line for a person: what, where, what to do. Example:
+/// The message is one line for a person: what failed, where, and what to do. Example:
 /// "stage1.glb: accessor 3 ends at byte 912 but bufferView 1 has 900".
 struct Error {
     ErrorCode code = ErrorCode::InvalidArgument;
     std::string message;
 };
 
-/// A value or an Error. Test it before use; taking the value of an error is a programmer's mistake.
+/// A value or an Error. Test ok() first: value() of an error, and error() of a value, are programming errors.
 template <class T>
 class [[nodiscard]] Result {
 public:

@@ -1,4 +1,5 @@
-// Glint: reflections for any Vulkan renderer. Includes everything; docs/embedding.md and examples/embed show a host.
+// Glint: reflections for any Vulkan renderer. Includes the public headers. docs/embedding.md and examples/embed
+// show a host.
 #pragma once
 
 #include "glint/context.hpp"

@@ -1,5 +1,5 @@
-// Planar mirrors: flat surfaces whose reflections the host draws, from a camera behind the mirror. Glint hands out that
-// camera and a clip plane; the host hands back the picture and its depth. Optional. docs/techniques/planar.md.
+// Planar mirrors: flat surfaces whose reflections the host draws from a mirrored camera. Glint computes the camera and
+// a clip plane; the host provides the drawn image and its depth. Optional. docs/techniques/planar.md.
 #pragma once
 
 #include "glint/api.hpp"
@@ -18,47 +18,47 @@ namespace reflect {
 class PlanarState;
 }
 
-/// A rectangle in the world. Surfaces belong to it that lie in its plane and within its outline.
+/// A mirror rectangle in the world. Surfaces in its plane and within its outline belong to it.
 struct PlanarMirror {
     std::array<float, 3> centerWS = {0, 0, 0};
-    std::array<float, 3> normalWS = {0, 1, 0};  ///< unit, to the side that reflects
-    std::array<float, 3> tangentWS = {1, 0, 0}; ///< unit, across the normal
-    std::array<float, 2> halfExtents = {1, 1};  ///< metres, > 0: along the tangent, and along cross(normal, tangent)
-    /// Metres off the plane within which surfaces belong to it and nothing is drawn behind it; 0: a five-thousandth of
-    /// the longer half extent.
+    std::array<float, 3> normalWS = {0, 1, 0};  ///< unit, towards the reflecting side
+    std::array<float, 3> tangentWS = {1, 0, 0}; ///< unit, perpendicular to the normal
+    std::array<float, 2> halfExtents = {1, 1};  ///< metres, > 0: along the tangent and along cross(normal, tangent)
+    /// Metres, maximum distance from the plane of surfaces that belong to the mirror, and offset of clipPlane
+    /// towards the reflecting side. 0: 1/5000 of the longer half extent.
     float tolerance = 0;
 };
 
-/// What the host drew for a mirror.
+/// The image that the host drew for a mirror.
 struct PlanarPicture {
-    HostImage radiance; ///< linear; size and format are free; one sample a pixel
-    HostImage depth;    ///< of the same size, any number of samples, with the conventions of PlanarMirrorsDesc
-    View view;          ///< that it was drawn with, as mirroredView gave it
+    HostImage radiance; ///< linear; any size and format; one sample per pixel
+    HostImage depth;    ///< same size, any number of samples, conventions of PlanarMirrorsDesc
+    View view;          ///< the view that it was drawn with, as mirroredView returned it
 };
 
 constexpr uint32_t kMaxPlanarMirrors = 16;
 
 struct PlanarMirrorsDesc {
     std::span<const PlanarMirror> mirrors; ///< at most kMaxPlanarMirrors
-    uint32_t width = 0;                    ///< pixels of the pictures that Glint keeps of them
+    uint32_t width = 0;                    ///< pixels of the mirror images that Glint stores
     uint32_t height = 0;
-    Conventions conventions; ///< how the host stores depth, which way its picture and its view space go
+    Conventions conventions; ///< depth encoding, clip space and view space of the host
 };
 
-/// The camera that sees in its picture what `view` sees in the mirror, left and right exchanged so that it stays a
-/// camera like any other: no winding turns round. What lies behind the clip plane must not be drawn.
+/// Returns the mirrored camera, whose image shows what `view` sees in the mirror, flipped left to right. The flip keeps
+/// triangle winding as in any other view. The host must not draw geometry behind clipPlane.
 GLINT_API View mirroredView(const View& view, const PlanarMirror& mirror);
-/// (n, d): only what has dot(n, positionWS) + d > 0 belongs into the picture. A plane for the shader: depth stays what
-/// it is, as it does not with an oblique near plane.
+/// Returns the clip plane (n, d): the host draws only geometry with dot(n, positionWS) + d > 0. Clip in the shader
+/// (gl_ClipDistance), since an oblique near plane would change depth.
 GLINT_API std::array<float, 4> clipPlane(const PlanarMirror& mirror);
-/// Whether the eye is on the side that reflects, and so there is anything to draw.
+/// True if the camera is on the reflecting side, so that the mirror has an image to draw.
 GLINT_API bool facesView(const PlanarMirror& mirror, const View& view);
 
-/// Threading: external synchronisation.
+/// Stores the images of the planar mirrors for Reflections::setPlanar. Threading: external synchronization.
 class GLINT_API PlanarMirrors {
 public:
-    /// Makes a picture with mips and a depth image for each mirror: 15 bytes a pixel.
-    /// Errors: InvalidArgument names the mirror and what is wrong with it; OutOfMemory. `context` must outlive them.
+    /// Creates an image with mips and a depth image for each mirror: 15 bytes per pixel.
+    /// Errors: InvalidArgument names the mirror and the reason; OutOfMemory.
     static Result<PlanarMirrors> create(Context& context, const PlanarMirrorsDesc& desc);
     ~PlanarMirrors();
     PlanarMirrors(PlanarMirrors&&) noexcept;
@@ -66,15 +66,17 @@ public:
 
     uint32_t count() const;
 
-    /// Where they are now, as many as there were. Errors: InvalidArgument as in create.
+    /// Sets new positions of the mirrors. Requires the same number of mirrors as in create.
+    /// Errors: InvalidArgument as in create.
     Result<void> setMirrors(std::span<const PlanarMirror> mirrors);
 
-    /// Records the taking over of a mirror's picture, outside of rendering; the host's images are read here alone.
-    /// Before Reflections::record for the view that it was mirrored from, and for no other. Never submits or waits.
-    /// Errors: InvalidArgument if the images do not fit.
+    /// Records the copy of a mirror's image into Glint's own image, outside of rendering. The host's images are read by
+    /// these commands only. Call it before Reflections::record for the view that the image was mirrored from; the image
+    /// is valid for this view only. Never submits or waits.
+    /// Errors: InvalidArgument if the images do not match the description.
     Result<void> record(VkCommandBuffer commands, uint32_t mirror, const PlanarPicture& picture);
-    /// There is no picture of this mirror, which faces the other way, say: it does not answer until the next one. As
-    /// after create.
+    /// Declares that this mirror has no image, because it faces away, for example. The mirror has weight 0 until the
+    /// next record, as after create.
     void skip(uint32_t mirror);
 
     reflect::PlanarState& state() { return *state_; } ///< for Glint's own classes

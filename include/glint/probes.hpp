@@ -21,7 +21,7 @@ enum class ProbeShape : uint8_t { Box, Sphere };
 
 /// What a probe's picture is taken to lie on, which puts reflections where they belong (parallax correction).
 enum class ProbeProxy : uint8_t {
-    None, ///< infinitely far away
+    Infinite, ///< infinitely far away: no parallax correction
     Box,
     Sphere,
 };
@@ -78,7 +78,7 @@ class GLINT_API Probes {
 public:
     /// Copies all but the host's images, which stay while they are read: prefiltered ones until the frames are done,
     /// others until the record that filters them is.
-    /// Errors: InvalidArgument names the probe and what is wrong with it; OutOfMemory. `context` must outlive them.
+    /// Errors: InvalidArgument names the probe and what is wrong with it; OutOfMemory.
     static Result<Probes> create(Context& context, const ProbesDesc& desc);
     ~Probes();
     Probes(Probes&&) noexcept;

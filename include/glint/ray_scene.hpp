@@ -1,4 +1,4 @@
-// The host's triangles and their instances, ready for rays. Optional: without one Glint reflects what is on screen.
+// The host's triangles and instances for ray tracing. Optional: without a RayScene the source `rays` is not available.
 #pragma once
 
 #include "glint/api.hpp"
@@ -19,72 +19,76 @@ namespace gpu {
 class Pass;
 }
 
-/// Triangles in their own space. Read during RayScene::create alone.
+/// Triangles in local space. Glint reads the data during RayScene::create only.
 struct RayMesh {
     const float* positions = nullptr; ///< x, y, z of each vertex
     uint32_t vertexCount = 0;
     uint32_t vertexStride = 12;        ///< bytes from vertex to vertex, >= 12
-    std::span<const uint32_t> indices; ///< three a triangle, counter-clockwise as seen from its front
-    bool deforms = false;              ///< RayScene::deform will be called
+    std::span<const uint32_t> indices; ///< three per triangle, counter-clockwise seen from the front
+    bool deforms = false;              ///< true if RayScene::deform will be called for this mesh
 };
 
-/// A mesh placed in the world. Its place in the host's list is what a hit reports.
+/// A mesh placed in the world. Hits report the index of the instance in the host's list.
 struct RayInstance {
     uint32_t mesh = 0;
     Matrix4 localToWorld = kIdentity; ///< affine
-    uint8_t mask = 0xff;              ///< rays meet it if their own mask shares a bit
-    bool opaque = true;               ///< false: the shader is asked about each triangle that a ray meets (alpha tests)
-    bool doubleSided = true;          ///< false: rays that cull back faces pass through them
+    uint8_t mask = 0xff;              ///< rays intersect it if their mask shares a bit with this mask
+    bool opaque = true;               ///< false: the shader tests each intersected triangle (alpha tests)
+    bool doubleSided = true;          ///< false: rays that cull back faces pass through its back faces
 };
 
 struct RaySceneDesc {
     std::span<const RayMesh> meshes;
     std::span<const RayInstance> instances;
-    uint32_t maxInstances = 0; ///< most that setInstances may be given; at least as many as `instances`
+    uint32_t maxInstances = 0; ///< maximum count for setInstances; raised to the count of `instances`
     RayBackend backend = RayBackend::Auto;
 };
 
-/// What building took. GPU times come some frames later; 0 until then, and with the Bvh back end.
+/// Build times. GPU times arrive some frames later; they are 0 until then, and with the Bvh back end.
 struct RaySceneTimes {
-    double cpuBuildMs = 0;  ///< create: hierarchies (Bvh) or preparing buffers (Query)
+    double cpuBuildMs = 0;  ///< create: building hierarchies (Bvh) or preparing buffers (Query)
     double cpuUpdateMs = 0; ///< the last setInstances or deform
-    double gpuBuildMs = 0;  ///< of the record that built meshes
-    double gpuUpdateMs = 0; ///< of the last record that built or fitted anything
+    double gpuBuildMs = 0;  ///< the record that built meshes
+    double gpuUpdateMs = 0; ///< the last record that built or refitted
 };
 
-/// Both back ends find the same hits. Triangles with a vertex that is NaN, infinite or beyond 1e18 m are left out, as
-/// are instances with such a transform or a singular one; empty scenes are fine. Threading: external synchronisation.
+/// Acceleration structures of the host's triangles. Both back ends find the same hits. Triangles with a vertex that is
+/// NaN, infinite or beyond 1e18 m are skipped, as are instances with such a transform or a singular one. Empty scenes
+/// are valid. Threading: external synchronization.
 class GLINT_API RayScene {
 public:
-    /// Copies the triangles; with the Bvh back end it builds the hierarchies too: about a second a million triangles.
-    /// Errors: InvalidArgument for an index or a mesh number that is out of range; Unsupported for Query on a device
-    /// without it, or a scene larger than its storage buffers; OutOfMemory. `context` must outlive the scene.
+    /// Copies the triangles. With the Bvh back end it also builds the hierarchies, in about 1 s per million triangles.
+    /// Errors: InvalidArgument for a vertex index or a mesh index out of range; Unsupported for Query on a device
+    /// without ray queries, or for a scene larger than the device's storage buffers; OutOfMemory.
     static Result<RayScene> create(Context& context, const RaySceneDesc& desc);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
 
-    RayBackend backend() const; ///< Query or Bvh
+    RayBackend backend() const; ///< returns Query or Bvh
 
-    /// All instances anew: moved, added or taken away. Takes effect with the next record.
-    /// Errors: InvalidArgument as in create, and for more than maxInstances.
+    /// Replaces all instances: the host may move, add or remove instances. Takes effect with the next record.
+    /// Errors: InvalidArgument as in create, and for more than maxInstances instances.
     Result<void> setInstances(std::span<const RayInstance> instances);
-    /// Moves the vertices of a mesh that was made with `deforms`; a position that is not finite keeps its old place.
-    /// The tree stays as it was built and is fitted to them. Takes effect with the next record.
-    /// Errors: InvalidArgument for another mesh or another number of vertices.
+    /// Moves the vertices of a mesh created with `deforms`. A vertex with a non-finite position keeps its old position.
+    /// The hierarchy is refitted, not rebuilt. Takes effect with the next record.
+    /// Errors: InvalidArgument for a mesh created without `deforms`, or for a different vertex count.
     Result<void> deform(uint32_t mesh, const float* positions, uint32_t vertexCount, uint32_t vertexStride = 12);
 
-    /// Records what the calls above left to do, outside of rendering, before anything that traces; nothing if there is
-    /// nothing. It never submits or waits. The first one copies from memory that the scene keeps until
-    /// releaseStaging; updates travel in the command buffer itself, so any number of frames may be in flight.
+    /// Records the pending work of the calls above, outside of rendering; without pending work it records nothing. Call
+    /// it before any pass that traces rays. Never submits or waits. The first record copies from staging memory that
+    /// the scene keeps until releaseStaging. Updates are stored in the command buffer itself, so any number of frames
+    /// may be in flight. Until the GPU has executed a record, the next record repeats its work, so a command buffer
+    /// that is never submitted causes no error.
     void record(VkCommandBuffer commands);
-    /// Frees what only the first record needed. Call once the GPU is done with it.
+    /// Frees the staging memory of the first record. Call it after the GPU has finished this record; before that it has
+    /// no effect.
     void releaseStaging();
 
-    RaySceneTimes times();
+    RaySceneTimes times(); ///< returns the build times
 
     rays::Scene& scene() { return *scene_; } ///< for Glint's own classes
-    /// The same: gives a pass the scene, as the ray seam of this back end declares it.
+    /// For Glint's own classes: binds the scene to a pass, as the ray seam of this back end declares it.
     void bind(gpu::Pass& pass);
 
 private:

@@ -1,4 +1,4 @@
-// The library's main door: a G-buffer in, the same picture with reflections out.
+// The main class of the library: it takes the host's G-buffer and returns the lit image with reflections.
 #pragma once
 
 #include "glint/api.hpp"
@@ -22,34 +22,43 @@
 
 namespace glint {
 
-/// A cube map, GGX-prefiltered: mip 0 for mirrors, the last mip for roughness 1, even steps of perceptual roughness
-/// between. Faces and axes as Vulkan's cube maps have them.
+/// The environment, a GGX-prefiltered cube map. Mip 0 has perceptual roughness 0, the last mip has 1, and perceptual
+/// roughness increases linearly with the mip. Faces and axes follow Vulkan's cube maps.
 struct EnvironmentMap {
-    HostImage cube;
-    uint32_t mips = 1;
-    float strength = 1; ///< factor on its radiance
-    float rotation = 0; ///< radians about world +Y, counter-clockwise seen from above
-    bool flipY = false; ///< the cube is upside down, as probes that Babylon.js renders are
-    /// Optional: a cube of irradiance / pi, for what rays hit. Absent: the cube's last mip stands in.
+    HostImage cube;     ///< requires a view of type CUBE; width and height: size of a face
+    uint32_t mips = 1;  ///< mips of the view; at most a full mip chain of a face
+    float strength = 1; ///< factor on the environment's radiance
+    float rotation = 0; ///< radians about world +Y, counter-clockwise as seen from above
+    bool flipY = false; ///< true if the cube is upside down, like probes rendered by Babylon.js
+    /// Optional: a cube of irradiance / pi, for diffuse light at ray hits. Absent: the last mip of `cube` is the
+    /// fallback.
     HostImage diffuse;
 };
 
+/// Size, settings and optional features of a Reflections object.
 struct ReflectionsDesc {
-    uint32_t width = 0; ///< pixels, of every image of the G-buffer
+    uint32_t width = 0; ///< pixels, size of every image of the G-buffer except backDepth
     uint32_t height = 0;
     Settings settings;
-    bool statistics = false;        ///< count outcomes and lookups each frame (a small pass more)
-    bool views = false;             ///< keep an image for debug views
-    bool inspection = false;        ///< make what recordInspection needs: a pipeline a marcher more, and 256 KiB
-    bool transparentLayers = false; ///< make what recordLayer needs: the picture twice more, with mips
+    bool statistics = false;        ///< count outcomes and lookups each frame; adds a small pass
+    bool views = false;             ///< allocate an image for debug views (recordView)
+    bool inspection = false;        ///< enable recordInspection: one more pipeline per marcher, and 256 KiB
+    bool transparentLayers = false; ///< enable recordLayer: two more images of the frame's size, with mips
+    bool timers = true;             ///< time each pass (passTimes): two timestamps per pass
+    /// Maximum frames in flight, at least 1. When frame n is recorded, the GPU has finished, or will never run, all
+    /// frames up to n - framesInFlight. Objects that new settings or inputs replace are kept for this number of frames,
+    /// and a history starts this number of frames later (screen.colorSource previous, rays.accumulate). 1: the host
+    /// waits for each frame before it records the next.
+    uint32_t framesInFlight = 3;
 };
 
+/// GPU time of one pass.
 struct PassTime {
-    std::string name; ///< "trace/linear"
+    std::string name; ///< for example "trace/linear"
     double milliseconds = 0;
 };
 
-/// How the rays of one frame ended, and what they cost.
+/// Ray outcomes and costs of one frame.
 struct Statistics {
     struct Outcome {
         std::string_view name; ///< "hit", "offScreen", ...
@@ -57,105 +66,125 @@ struct Statistics {
     };
     std::vector<Outcome> outcomes;
     uint64_t rays = 0;
-    double lookupsMean = 0; ///< depth reads a traced ray
-    uint32_t lookups95 = 0; ///< 95th percentile
+    double lookupsMean = 0; ///< depth lookups per traced ray, mean
+    uint32_t lookups95 = 0; ///< depth lookups per traced ray, 95th percentile
 
-    /// What the source `rays` did; zeros without it.
+    /// Counters of the source `rays`; 0 without it.
     struct SceneRays {
-        uint64_t pixels = 0;      ///< that it was asked for
-        uint64_t rays = 0;        ///< through the host's triangles, those for shadows apart
-        uint64_t fromScreen = 0;  ///< of the pixels: the first hit was the screen source's, and took no ray
-        uint64_t replaced = 0;    ///< of the pixels: the screen source had an answer, and rays knew better
-        uint64_t reusedLight = 0; ///< hits whose light was taken from the picture
+        uint64_t pixels = 0;      ///< pixels that the source traced for
+        uint64_t rays = 0;        ///< rays through the host's triangles, without shadow rays
+        uint64_t fromScreen = 0;  ///< pixels whose first hit came from the screen source, not from a ray
+        uint64_t replaced = 0;    ///< pixels whose screen result was replaced by the rays' result
+        uint64_t reusedLight = 0; ///< hits that reused light from the frame
     } scene;
 };
 
-/// One picture size, one set of settings, any number of views in turn. Not thread-safe.
+/// Records reflections into the host's command buffers. One object has one image size and one set of settings, and
+/// serves any number of views in turn. Not thread-safe.
+///
+/// Frames in flight: objects that a call replaces (images, pipelines) are freed by the first `record` of a frame that
+/// is framesInFlight after the newest frame that may use them. The host needs no other wait, except that the GPU must
+/// be done before this object is destroyed. The host submits command buffers to one queue, in any order, or not at all:
+/// a command buffer that is never submitted loses only the history of its frame.
 class GLINT_API Reflections {
 public:
-    /// Makes every pipeline and image and rehearses the frame, so that `record` cannot fail.
+    /// Creates every pipeline and image and validates the frame in advance, so that `record` cannot fail.
     /// Errors: InvalidArgument (size, settings), OutOfMemory, Unsupported.
     static Result<Reflections> create(Context& context, const ReflectionsDesc& desc);
     ~Reflections();
     Reflections(Reflections&&) noexcept;
     Reflections& operator=(Reflections&&) noexcept;
 
-    /// Makes images that the new settings need for the first time.
-    /// Errors: InvalidArgument names the setting; OutOfMemory; the old ones stay in force.
+    /// Applies new settings, and creates the images that they need for the first time.
+    /// Errors: InvalidArgument names the setting; OutOfMemory. After an error the old settings stay in force.
     Result<void> setSettings(const Settings& settings);
 
-    /// States the host's images; call again when any of them changes. The environment may be absent.
-    /// When backDepth's size changes, the GPU must have finished the frames recorded with the old one.
-    /// Errors: InvalidArgument says which image is missing or of another size; OutOfMemory.
+    /// Sets the host's images. Call it again when any of them changes. The environment is optional.
+    /// Errors: InvalidArgument names the image that is missing, has a wrong size, has no layout, or has a format, usage
+    /// or view type that cannot be read; OutOfMemory.
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment = {});
 
-    /// States what the source `rays` goes through and what it looks like there; both must outlive the frames that use
-    /// them. Makes that source's pipelines. Whoever moves things records both (RayScene::record, SurfaceTable::record)
-    /// before the frame that should see it.
-    /// Errors: InvalidArgument if the scene's back end is not the one that rays.backend asks for; OutOfMemory;
-    /// Unsupported.
+    /// Sets the geometry and the surfaces of the source `rays`, and creates its pipelines. Both objects must outlive
+    /// the frames that use them. When objects move, the host records both (RayScene::record, SurfaceTable::record)
+    /// before the frame that shows the change.
+    /// Errors: InvalidArgument if the scene's back end does not match rays.backend; OutOfMemory; Unsupported.
     Result<void> setRays(RayScene& scene, SurfaceTable& surfaces);
 
-    /// The same for a host that shades hits itself: `shade` is called within each record(), after the rays were traced.
-    /// One ray a pixel in the direction of rays.lobe, every triangle solid; rays.samples, bounces, alphaTest and
-    /// accumulate do not act. What lies beyond the hits is the host's matter, the environment too.
+    /// Sets the geometry of the source `rays` for a host that shades hits itself. Each record() calls `shade` after the
+    /// commands that trace the rays. Glint traces one ray per pixel in the direction of rays.lobe, and every triangle
+    /// is solid; rays.samples, bounces, alphaTest and accumulate have no effect. The host shades misses too, including
+    /// the environment.
     Result<void> setRays(RayScene& scene, ShadeHits shade);
 
-    /// States the mirrors of the source `planar`, which must outlive the frames that use them; record the pictures of
-    /// each frame (PlanarMirrors::record) before it. None at all cost nothing. When these replace others, the GPU must
-    /// have finished the frames recorded with those. Errors: OutOfMemory.
+    /// Sets the mirrors of the source `planar`, which must outlive the frames that use them. Record the mirror images
+    /// of a frame (PlanarMirrors::record) before the frame. Without mirrors the source costs nothing.
+    /// Errors: OutOfMemory.
     Result<void> setPlanar(PlanarMirrors& mirrors);
 
-    /// States the probes of the source `probes`, which must outlive the frames that use them; record them
-    /// (Probes::record) before the first of these. None at all cost nothing. When these replace others, the GPU must
-    /// have finished the frames recorded with those. Errors: OutOfMemory.
+    /// Sets the probes of the source `probes`, which must outlive the frames that use them. Record the probes
+    /// (Probes::record) before the first of these frames. Without probes the source costs nothing.
+    /// Errors: OutOfMemory.
     Result<void> setProbes(Probes& probes);
 
-    /// With rays.accumulate the next frame starts anew, as it does by itself when the view, the settings or the scene
-    /// given to setRays change: for what Glint cannot see, as when lights, materials or things have changed.
+    /// Restarts rays.accumulate with the next frame. Call it after changes that Glint cannot detect, as of lights,
+    /// materials or objects. Accumulation restarts automatically if the view, the settings or the scene given to
+    /// setRays change.
     void restartAccumulation();
 
-    /// Records the frame's passes. Never submits or waits, and makes no Vulkan object and no device memory. Call
-    /// outside a render pass, after setInputs.
-    /// Returns the picture with reflections (RGBA16F, ready for sampling), valid until the next call; with every
-    /// source off no pass runs and that is litRadiance itself, bit for bit.
-    /// What the host draws over it is seen in the next frame's reflections with screen.colorSource previous, which
-    /// reads it once more: leave it in its layout.
+    /// Records the frame's passes. Never submits or waits, allocates no memory of any kind and creates no Vulkan
+    /// object. Call it outside a render pass, after setInputs.
+    ///
+    /// Returns the image with reflections (RGBA16F, ready for sampling), valid until the next call. With every source
+    /// off no pass runs, and the returned image is litRadiance itself, bit for bit. With screen.colorSource previous
+    /// the next frame reads the returned image again, so its reflections show what the host draws over the image. Leave
+    /// the image in its layout.
+    ///
+    /// Invalid calls are: no inputs, no command buffer, a view with a non-finite number or a matrix without an inverse.
+    /// An invalid call records nothing, adds one note (notes()) and returns litRadiance, or no image before setInputs.
     HostImage record(VkCommandBuffer commands, const View& view);
 
-    /// Records a transparent layer over the picture of the frame recorded last, in place (needs
-    /// ReflectionsDesc::transparentLayers): call it for each layer, the farthest first, in the command buffer of that
-    /// frame. `picture` is what record, or the layer before, returned, in the layout that it is in by now; what the
-    /// host draws between layers is seen through the next. Refraction and reflection have a walk of their own: screen,
-    /// by the depth pyramid, probes, sky. The environment is in the layout that setInputs stated; no other input is
-    /// read. With refraction.enabled off, or debug colours, layers are not drawn, and `picture` comes back: a host has
-    /// its own way then. Cost: up to three marches and 34 lookups of the picture a pixel of the layer, and the
-    /// picture's mips. Errors: InvalidArgument says which image is missing or of another size, or that no frame was
-    /// recorded.
+    /// Records a transparent layer over the image of the last recorded frame, in place. Requires
+    /// ReflectionsDesc::transparentLayers. Call it for each layer, farthest first, in the command buffer of that frame.
+    ///
+    /// `picture` is the image that record, or recordLayer of the previous layer, returned, with its current layout.
+    /// Geometry that the host draws between two layers is visible through the later layer. Layers refract and reflect
+    /// from their own sources, in this order: screen (by the depth pyramid), probes, sky. The environment must be in
+    /// the layout that setInputs declared; no other input is read. With refraction.enabled off, or with debug colours,
+    /// Glint draws no layers and returns `picture`: the host then draws transparent surfaces itself.
+    ///
+    /// Cost: up to three marches and 34 fetches from the image per layer pixel, and the mips of the image.
+    /// Errors: InvalidArgument names the image that is missing or has a wrong size, or says that no frame was recorded.
     Result<HostImage> recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, const HostImage& picture);
 
-    /// Records a debug view of the frame recorded last into an RGBA32F image (needs ReflectionsDesc::views): raw
-    /// values, metres and unit vectors, not scaled for display.
-    /// Errors: InvalidArgument lists the views.
+    /// Records a debug view of the last recorded frame into an RGBA32F image. Requires ReflectionsDesc::views. Values
+    /// are raw, in metres and unit vectors, not scaled for display.
+    /// Errors: InvalidArgument for an unknown view, with the nearest name, or if no frame was recorded.
     Result<HostImage> recordView(VkCommandBuffer commands, std::string_view name);
+    /// Returns the names of the views. recordView accepts the names of passImages too.
     static std::vector<std::string_view> viewNames();
+    /// Returns the images that the passes of the last recorded frame wrote, as "trace/hiz:radianceWeight". As a view,
+    /// an image has the content of the frame's end, and the nearest texel where its size is another. Requires
+    /// ReflectionsDesc::views.
+    std::vector<std::string> passImages() const;
 
-    /// Records the trace of the one ray of pixel (x, y), counted from the top left, of the frame recorded last, and
-    /// writes down all that it does (needs ReflectionsDesc::inspection). The host's images must still hold that frame,
-    /// in the layouts in which it handed them over. Traces with the frame's own settings, into its own images: they
-    /// keep their bits.
-    /// Errors: InvalidArgument if nothing was recorded, or the pixel lies outside the picture.
+    /// Records a trace of the ray of pixel (x, y), from the top left, of the last recorded frame, and logs every step
+    /// of the ray. Requires ReflectionsDesc::inspection. The host's images must still hold that frame, in the layouts
+    /// that the host declared. The trace uses the frame's own settings and images, whose contents stay bit-identical.
+    /// Errors: InvalidArgument if no frame was recorded, or if the pixel is outside the image.
     Result<void> recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y);
-    /// Of the pixel inspected last; call when the GPU has finished it.
+    /// Returns the inspection of the last inspected pixel. Call it after the GPU has finished that inspection.
     RayInspection inspection() const;
 
-    /// GPU time of each pass of the newest frame that the GPU has finished. Never waits.
+    /// Returns the GPU time of each pass of the newest frame that the GPU has finished. Never waits. Empty without
+    /// ReflectionsDesc::timers.
     std::vector<PassTime> passTimes();
 
-    /// Of the frame recorded last; call when the GPU has finished it. Empty unless ReflectionsDesc::statistics.
+    /// Returns the statistics of the last recorded frame. Call it after the GPU has finished that frame. Empty without
+    /// ReflectionsDesc::statistics.
     Statistics statistics();
 
-    /// What the host should know once, e.g. that reflections cannot replace what it did not hand over.
+    /// Returns notes for the host, each given once: for example, that reflections are added because the host did not
+    /// provide fallbackSpecular, or why record() recorded nothing.
     const std::vector<std::string>& notes() const;
 
 private:

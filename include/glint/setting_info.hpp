@@ -10,7 +10,7 @@
 
 namespace glint {
 
-enum class SettingType { Bool, Int, Float, Enum };
+enum class SettingType { Boolean, Int, Float, Enum };
 
 /// An interval; an open end does not belong to it. `text` is how the list writes it: "(0, 1e6]".
 struct SettingRange {
@@ -18,7 +18,7 @@ struct SettingRange {
     double max = 0;
     bool minOpen = false;
     bool maxOpen = false;
-    std::string text; ///< empty for Bool and Enum, which have no range
+    std::string text; ///< empty for Boolean and Enum, which have no range
 
     /// False for NaN.
     bool contains(double value) const {
@@ -32,9 +32,10 @@ enum class AliasTransform {
     OneMinus,       ///< 1-x: smoothness becomes roughness
     InverseOnePlus, ///< 1/(n+1): a downsampling becomes a scale
     Choice,         ///< a switch picks one of two enum values: `whenFalse`, `whenTrue`
-    Always,         ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
+    Fixed,          ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
     Instead,        ///< the same, but only in place of `whenFalse`: other modes stay
-    Numbers,        ///< an enum value by its name, or by the number that the system has for it (`numbers`)
+    Numbers,        ///< `numbers` in place of the system's; else the value, of an enum by its name
+    Component,      ///< of a colour, written "R,G,B" or as one number for all three: `component`
 };
 
 /// A parameter of another system that this setting answers to, as `system:name`.
@@ -44,13 +45,14 @@ struct SettingAlias {
     AliasTransform transform = AliasTransform::Same;
     int whenFalse = 0;
     int whenTrue = 0;
-    std::vector<std::pair<int, int>> numbers; ///< theirs, and the index into our `choices`
+    std::vector<std::pair<int, double>> numbers; ///< theirs, and our value: of an enum the index into `choices`
+    int component = 0;                           ///< 0 red, 1 green, 2 blue
 };
 
 struct SettingInfo {
     std::string key; ///< "screen.maxDistance": group and name
-    SettingType type = SettingType::Bool;
-    double defaultValue = 0; ///< Bool: 0 or 1; Enum: index into `choices`
+    SettingType type = SettingType::Boolean;
+    double defaultValue = 0; ///< Boolean: 0 or 1; Enum: index into `choices`
     SettingRange range;
     std::string unit;                 ///< "m", "px", "UV", "degrees", "EV"; empty: a plain number
     std::string meaning;              ///< one line
@@ -64,7 +66,8 @@ struct SettingInfo {
 /// One row of a list as a member of its struct: `float maxDistance = 1000;`.
 #define GLINT_SETTING_MEMBER(type, name, initial, range, unit, meaning, aliases) type name = initial;
 
-/// An enum that settings may have as their type. Its values' names in files begin in lower case: Linear is "linear".
+/// An enum that settings may have as their type. Its values' names in files begin in lower case: Linear is "linear". A
+/// trailing underscore keeps a value apart from another library's macro (X11 defines None); files do not have it.
 #define GLINT_SETTING_ENUM(Name, ...)                                                                                  \
     enum class Name : int { __VA_ARGS__ };                                                                             \
     constexpr std::string_view settingChoices(Name) {                                                                  \

@@ -1,144 +1,149 @@
 // Every setting of the library, each stated once: SETTING(type, name, default, range, unit, meaning, aliases).
-// Aliases are names that other systems use, `system:name`, parted by spaces; `=1-x`, `=1/(n+1)`, `=a|b` (a switch: a
-// when false, b when true), `=0:a|2:b` (their numbers for our values, whose names work too), `=a` (implies a) and
-// `=a>b` (implies b where a was in force) say where the meaning differs. One alias may stand at several settings.
+// Aliases are the names that other systems use: `system:name`, separated by spaces. One alias may belong to several
+// settings. A suffix converts the other system's value:
+//   `=1-x`, `=1/(n+1)`   this formula
+//   `=a|b`               a switch: a if false, b if true
+//   `=0:a|2:b`           the other system's numbers for our values; our value names work too
+//   `=r`, `=g`, `=b`     this component of a colour
+//   `=a`                 sets a, whatever the value
+//   `=a>b`               sets b if a was set
 #pragma once
 
 // clang-format off
 
 #define GLINT_SCREEN_SETTINGS(SETTING)                                                                                 \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "Trace reflections in screen space; off: no such pass runs",                                                   \
+        "Trace reflections in screen space; off: no screen-space pass runs",                                           \
         "babylon:isEnabled compute-ssr:enabled")                                                                       \
     SETTING(March, march, March::Hiz, "", "",                                                                          \
-        "How a ray looks for its hit in the depth image; proxy: once, where the pixel's probe volume says",            \
+        "March algorithm of screen-space rays: hiz, linear, adaptive, or proxy (one sample at a probe proxy's hit)",   \
         "hdrp:projectionModel")                                                                                        \
     SETTING(float, maxDistance, 1000, "(0, 1e6]", "m",                                                                 \
-        "Longest ray, in 3D",                                                                                          \
+        "Maximum length of a screen-space ray, measured in 3D",                                                        \
         "babylon:maxDistance compute-ssr:distance")                                                                    \
     SETTING(int, maxSteps, 1000, "[1, 4096]", "",                                                                      \
-        "Iterations of march linear; a ray that uses them up is a miss",                                               \
+        "Maximum iterations of a ray with screen.march linear; a ray that reaches this limit is a miss",               \
         "babylon:maxSteps")                                                                                            \
     SETTING(int, step, 1, "[1, 64]", "px",                                                                             \
-        "Pixels an iteration of march linear; larger: faster, thin objects are missed",                                \
+        "Pixels per iteration with screen.march linear; larger: faster, but thin objects are missed",                  \
         "babylon:step")                                                                                                \
     SETTING(bool, smooth, true, "", "",                                                                                \
-        "Refine each hit to one pixel; acts only with screen.step > 1",                                                \
+        "Refine each hit to one pixel; has an effect only with screen.step above 1",                                   \
         "babylon:enableSmoothReflections")                                                                             \
     SETTING(ThicknessMode, thicknessMode, ThicknessMode::Backface, "", "",                                             \
-        "How deep a surface is behind its depth sample: constant, relative to distance, or from drawn back faces",     \
+        "Depth of a surface behind its depth sample: constant, relative to distance, or from back-face depth",         \
         "hdrp:depthBufferThickness=relative babylon:thickness=relative>constant "                                      \
         "compute-ssr:thickness=relative>constant babylon:enableAutomaticThicknessComputation=constant|backface")       \
     SETTING(float, thickness, 0, "[0, 1e3]", "m",                                                                      \
-        "Slab behind each depth sample in which a ray ends too; with backface on top of what the back faces say",      \
+        "Slab behind each depth sample in which a ray also hits; thicknessMode backface: behind the back face",        \
         "babylon:thickness compute-ssr:thickness")                                                                     \
     SETTING(float, thicknessRelative, 0.01f, "[0, 1]", "of viewZ",                                                     \
-        "The same slab as a fraction of the sample's distance; acts with thicknessMode relative",                      \
+        "Slab behind each depth sample, as a fraction of its distance; used by thicknessMode relative only",           \
         "hdrp:depthBufferThickness")                                                                                   \
     SETTING(int, selfCollisionSkip, 0, "[0, 16]", "iterations",                                                        \
-        "First iterations in which nothing counts as a hit, so that a surface does not meet itself",                   \
+        "Iterations at a ray's start that ignore hits, so that a surface does not hit itself; 0: none",                \
         "babylon:selfCollisionNumSkip")                                                                                \
     SETTING(bool, clipToFrustum, true, "", "",                                                                         \
-        "Clip the ray's end to what the screen shows",                                                                 \
+        "Clip the end of each screen-space ray to the view frustum",                                                   \
         "babylon:clipToFrustum")                                                                                       \
     SETTING(int, backfaceDownsample, 0, "[0, 8]", "",                                                                  \
-        "The host draws back-face depth at size / (n + 1); coarser: cheaper, ragged silhouettes",                      \
+        "The host draws back-face depth at size / (n + 1); larger: cheaper, but ragged silhouettes; 0: full size",     \
         "babylon:backfaceDepthTextureDownsample")                                                                      \
     SETTING(bool, backfaceTransparents, true, "", "",                                                                  \
-        "Transparent surfaces count as solid in back-face depth",                                                      \
+        "Treat transparent surfaces as solid in back-face depth",                                                      \
         "babylon:backfaceForceDepthWriteTransparentMeshes")                                                            \
     SETTING(float, resolutionScale, 1, "[0.1, 1]", "",                                                                 \
-        "Size of the traced image against the picture; the G-buffer stays whole",                                      \
+        "Width and height of the traced image relative to the frame; the G-buffer keeps full resolution",              \
         "babylon:ssrDownsample=1/(n+1) compute-ssr:resolutionScale")                                                   \
     SETTING(TargetFormat, targetFormat, TargetFormat::Auto, "", "",                                                    \
-        "Format of the traced radiance: rgba16f, rgba8 (clamped to [0, 1]), or auto, which is rgba16f",                \
+        "Format of the traced radiance: rgba16f, rgba8 (radiance scaled into [0, 1]), or auto (rgba16f)",              \
         "babylon:textureType=0:rgba8|2:rgba16f")                                                                       \
     SETTING(ColorSource, colorSource, ColorSource::Current, "", "",                                                    \
-        "Where a hit takes its colour: this frame, or the previous one with its own reflections, reprojected",         \
+        "Colour of a hit: current frame, or previous frame with its reflections, reprojected",                         \
         "hdrp:colorSource")                                                                                            \
     SETTING(bool, highlights, false, "", "",                                                                           \
-        "Hits show lights' highlights where the eye sees them; off: smooth surfaces lose them, if the host tells",     \
+        "Keep highlights in hits on smooth surfaces; off: remove them if the host provides highlight-free means",      \
         "")
 
 #define GLINT_HIZ_SETTINGS(SETTING)                                                                                    \
     SETTING(int, minLevel, 0, "[0, 14]", "",                                                                           \
-        "Finest level of the depth pyramid that a ray visits; above 0: faster, blocky",                                \
+        "Finest depth pyramid level that a ray of march hiz visits; above 0: faster, but blocky",                      \
         "hdrp:rayMinLevel")                                                                                            \
     SETTING(int, maxLevel, 10, "[0, 14]", "",                                                                          \
-        "Coarsest level that a ray visits",                                                                            \
+        "Coarsest depth pyramid level that a ray of march hiz visits",                                                 \
         "hdrp:rayMaxLevel")                                                                                            \
     SETTING(int, maxIterations, 128, "[1, 1024]", "",                                                                  \
-        "Cells that a ray may visit; a ray that uses them up is a miss",                                               \
+        "Maximum cells that a ray of march hiz visits; a ray that reaches this limit is a miss",                       \
         "hdrp:rayMaxIterations")                                                                                       \
     SETTING(float, depthBias, 0.001f, "[0, 1]", "of viewZ",                                                            \
-        "How far behind a surface, on top of its thickness, a ray still meets it",                                     \
+        "Slab behind each surface, added to its thickness, in which a ray of march hiz also hits",                     \
         "hdrp:rayDepthSuccessBias")
 
 #define GLINT_ADAPTIVE_SETTINGS(SETTING)                                                                               \
     SETTING(int, steps, 64, "[1, 128]", "",                                                                            \
-        "Fewest steps of a ray; long ones take up to twice as many",                                                   \
+        "Minimum steps of a ray with screen.march adaptive; long rays take up to twice as many",                       \
         "compute-ssr:steps")                                                                                           \
     SETTING(float, pixelSpacing, 8, "[1, 64]", "px",                                                                   \
-        "Steps are added so that they lie no farther apart on screen",                                                 \
+        "Spacing of steps on screen: march adaptive adds steps, up to twice adaptive.steps, to reach it",              \
         "")                                                                                                            \
     SETTING(int, refinements, 5, "[0, 16]", "",                                                                        \
-        "Halvings of the step that met something",                                                                     \
+        "Binary search iterations of march adaptive at a crossing; each one halves the step",                          \
         "")
 
 #define GLINT_REFLECT_SETTINGS(SETTING)                                                                                \
     SETTING(float, threshold, 0, "[0, 1]", "",                                                                         \
-        "No ray where the quantity of reflect.thresholdOn is at most this + 1/510",                                    \
+        "Trace no ray where the quantity selected by reflect.thresholdOn is at most this value + 1/510",               \
         "babylon:reflectivityThreshold compute-ssr:reflectivityThreshold")                                             \
     SETTING(ThresholdOn, thresholdOn, ThresholdOn::F0, "", "",                                                         \
-        "What reflect.threshold is held against: f0, the reflectance at normal incidence, or f0TimesStrength",         \
+        "Quantity compared with reflect.threshold: f0 (reflectance at normal incidence), or f0TimesStrength",          \
         "babylon:reflectivityThreshold=f0 compute-ssr:reflectivityThreshold=f0TimesStrength")                          \
     SETTING(float, strength, 1, "[0, 10]", "",                                                                         \
-        "Multiplies reflections; 0: none are traced",                                                                  \
+        "Multiplies reflections; 0: no reflections are traced",                                                        \
         "babylon:strength compute-ssr:intensity")                                                                      \
     SETTING(float, falloffExponent, 1, "(0, 16]", "",                                                                  \
-        "Exponent over reflectance times strength; larger: weak reflections fade first",                               \
+        "Exponent of reflectance times reflect.strength; larger: weak reflections fade first",                         \
         "babylon:reflectionSpecularFalloffExponent")                                                                   \
     SETTING(bool, fresnel, true, "", "",                                                                               \
-        "Reflectance grows toward grazing angles (Schlick); off: F0 at every angle",                                   \
+        "Increase reflectance toward grazing angles (Schlick); off: use F0 at every angle",                            \
         "babylon:useFresnel")                                                                                          \
     SETTING(float, roughnessFadeStart, 0.2f, "[0, 1]", "perceptual roughness",                                         \
-        "Up to here screen-space reflections have full weight",                                                        \
+        "Screen-space reflections have full weight up to this roughness and fade out above it",                        \
         "hdrp:smoothnessFadeStart=1-x")                                                                                \
     SETTING(float, maxRoughness, 0.4f, "[0, 1]", "perceptual roughness",                                               \
-        "From here on no screen-space ray is traced; at or below roughnessFadeStart: a hard edge just above it",       \
+        "No screen-space ray from this roughness on; at or below roughnessFadeStart: hard cutoff just above it",       \
         "hdrp:minSmoothness=1-x")
 
 #define GLINT_ROUGH_SETTINGS(SETTING)                                                                                  \
     SETTING(float, factor, 0, "[0, 1]", "",                                                                            \
-        "Jitters each ray by its surface's roughness times this; 0: mirror directions only",                           \
+        "Jitters each screen-space ray by surface roughness times this factor; 0: mirror directions only",             \
         "babylon:roughnessFactor")
 
 #define GLINT_BLUR_SETTINGS(SETTING)                                                                                   \
     SETTING(float, strength, 0, "[0, 1]", "",                                                                          \
-        "Blurs reflections by roughness and hit distance; 0: no blur",                                                 \
+        "Blurs screen-space reflections by roughness and hit distance; larger: wider; 0: no blur",                     \
         "babylon:blurDispersionStrength")                                                                              \
     SETTING(int, quality, 2, "[1, 3]", "",                                                                             \
-        "Taps of the blur: 1 few, 3 many",                                                                             \
+        "Number of taps of the reflection blur: 1: few, 2: medium, 3: many",                                           \
         "babylon:blurQuality")                                                                                         \
     SETTING(int, downsample, 0, "[0, 8]", "",                                                                          \
-        "Blurs at size / (n + 1)",                                                                                     \
+        "The reflection blur runs at size / (n + 1); 0: full size",                                                    \
         "babylon:blurDownsample")
 
 #define GLINT_FADE_SETTINGS(SETTING)                                                                                   \
     SETTING(FadeBorder, border, FadeBorder::Linear, "", "",                                                            \
-        "Fade hits near the screen's border: none, smooth (wide, Babylon's), linear (over fade.borderWidth)",          \
+        "Fade of hits near the screen border: none, smooth (wide, as Babylon.js), or linear (over fade.borderWidth)",  \
         "babylon:attenuateScreenBorders=none|smooth hdrp:screenWeightDistance=linear")                                 \
     SETTING(float, borderWidth, 0.05f, "[0, 0.5]", "UV",                                                               \
-        "Width of the linear border fade: 0 at the border, 1 from here inside",                                        \
+        "Width of the linear border fade: weight is 0 at the border and 1 from this distance inward",                  \
         "hdrp:screenWeightDistance")                                                                                   \
     SETTING(bool, distance, false, "", "",                                                                             \
-        "Fade by 1 - distance / screen.maxDistance",                                                                   \
+        "Fade hits by 1 - hit distance / screen.maxDistance",                                                          \
         "babylon:attenuateIntersectionDistance")                                                                       \
     SETTING(bool, iterations, false, "", "",                                                                           \
-        "Fade by 1 - iterations / screen.maxSteps",                                                                    \
+        "Fade hits by 1 - iterations / screen.maxSteps",                                                               \
         "babylon:attenuateIntersectionIterations")                                                                     \
     SETTING(bool, facingCamera, false, "", "",                                                                         \
-        "Fade rays that come back toward the camera, whose hits the screen rarely shows",                              \
+        "Fade rays that point back toward the camera, since the screen rarely shows the surfaces that they hit",       \
         "babylon:attenuateFacingCamera")                                                                               \
     SETTING(bool, backface, false, "", "",                                                                             \
         "Fade hits on surfaces that face away from the ray's origin",                                                  \
@@ -146,174 +151,184 @@
 
 #define GLINT_RAYS_SETTINGS(SETTING)                                                                                   \
     SETTING(bool, enabled, false, "", "",                                                                              \
-        "Trace rays through the host's triangles for what the sources before leave; needs a RayScene",                 \
+        "Trace rays through the host's triangles for the weight remaining after earlier sources; needs a RayScene",    \
         "")                                                                                                            \
     SETTING(RayBackend, backend, RayBackend::Auto, "", "",                                                             \
-        "What traces them: query (the device's ray queries), bvh (any device), or auto, which is query where it can",  \
+        "Ray back end: query (the device's ray queries), bvh (any device), or auto (query if available, else bvh)",    \
         "")                                                                                                            \
     SETTING(int, samples, 1, "[1, 4096]", "",                                                                          \
-        "Rays a pixel; what they find is averaged",                                                                    \
-        "")                                                                                                            \
+        "Rays per pixel through the host's triangles; their results are averaged",                                     \
+        "ray-query:MAX_REFLECTIONS_SAMPLES ray-query:samples")                                                         \
     SETTING(int, bounces, 1, "[1, 8]", "",                                                                             \
-        "Surfaces that a ray follows; the last one reflects the environment",                                          \
-        "")                                                                                                            \
+        "Maximum surfaces that a ray path hits; the last surface reflects the environment",                            \
+        "ray-query:MAX_BOUNCES ray-query:bounces")                                                                     \
     SETTING(RayLobe, lobe, RayLobe::Ggx, "", "",                                                                       \
-        "Directions of rays: ggx, spread as roughness says; mirror; mirrorIfOne, which is mirror with one sample",     \
+        "Ray directions: ggx (spread by roughness), mirror, or mirrorIfOne (mirror if rays.samples is 1, else ggx)",   \
+        "")                                                                                                            \
+    SETTING(float, regularization, 0.5f, "[0, 4]", "",                                                                 \
+        "After a rough bounce, minimum hit roughness is this times path spread; falls with samples; 0: fireflies",     \
         "")                                                                                                            \
     SETTING(float, tMin, 0, "[0, 1e3]", "m",                                                                           \
-        "Where a ray begins to look; 0: as near as the numbers allow, which scales with the scene",                    \
-        "")                                                                                                            \
+        "Minimum distance of ray hits; 0: the smallest offset that precision allows, which scales with the scene",     \
+        "ray-query:ray_t_min")                                                                                         \
     SETTING(float, tMax, 1e24f, "(0, 1e30]", "m",                                                                      \
-        "Where a ray ends",                                                                                            \
-        "")                                                                                                            \
+        "Maximum length of a ray through the host's triangles",                                                        \
+        "ray-query:ray_t_max")                                                                                         \
     SETTING(float, maxRoughness, 1, "[0, 1]", "perceptual roughness",                                                  \
-        "Rougher surfaces are left to the sources behind, and end a ray's bounces",                                    \
+        "Surfaces rougher than this trace no rays and use later sources; a path also ends at a rougher hit",           \
         "")                                                                                                            \
     SETTING(bool, alphaTest, true, "", "",                                                                             \
-        "Rays pass through the holes of alpha-tested surfaces; off: such surfaces are solid",                          \
+        "Rays pass through holes of alpha-tested surfaces; off: alpha-tested surfaces are solid",                      \
+        "")                                                                                                            \
+    SETTING(int, transparents, 8, "[0, 16]", "",                                                                       \
+        "Maximum transparent surfaces that a path passes through; 0: rays ignore transparent surfaces",                \
         "")                                                                                                            \
     SETTING(int, cullMask, 255, "[0, 255]", "",                                                                        \
-        "Instances are met whose own mask shares a bit with this",                                                     \
-        "")                                                                                                            \
+        "Rays intersect only instances whose mask shares a bit with this mask",                                        \
+        "ray-query:cull_mask")                                                                                         \
     SETTING(bool, reuseLight, true, "", "",                                                                            \
-        "After the screen source: where the picture shows what a ray has met, its light is taken from there",          \
+        "After the screen source: use the frame's light at ray hits that the frame shows; off: shade all hits",        \
         "")                                                                                                            \
     SETTING(float, reuseRoughness, 0.5f, "[0, 1]", "perceptual roughness",                                             \
-        "Smoother surfaces shine differently from elsewhere: rays light them anew, also where the screen source hit them", \
+        "Rays shade hits on smoother surfaces, also screen hits, since the frame's light there is view-dependent",     \
         "")                                                                                                            \
     SETTING(bool, accumulate, false, "", "",                                                                           \
-        "Average over all frames since the view or a setting changed; Reflections::restartAccumulation starts anew",   \
+        "Average ray results since the view or a setting changed, or Reflections::restartAccumulation was called",     \
         "")
 
 #define GLINT_PLANAR_SETTINGS(SETTING)                                                                                 \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "Pictures that the host drew from behind flat mirrors answer for these; without any they cost nothing",        \
+        "Use the images that the host draws for planar mirrors; without planar mirrors this costs nothing",            \
         "")                                                                                                            \
     SETTING(int, steps, 32, "[1, 256]", "",                                                                            \
-        "Looks along a ray into a mirror's picture, where the surface is bent away from the mirror's plane",           \
+        "Maximum samples along a ray in a planar mirror's image where a normal differs from the mirror's plane",       \
         "")                                                                                                            \
     SETTING(float, roughnessFadeStart, 0.4f, "[0, 1]", "perceptual roughness",                                         \
-        "Up to here a mirror's picture has full weight",                                                               \
+        "Planar mirrors have full weight up to this roughness and fade out above it",                                  \
         "")                                                                                                            \
     SETTING(float, maxRoughness, 0.6f, "[0, 1]", "perceptual roughness",                                               \
-        "From here on surfaces are left to the sources behind; at or below roughnessFadeStart: a hard edge above it",  \
+        "No planar mirrors from this roughness on; at or below roughnessFadeStart: hard cutoff just above it",         \
         "")
 
 #define GLINT_PROBES_SETTINGS(SETTING)                                                                                 \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "The host's probes answer for what screen and rays left; without any they cost nothing",                       \
+        "Use the host's probes for the weight remaining after earlier sources; without probes this costs nothing",     \
         "")                                                                                                            \
     SETTING(bool, parallax, true, "", "",                                                                              \
-        "Reflections lie where the probes' distances or proxy volumes say; off: infinitely far away",                  \
+        "Correct probe reflections for parallax by probe distances or proxies; off: probes are infinitely far away",   \
         "")                                                                                                            \
     SETTING(int, steps, 12, "[0, 64]", "",                                                                             \
-        "Most looks along a ray for what it meets in a probe that has distances; 0: proxy volumes alone",              \
+        "Maximum samples along a ray in a probe that stores distances; 0: use proxy volumes only",                     \
         "")                                                                                                            \
     SETTING(bool, distanceRoughness, true, "", "",                                                                     \
-        "What is near its reflection is sharper than its roughness says at the probe; off: as rough everywhere",       \
+        "Sharpen probe reflections of surfaces near the reflecting point; off: same roughness at every distance",      \
         "")
 
 #define GLINT_SKY_SETTINGS(SETTING)                                                                                    \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "The environment answers for what the sources before it left; without one it adds nothing",                    \
+        "Use the environment for the weight remaining after earlier sources; without an environment: no effect",       \
         "")
 
 #define GLINT_REFRACTION_SETTINGS(SETTING)                                                                             \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "Light comes through transparent surfaces that the host hands over as layers, and they reflect; off: it draws them its own way", \
+        "Draw the host's transparent layers with refraction and reflection; off: the host draws transparent surfaces", \
         "")                                                                                                            \
     SETTING(RefractionModel, model, RefractionModel::Material, "", "",                                                 \
-        "What bodies are taken for: material, as the host says; none, nothing is bent; sphere, plane, or thin, a plate of 5 mm", \
+        "Refraction shape of bodies: material (the host's), none (straight), sphere, plane, or thin (5 mm plate)",     \
         "hdrp:refractionModel")                                                                                        \
     SETTING(RefractionProjection, projection, RefractionProjection::Hiz, "", "",                                       \
-        "Where light that has left a body comes from: hiz, marched; proxy, met on the volume of the probe that holds the object", \
+        "Origin of refracted light: hiz (ray march), or proxy (intersect the proxy of the probe around the object)",   \
         "hdrp:ssRayModel")                                                                                             \
     SETTING(bool, screen, true, "", "",                                                                                \
-        "Layers ask the picture first; off: probes and the environment alone",                                         \
+        "Transparent layers sample the screen first; off: probes and environment only",                                \
         "")                                                                                                            \
     SETTING(bool, reflections, true, "", "",                                                                           \
-        "Layers reflect by screen, probes and sky; off: they keep the host's fallback specular",                       \
+        "Transparent layers reflect screen, probes and environment; off: they keep the host's fallback specular",      \
         "")                                                                                                            \
     SETTING(float, borderWidth, 0.05f, "[0, 0.5]", "UV",                                                               \
-        "Refracted light fades to probes and sky this far from the border of the picture",                             \
+        "Refracted light from the screen fades to probes and environment within this distance of the screen border",   \
         "hdrp:refraction:screenWeightDistance")                                                                        \
+    SETTING(float, dispersion, -1, "[-1, 20]", "20 / Abbe number",                                                     \
+        "Dispersion of transparent bodies: variation of the index of refraction by colour; below 0: the material's",   \
+        "")                                                                                                            \
     SETTING(int, hizMinLevel, 0, "[0, 14]", "",                                                                        \
-        "Finest level of the depth pyramid that a layer's rays visit",                                                 \
+        "Finest depth pyramid level that a refracted or reflected ray of a transparent layer visits",                  \
         "hdrp:refraction:rayMinLevel")                                                                                 \
     SETTING(int, hizMaxLevel, 10, "[0, 14]", "",                                                                       \
-        "Coarsest level that they visit",                                                                              \
+        "Coarsest depth pyramid level that a refracted or reflected ray of a transparent layer visits",                \
         "hdrp:refraction:rayMaxLevel")                                                                                 \
     SETTING(int, hizMaxIterations, 64, "[1, 1024]", "",                                                                \
-        "Cells that such a ray looks at; one that uses them up is a miss",                                             \
+        "Maximum cells that a ray of a transparent layer visits; a ray that reaches this limit is a miss",             \
         "hdrp:refraction:rayMaxIterations")                                                                            \
     SETTING(float, hizDepthBias, 0.001f, "[0, 1]", "of viewZ",                                                         \
-        "Slab behind each depth sample in which it ends too",                                                          \
+        "Slab behind each depth sample in which a ray of a transparent layer also hits",                               \
         "hdrp:refraction:rayDepthSuccessBias")                                                                         \
     SETTING(float, ior, 0, "[0, 5]", "",                                                                               \
-        "Index of refraction of every body; 0: its material's",                                                        \
-        "")                                                                                                            \
+        "Index of refraction of every transparent body; 0: the material's",                                            \
+        "hdrp:indexOfRefraction")                                                                                      \
     SETTING(float, thickness, -1, "[-1, 1e3]", "m",                                                                    \
-        "Thickness of every body; below 0: its material's",                                                            \
-        "")                                                                                                            \
+        "Thickness of every transparent body; below 0: the material's",                                                \
+        "hdrp:refractionThickness")                                                                                    \
     SETTING(float, thicknessMultiplier, 1, "[0, 100]", "",                                                             \
-        "Factor on the thickness of every body",                                                                       \
-        "hdrp:thicknessMultiplier")                                                                                    \
+        "Multiplies the thickness of every transparent body",                                                          \
+        "hdrp:thicknessMultiplier hdrp:refractionThicknessMultiplier")                                                 \
     SETTING(float, transmittanceRed, -1, "[-1, 1]", "",                                                                \
-        "Colour that white light has taken after the absorption distance; below 0, all three: the materials' own",     \
-        "")                                                                                                            \
+        "Transmittance colour at the absorption distance, red; if red, green or blue is below 0: the material's",      \
+        "hdrp:transmittanceColor=r")                                                                                   \
     SETTING(float, transmittanceGreen, -1, "[-1, 1]", "",                                                              \
-        "Its green",                                                                                                   \
-        "")                                                                                                            \
+        "Transmittance colour at the absorption distance, green; if any component is below 0: the material's",         \
+        "hdrp:transmittanceColor=g")                                                                                   \
     SETTING(float, transmittanceBlue, -1, "[-1, 1]", "",                                                               \
-        "Its blue",                                                                                                    \
-        "")                                                                                                            \
+        "Transmittance colour at the absorption distance, blue; if any component is below 0: the material's",          \
+        "hdrp:transmittanceColor=b")                                                                                   \
     SETTING(float, absorptionDistance, -1, "[-1, 1e6]", "m",                                                           \
-        "Distance after which it has; 0: bodies are clear; below 0: the materials' own",                               \
-        "hdrp:absorptionDistance")
+        "Absorption distance after which white light has the transmittance colour; 0: clear; below 0: the material's", \
+        "hdrp:absorptionDistance=0:1e-6")
 
 #define GLINT_ORDER_SETTINGS(SETTING)                                                                                  \
     SETTING(int, screen, 2, "[0, 9]", "",                                                                              \
-        "Place of the screen source in the walk: smaller is asked first, equal ones in the order of this list",        \
+        "Order of the screen source, smaller first; sources of equal order: screen, rays, planar, probes, sky",        \
         "")                                                                                                            \
     SETTING(int, rays, 3, "[0, 9]", "",                                                                                \
-        "Place of rays, which are traced only where the sources before leave something",                               \
+        "Order of the ray source, smaller first; rays are traced only where earlier sources leave weight",             \
         "")                                                                                                            \
     SETTING(int, planar, 1, "[0, 9]", "",                                                                              \
-        "Place of planar mirrors, which also show what is hidden, off screen and rough",                               \
+        "Order of planar mirrors, smaller first; they also show hidden, off-screen and rough reflections",             \
         "")                                                                                                            \
     SETTING(int, probes, 4, "[0, 9]", "",                                                                              \
-        "Place of probes",                                                                                             \
+        "Order of probes, smaller first; probes fill the weight that earlier sources leave",                           \
         "")                                                                                                            \
     SETTING(int, sky, 5, "[0, 9]", "",                                                                                 \
-        "Place of the environment, which leaves nothing to those behind it",                                           \
+        "Order of the environment, smaller first; it takes all remaining weight, so later sources get none",           \
         "")
 
 #define GLINT_COMPOSITE_SETTINGS(SETTING)                                                                              \
     SETTING(CompositeModel, model, CompositeModel::Physical, "", "",                                                   \
-        "physical: replaces the host's fallback specular, energy kept; lerp: blends colours by reflectance (Babylon)", \
+        "Composite: physical (replaces fallback specular, conserves energy), or lerp (by reflectance, as Babylon.js)", \
         "")
 
 #define GLINT_GBUFFER_SETTINGS(SETTING)                                                                                \
     SETTING(GBufferMode, mode, GBufferMode::Prepass, "", "",                                                           \
-        "How the host draws it: prepass, the shading pass writes it too; geometry, a pass of its own",                 \
+        "How the host draws the G-buffer: prepass (the shading pass also writes it), or geometry (a separate pass)",   \
         "babylon:forceGeometryBuffer=prepass|geometry")                                                                \
     SETTING(DepthFormat, depthFormat, DepthFormat::Float, "", "",                                                      \
-        "Depth as rays see it: float, or half: linear viewZ in 16 bits, which shows more self-hits",                   \
+        "Depth format for tracing: float, or half (linear viewZ in 16 bits, with more self-intersections)",            \
         "")
 
 #define GLINT_INPUT_SETTINGS(SETTING)                                                                                  \
     SETTING(bool, colorIsGamma, false, "", "",                                                                         \
-        "litRadiance is sRGB-encoded: decoded when read",                                                              \
+        "The host's litRadiance is sRGB-encoded and is decoded when read",                                             \
         "babylon:inputTextureColorIsInGammaSpace")
 
 #define GLINT_OUTPUT_SETTINGS(SETTING)                                                                                 \
     SETTING(bool, colorIsGamma, false, "", "",                                                                         \
-        "Encode the picture as sRGB",                                                                                  \
+        "Encode the output image as sRGB",                                                                             \
         "babylon:generateOutputInGammaSpace")
 
 #define GLINT_DEBUG_SETTINGS(SETTING)                                                                                  \
     SETTING(bool, outcome, false, "", "",                                                                              \
-        "Show how rays ended: blue max distance, red out of steps, yellow off screen, green hit (bright: many steps)", \
+        "Show ray outcomes: blue: max distance or clipped at the frustum, red: out of steps, yellow: off screen, "     \
+        "green: hit (brighter: more steps)",                                                                           \
         "babylon:debug")
 
 // clang-format on

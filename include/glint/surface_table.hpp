@@ -1,5 +1,5 @@
-// What the triangles of a RayScene look like, so that Glint lights what rays hit by itself: glTF's metallic-roughness
-// materials, textures, vertex data and lights. A host with another light model takes the hits out instead
+// Materials, textures, vertex data and lights for the triangles of a RayScene, with which Glint shades ray hits. The
+// material model is glTF's metallic-roughness. A host with another lighting model shades hits itself
 // (glint/ray_hits.hpp).
 #pragma once
 
@@ -20,8 +20,9 @@ class SurfaceTableState;
 
 constexpr uint32_t kNoSurfaceTexture = 0xffffffff;
 
-/// In SHADER_READ_ONLY_OPTIMAL while rays are traced. The view has all mips; the sampler repeats, filters and ends at
-/// mips as it does in the host's own passes. Colours are sRGB views: sampling them gives linear values.
+/// A texture of the host. Requires the layout SHADER_READ_ONLY_OPTIMAL while rays are traced, a view of all mips, and
+/// the sampler of the host's own passes (wrap mode, filter, mip limit). Colour textures require sRGB views, so that
+/// sampling returns linear values.
 struct SurfaceTexture {
     VkImageView view = VK_NULL_HANDLE;
     VkSampler sampler = VK_NULL_HANDLE;
@@ -29,19 +30,19 @@ struct SurfaceTexture {
 
 /// One use of a texture by a material.
 struct SurfaceTextureRef {
-    uint32_t index = kNoSurfaceTexture; ///< into SurfaceTableDesc::textures; none: the factor alone counts
-    uint32_t texCoord = 0;              ///< SurfaceMesh::uv0 or uv1
+    uint32_t index = kNoSurfaceTexture; ///< into SurfaceTableDesc::textures; kNoSurfaceTexture: the factor only
+    uint32_t texCoord = 0;              ///< 0: SurfaceMesh::uv0, 1: uv1
     /// uv' = (u[0] u + u[1] v + u[2], u[3] u + u[4] v + u[5]), KHR_texture_transform
     std::array<float, 6> uvTransform = {1, 0, 0, 0, 1, 0};
 };
 
 enum class SurfaceAlpha : uint8_t {
     Opaque,
-    Mask,  ///< a hole where base colour's alpha is below the cutoff; its RayInstance must not be `opaque`
-    Blend, ///< lit as if opaque: leave blended surfaces out of the RayScene (mask 0)
+    Mask,  ///< a hole where the base colour's alpha is below the cutoff; requires RayInstance::opaque false
+    Blend, ///< the base colour's alpha is coverage: rays continue behind it; requires RayInstance::opaque false
 };
 
-/// Names, channels, units and defaults are glTF 2.0's and its extensions'.
+/// A material. Names, channels, units and defaults follow glTF 2.0 and its extensions.
 struct SurfaceMaterial {
     SurfaceAlpha alpha = SurfaceAlpha::Opaque;
     float alphaCutoff = 0.5f;
@@ -51,11 +52,11 @@ struct SurfaceMaterial {
     float metallicFactor = 1;
     float roughnessFactor = 1;
     SurfaceTextureRef metallicRoughnessTexture; ///< roughness in g, metallic in b
-    SurfaceTextureRef normalTexture;            ///< needs SurfaceMesh::tangents
+    SurfaceTextureRef normalTexture;            ///< requires SurfaceMesh::tangents
     float normalScale = 1;
     SurfaceTextureRef occlusionTexture;
     float occlusionStrength = 1;
-    std::array<float, 3> emissiveFactor = {0, 0, 0}; ///< times KHR_materials_emissive_strength
+    std::array<float, 3> emissiveFactor = {0, 0, 0}; ///< multiplied by KHR_materials_emissive_strength
     SurfaceTextureRef emissiveTexture;
 
     float specularFactor = 1; ///< KHR_materials_specular
@@ -64,8 +65,16 @@ struct SurfaceMaterial {
     SurfaceTextureRef specularColorTexture;
     float ior = 1.5f; ///< KHR_materials_ior; 0: infinite
 
-    float transmissionFactor = 0; ///< takes from the diffuse part alone: what is behind is not seen in reflections
+    /// KHR_materials_transmission. Above 0 rays pass through the surface, limited by rays.transparents; this requires
+    /// RayInstance::opaque false.
+    float transmissionFactor = 0;
     SurfaceTextureRef transmissionTexture;
+    /// KHR_materials_volume, metres in the mesh's local space. Above 0 the mesh is the surface of a body, which
+    /// refracts light where it enters and leaves. 0: a thin wall without refraction.
+    float thicknessFactor = 0;
+    SurfaceTextureRef thicknessTexture;
+    std::array<float, 3> attenuationColor = {1, 1, 1};
+    float attenuationDistance = 0; ///< metres in world space; 0 or infinite: no absorption
 
     float clearcoatFactor = 0; ///< KHR_materials_clearcoat
     float clearcoatRoughnessFactor = 0;
@@ -80,43 +89,44 @@ struct SurfaceMaterial {
     SurfaceTextureRef specularGlossinessTexture;
 };
 
-/// Vertex data where the host has it: in buffers made with SHADER_DEVICE_ADDRESS and STORAGE_BUFFER usage that stay
-/// until the frames are done, written before what is recorded reads them in compute shaders. 32-bit floats.
+/// Vertex data in the host's buffers, 32-bit floats. Requires SHADER_DEVICE_ADDRESS and STORAGE_BUFFER usage, and that
+/// the buffers exist until the frames that use them are done. The host's writes must be visible to the compute shaders
+/// of the recorded passes.
 struct VertexStream {
-    VkDeviceAddress address = 0; ///< of vertex 0, a multiple of 4; 0: absent
+    VkDeviceAddress address = 0; ///< address of vertex 0, a multiple of 4; 0: absent
     uint32_t stride = 0;         ///< bytes from vertex to vertex, a multiple of 4
 };
 
-/// The RayMesh of the same number, as seen.
+/// Vertex data for shading the RayMesh of the same index.
 struct SurfaceMesh {
-    VertexStream positions; ///< x, y, z; the RayMesh's own
-    VertexStream normals;   ///< x, y, z unit; absent: flat
+    VertexStream positions; ///< x, y, z; same as the RayMesh's
+    VertexStream normals;   ///< x, y, z unit; absent: flat shading
     VertexStream tangents;  ///< x, y, z unit, w = handedness; absent: no normal maps
     VertexStream uv0;       ///< u, v; absent: 0
     VertexStream uv1;
-    VertexStream colors;         ///< r, g, b, a linear, multiply the base colour; absent: white
-    VkDeviceAddress indices = 0; ///< uint32, three a triangle, in the RayMesh's order
+    VertexStream colors;         ///< linear r, g, b, a, multiplied into the base colour; absent: white
+    VkDeviceAddress indices = 0; ///< uint32, three per triangle, in the RayMesh's order
 };
 
-/// The RayInstance of the same number, as seen.
+/// Material and transform for shading the RayInstance of the same index.
 struct SurfaceInstance {
     uint32_t mesh = 0;
     uint32_t material = 0;
-    Matrix4 localToWorld = kIdentity; ///< the RayInstance's own
+    Matrix4 localToWorld = kIdentity; ///< same as the RayInstance's
 };
 
 enum class SurfaceLightKind : uint8_t { Directional, Point, Spot };
 
-/// KHR_lights_punctual.
+/// A light of KHR_lights_punctual.
 struct SurfaceLight {
     SurfaceLightKind kind = SurfaceLightKind::Directional;
-    std::array<float, 3> color = {1, 1, 1}; ///< times intensity: candela (point, spot) or lux (directional)
+    std::array<float, 3> color = {1, 1, 1}; ///< multiplied by intensity: candela (point, spot) or lux (directional)
     std::array<float, 3> positionWS = {0, 0, 0};
-    std::array<float, 3> directionWS = {0, -1, 0}; ///< unit, the way the light travels
+    std::array<float, 3> directionWS = {0, -1, 0}; ///< unit, the direction in which light travels
     float range = 0;                               ///< metres; 0: infinite
     float innerConeAngle = 0;                      ///< radians
     float outerConeAngle = 0.7853982f;
-    bool castsShadow = true; ///< a ray asks what stands between
+    bool castsShadow = true; ///< true: trace a shadow ray to the light
 };
 
 struct SurfaceTableDesc {
@@ -125,30 +135,32 @@ struct SurfaceTableDesc {
     std::span<const SurfaceMesh> meshes;        ///< as many as the RayScene's
     std::span<const SurfaceInstance> instances; ///< as many as the RayScene's
     std::span<const SurfaceLight> lights;
-    uint32_t maxInstances = 0; ///< most that setInstances may be given; at least as many as `instances`
-    uint32_t maxLights = 0;    ///< likewise
+    uint32_t maxInstances = 0; ///< maximum count for setInstances; raised to the count of `instances`
+    uint32_t maxLights = 0;    ///< maximum count for setLights; raised to the count of `lights`
 };
 
-/// Threading: external synchronisation.
+/// Shading data of a RayScene for Reflections::setRays. Threading: external synchronization.
 class GLINT_API SurfaceTable {
 public:
-    /// Copies all but textures and vertices, which stay the host's.
-    /// Errors: InvalidArgument for a number that is out of range, an address or stride that is no multiple of 4, or a
-    /// mesh without positions or indices; OutOfMemory. `context` must outlive the table.
+    /// Copies all data except textures and vertex data, which the host keeps.
+    /// Errors: InvalidArgument for an index out of range, an address or stride that is not a multiple of 4, or a mesh
+    /// without positions or indices; OutOfMemory.
     static Result<SurfaceTable> create(Context& context, const SurfaceTableDesc& desc);
     ~SurfaceTable();
     SurfaceTable(SurfaceTable&&) noexcept;
     SurfaceTable& operator=(SurfaceTable&&) noexcept;
 
-    /// All of them anew; take effect with the next record. Errors: InvalidArgument as in create; for meshes and
-    /// materials also if there are more than at creation.
+    /// Each of these four functions replaces a whole list. It takes effect with the next record.
+    /// Errors: InvalidArgument as in create; setInstances and setLights: for more than maxInstances or maxLights;
+    /// setMaterials and setMeshes: for more than in create.
     Result<void> setInstances(std::span<const SurfaceInstance> instances);
     Result<void> setLights(std::span<const SurfaceLight> lights);
     Result<void> setMaterials(std::span<const SurfaceMaterial> materials);
     Result<void> setMeshes(std::span<const SurfaceMesh> meshes);
 
-    /// Records what the calls above left to do, outside of rendering, before Reflections::record; nothing if there is
-    /// nothing. It travels in the command buffer itself, so any number of frames may be in flight.
+    /// Records the pending updates of the calls above, outside of rendering; without pending updates it records
+    /// nothing. Call it before Reflections::record. Updates are stored in the command buffer itself, so any number of
+    /// frames may be in flight.
     void record(VkCommandBuffer commands);
 
     reflect::SurfaceTableState& state() { return *state_; } ///< for Glint's own classes

@@ -1,5 +1,5 @@
-// A layer of the host's transparent surfaces: a G-buffer of its own over the opaque one. Light that comes through it is
-// bent, absorbed and blurred, and it reflects. docs/techniques/refraction.md.
+// A layer of the host's transparent surfaces, stored as a G-buffer in front of the opaque one. Glint refracts, absorbs
+// and blurs the light behind the layer and adds the layer's reflections. docs/techniques/refraction.md.
 #pragma once
 
 #include "glint/gbuffer.hpp"
@@ -8,36 +8,42 @@
 
 namespace glint {
 
-/// What a body is taken for at each point of its surface. The number that TransparentLayer::body holds.
+/// Shape that refraction assumes for a body at each point of its surface. TransparentLayer::body stores its number.
 enum class BodyShape : uint8_t {
-    Straight, ///< light goes on as it came: a blended surface, a wall without thickness
-    Sphere,   ///< filled: a ball, a lens
-    Plane,    ///< hollow: a plate, which turns the light back to its old direction
-    Thin,     ///< a pane: a plate of 5 mm, whatever `body` says
+    Straight, ///< no refraction: a blended surface, a wall without thickness
+    Sphere,   ///< a solid sphere: a ball, a lens
+    Plane,    ///< a hollow body, as a plate: light leaves it in its original direction
+    Thin,     ///< a pane: a plate of 5 mm, whatever thickness `body` has
 };
 
-/// At each pixel at most one surface, the layers themselves from back to front. All images are present unless said
-/// otherwise, as large as the G-buffer, one sample a pixel. `depth`, `normal` and whether colours are sRGB-encoded are
-/// as the G-buffer's conventions and settings say; everything else is as said here.
+/// A layer holds at most one surface per pixel. The host records layers from back to front. All images are required
+/// unless marked optional, have the size of the G-buffer and one sample per pixel. `depth` and `normal` follow the
+/// G-buffer's conventions, and colours are sRGB-encoded if the settings say so for the G-buffer. All other encodings
+/// are stated here.
 struct TransparentLayer {
-    HostImage depth;    ///< background where the layer has nothing; where it lies behind the G-buffer's it is not seen
-    HostImage normal;   ///< towards the eye
+    HostImage depth;    ///< background depth where the layer is empty; surfaces behind the G-buffer's depth are hidden
+    HostImage normal;   ///< towards the camera
     HostImage material; ///< F0 in rgb, linear; perceptual roughness in a
-    /// What the surface itself sends to the eye (diffuse, emission, highlights, and fallbackSpecular), multiplied by
-    /// its coverage; a: coverage, [0, 1], of what is behind. 1 for all that transmits light by `transmittance`.
+    /// rgb: radiance of the surface itself (diffuse, emission, highlights and fallbackSpecular), multiplied by its
+    /// coverage. a: coverage of the background by the surface, [0, 1]; 1 if the surface transmits light by
+    /// `transmittance`.
     HostImage radiance;
-    HostImage fallbackSpecular; ///< may be absent: the part of `radiance` that reflections replace
-    /// rgb: share of the light behind that comes through the surface, before Fresnel's part is taken away and without
-    /// what is absorbed on the way; 0: opaque or merely blended. a: how much of a reflecting surface is there, [0, 1].
+    HostImage fallbackSpecular; ///< optional: the part of `radiance` that reflections replace
+    /// rgb: transmittance of the surface, excluding Fresnel reflection and absorption inside the body; 0: opaque or
+    /// blended only. a: coverage of the reflecting surface, [0, 1].
     HostImage transmittance;
-    HostImage absorption; ///< rgb: colour that white light has taken after the distance in a, metres; a = 0: clear
-    HostImage body;       ///< r: index of refraction; g: thickness, metres; b: a BodyShape's number
-    /// May be absent. World position of the centre of the pixel's object, in 32-bit floats: probes are chosen there, so
-    /// that no seam of theirs runs across an object.
+    /// rgb: transmittance colour; a: absorption distance, metres after which white light has taken this colour; 0: no
+    /// absorption.
+    HostImage absorption;
+    /// r: index of refraction; g: thickness, metres; b: number of a BodyShape; a: dispersion as 20 / Abbe number,
+    /// 0: no dispersion.
+    HostImage body;
+    /// Optional. World position of the centre of the pixel's object, in 32-bit floats. Probes are selected at this
+    /// position, so that no probe boundary crosses an object.
     HostImage objectCenter;
-    /// May be absent. r: how much of each pixel shows transparent surfaces, [0, 1], from a host that draws with several
-    /// samples: pixels at edges, those of what stands before the layer too, get that part of it, also where `depth` has
-    /// nothing at the pixel's centre.
+    /// Optional. r: fraction of each pixel that shows transparent surfaces, [0, 1], from a host that draws with several
+    /// samples. Edge pixels blend this fraction of the layer, also where `depth` is background at the pixel's centre.
+    /// Edges include those of objects in front of the layer.
     HostImage coverage;
 };
 

@@ -1,4 +1,4 @@
-// A camera as the host rendered with it.
+// The camera that the host rendered a frame with.
 #pragma once
 
 #include <array>
@@ -11,10 +11,14 @@ using Matrix4 = std::array<float, 16>; ///< column-major, for column vectors
 constexpr Matrix4 kIdentity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
 struct View {
-    Matrix4 worldToView = kIdentity; ///< rigid
-    Matrix4 viewToClip = kIdentity;  ///< exactly as used for depth: perspective or orthographic, jitter included
-    uint32_t frameIndex = 0;         ///< moves the noise from frame to frame
-    uint32_t seed = 0;               ///< the same seed and frame give the same bits
+    Matrix4 worldToView = kIdentity; ///< rigid: its last row is (0, 0, 0, 1)
+    Matrix4 viewToClip = kIdentity;  ///< the matrix that made the depth image, with jitter: perspective or orthographic
+    uint32_t frameIndex = 0;         ///< changes the noise from frame to frame
+    uint32_t seed = 0;               ///< equal seed and frameIndex give bit-identical results
+    /// The host's frame counter, starting at 1. Glint derives from it which frames the GPU has finished
+    /// (ReflectionsDesc::framesInFlight). 0: each call of Reflections::record counts as one frame. Set it if a frame
+    /// has several views.
+    uint64_t frameNumber = 0;
 };
 
 } // namespace glint

@@ -14,9 +14,11 @@ build() {
         (cd "$root" && cmake --fresh --preset "$preset" "${cmake_arguments[@]}") >&2 ||
             fail "configuring the preset $preset failed: CMake says why above"
     fi
-    if [[ $(ninja -C "$folder" -n "$target" 2>&1) != *"no work to do"* ]]; then
-        ninja -C "$folder" "$target" >&2 || fail "building the preset $preset failed: the first error above says why"
-    fi
+    # Sources are globbed anew by each call, so `ninja -n` never knows that there is nothing to do: what is said then is
+    # left out instead.
+    ninja -C "$folder" "$target" 2>&1 | grep --line-buffered -v -x -E \
+        "ninja: Entering directory .*|\[0/[0-9]+\] Re-checking globbed directories\.\.\.|ninja: no work to do\." >&2 ||
+        [[ ${PIPESTATUS[0]} == 0 ]] || fail "building the preset $preset failed: the first error above says why"
     exec 8>&-
 }
 cmake_arguments=() # what a script adds to the preset

@@ -6,8 +6,8 @@ build_packages=(
     libvulkan-dev vulkan-validationlayers glslc spirv-tools libspirv-cross-c-shared-dev
     libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev
     libdraco-dev libmeshoptimizer-dev libwebp-dev libstb-dev libopenexr-dev libembree-dev
-    libglfw3-dev libimgui-dev # the viewer's window, apps/view alone
-    libgtest-dev libbenchmark-dev xvfb xdotool
+    libglfw3-dev libimgui-dev fonts-dejavu-core # the viewer's window, apps/view alone
+    libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool
 )
 
 # Prints those of the named packages that are not installed.

@@ -1,11 +1,12 @@
-// Puts the reflections into the host's picture: what they replace is taken out, never added to.
-//   physical  out = lit - w * fallbackSpecular + R, with R the reflected radiance under the material's specular response
-//   lerp      out = lit * (1 - m) + reflection * m, Babylon.js' model; what no source answered is the pixel's own colour
+// Composites the reflections into the host's frame. What a reflection replaces is subtracted, so no light counts twice.
+//   physical  out = lit - w * fallbackSpecular + R; R: the reflected radiance under the material's specular response
+//   lerp      out = lit * (1 - m) + reflection * m, Babylon.js' model; remaining weight keeps the pixel's own colour
 // docs/techniques/composite.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/prepared.glsl"
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
 #include "lib/edge.glsl"
@@ -20,11 +21,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D material;
 layout(set = 0, binding = 4) uniform sampler2D litRadiance;
 layout(set = 0, binding = 5) uniform sampler2D fallbackSpecular;
@@ -37,25 +33,25 @@ layout(push_constant, scalar) uniform PushBlock {
     CompositeConstants settings;
 };
 
-/// Reflectance under the user's hand: strength first, then the exponent over both.
+/// Reflectance under the user's settings: strength first, then the exponent over both.
 vec3 falloff(vec3 reflectance) {
     vec3 response = reflectance * settings.strength;
     return settings.falloffExponent == 1.0 ? response : pow(response, vec3(settings.falloffExponent));
 }
 
-/// The share of reflected light that this surface sends to the eye.
+/// Fraction of reflected light that this surface sends to the eye.
 vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
     return settings.fresnel != 0u ? specularResponse(f0, 1.0, textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg) : f0;
 }
 
-/// One of the surfaces that a pixel shows. With one sample a pixel there is one, with coverage 1.
+/// One of the surfaces that a pixel shows. With one sample a pixel there is one surface, with coverage 1.
 struct Share {
     float coverage; // [0, 1]
     vec3 f0;
     float perceptualRoughness;
     float NoV;
     vec4 reflection; // weighted radiance, total weight
-    vec3 lit;        // of this surface, as well as it is known
+    vec3 lit;        // of this surface, as far as known
 };
 
 float viewCosine(ivec2 px, float z, vec3 normalVS) {
@@ -73,8 +69,8 @@ vec3 loadLit(ivec2 px) {
     return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
 }
 
-/// Of the pixels around `px`, itself among them, the one whose surface is most like this one; -1 if none is.
-/// `whole`: only pixels that show nothing else.
+/// The pixel whose surface is most similar to this one, among `px` and the pixels around it; -1 if none is similar.
+/// `whole`: only pixels that show one surface alone.
 ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
     ivec2 best = ivec2(-1);
     float bestDifference = 0.3; // a quarter of the distance, or 45 degrees
@@ -93,7 +89,7 @@ ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
     return best;
 }
 
-/// Its light, where the pixel itself shows others too.
+/// The surface's lit radiance, taken from nearby where the pixel itself shows other surfaces too.
 vec3 litNearby(ivec2 px, float z, vec3 normalVS) {
     ivec2 at = likestPixel(px, z, normalVS, true);
     return loadLit(at.x >= 0 ? at : px);
@@ -107,8 +103,8 @@ Share frontShare(ivec2 px, float z, Surface here) {
                  texelFetch(reflected, px, 0), lit);
 }
 
-/// The second surface of an edge: no ray was traced for it, but its neighbour has the answer. If it has none, nothing is
-/// replaced.
+/// The second surface of an edge. No ray was traced for it, but its neighbour has the answer. Without a neighbour's
+/// answer no light is replaced.
 Share secondShare(ivec2 px, float frontCoverage) {
     Share none = Share(0.0, vec3(0.0), 1.0, 1.0, vec4(0.0), vec3(0.0));
     if (frontCoverage >= 1.0)
@@ -129,8 +125,8 @@ vec3 response(Share share) {
                                         : vec3(0.0);
 }
 
-/// `fallback` is the mean over all that the pixel shows, and so knows of coverage already. Where its surfaces were
-/// answered with different weights, each is taken to have the part that its response claims.
+/// `fallback` is the mean over all surfaces of the pixel, and so includes coverage already. Where the sources answered
+/// the surfaces with different weights, each surface gets the part of `fallback` that its response claims.
 vec3 physical(vec3 lit, vec3 fallback, Share front, Share second) {
     vec3 frontResponse = response(front);
     vec3 secondResponse = response(second);
@@ -172,7 +168,7 @@ void main() {
     vec3 lit = linearColor(stored.rgb, fromGamma);
     float z = texelFetch(viewZ, px, 0).r;
     vec3 result = lit;
-    bool untouched = true; // where nothing is reflected, the host's own bits
+    bool untouched = true; // where the pixel does not reflect, keep the host's own bits
     if (z < kBackgroundZ) {
         Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy));
         Share second = secondShare(px, front.coverage);
@@ -182,7 +178,7 @@ void main() {
             if (hasFallback)
                 fallback = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, fromGamma);
             result = settings.model == 0u ? physical(lit, fallback, front, second) : lerped(lit, front, second);
-            result = sanitize(result); // two large halves make an infinite one
+            result = sanitize(result); // the sum of two large halves may be infinite
             untouched = false;
         }
     }
@@ -190,6 +186,9 @@ void main() {
         ivec2 tracePX = fullToTracePixel(frame.constants, px);
         RayRecord ray = unpackRayRecord(texelFetch(rayRecord, tracePX, 0).xy);
         if (ray.outcome != kOutcomeNone) {
+            // As in Babylon.js, a ray that was clipped at the frustum ends there.
+            if (ray.outcome == kOutcomeOffScreen && settings.debugOutcome == kDebugClipped)
+                ray.outcome = kOutcomeMaxDistance;
             result = outcomeColor(ray, settings.maxSteps);
             untouched = false;
         }

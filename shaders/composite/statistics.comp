@@ -1,16 +1,14 @@
-// Counts how the frame's rays ended and how many depth lookups each took. Runs only where someone asked.
+// Counts the outcomes of the frame's rays and the depth lookups of each ray. Runs only on request.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/frame_block.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/trace_pixel.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
 layout(set = 0, binding = 1) uniform usampler2D rayRecord;
 layout(scalar, set = 0, binding = 2) buffer StatisticsBlock {
     RayStatistics counts;

@@ -3,6 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "generate/pixel_ray.glsl"
+#include "frame/prepared.glsl"
 #include "lib/camera.glsl"
 #include "lib/math.glsl"
 #include "lib/outcome_color.glsl"
@@ -14,11 +16,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D radianceWeight;
 layout(set = 0, binding = 4) uniform usampler2D rayRecord;
 layout(set = 0, binding = 5) uniform sampler2D reflected;
@@ -35,11 +32,12 @@ layout(push_constant, scalar) uniform PushBlock {
 
 /// A colour a source, that of the heaviest; black where none answered.
 vec3 sourceColor(uvec2 shares) {
-    const vec3 kColors[kSourceCount] = vec3[](vec3(0.1, 0.8, 0.2), vec3(0.9, 0.5, 0.15), vec3(0.95, 0.85, 0.2),
-                                              vec3(0.7, 0.4, 0.9), vec3(0.25, 0.6, 0.9));
+    const vec3 kColors[kMaxSources] = vec3[](vec3(0.1, 0.8, 0.2), vec3(0.9, 0.5, 0.15), vec3(0.95, 0.85, 0.2),
+                                              vec3(0.7, 0.4, 0.9), vec3(0.25, 0.6, 0.9),
+                                             vec3(0.8));
     float heaviest = 0.0;
     vec3 color = vec3(0.0);
-    for (uint source = 0u; source < kSourceCount; ++source)
+    for (uint source = 0u; source < kMaxSources; ++source)
         if (sourceWeight(shares, source) > heaviest) {
             heaviest = sourceWeight(shares, source);
             color = kColors[source];
@@ -58,8 +56,7 @@ vec3 successColor(uint outcome) {
 
 vec3 rayDirectionWS(ivec2 px, Surface here, float z) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-    vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
-    return mat3(frame.constants.viewToWorld) * reflect(toSurfaceVS, here.normalVS);
+    return directionWS(generateRay(uv, z, here));
 }
 
 /// viewZ of what the picture shows where the ray hit.

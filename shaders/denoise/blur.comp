@@ -1,20 +1,15 @@
-// One direction of the blur by roughness and hit distance. Every pixel gathers as far as its own reflection is smeared,
-// from pixels of the same surface that were traced, and never across an edge. Radiance is weighed by its weight, so a
-// miss next to a hit thins the answer out instead of darkening it, and the sources behind fill in the rest.
+// One axis of the blur by roughness and hit distance. Every pixel gathers over the width of its own reflection's blur,
+// from traced pixels of the same surface, and never across an edge. Radiance is weighted by its weight, so a miss next
+// to a hit lowers the answer's weight instead of darkening it, and the sources behind take the remaining weight.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/prepared.glsl"
 #include "shared/denoise_constants.h"
-#include "shared/frame_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform usampler2D rayRecord;
 layout(set = 0, binding = 4) uniform sampler2D source; // radiance, not multiplied by weight
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D blurred;
@@ -25,19 +20,21 @@ layout(push_constant, scalar) uniform PushBlock {
 #include "denoise/blur_radius.glsl"
 #include "denoise/neighbourhood.glsl"
 
-/// Babylon.js' kernel is two steps that end at the reach, and shows a bright point as a square. This is the Gaussian of
-/// the same variance, round in two passes, up to where it has fallen to a sixtieth. `x`: share of the reach.
+/// Babylon.js' kernel is two steps that end at the reach, and shows a bright point as a square. This kernel is the
+/// Gaussian of the same variance, round in two passes, up to where it has fallen to a sixtieth. `x`: fraction of the
+/// reach.
 const float kKernelEnd = 1.5;
 float kernel(float x) {
     return exp(-1.824 * x * x);
 }
 
-/// In [0, 1), even over any small neighbourhood: Jimenez 2014, "Next Generation Post Processing in Call of Duty".
+/// In [0, 1), even over every small neighbourhood: Jimenez 2014, "Next Generation Post Processing in Call of Duty".
 float gradientNoise(ivec2 px) {
     return fract(52.9829189 * fract(dot(vec2(px), vec2(0.06711056, 0.00583715))));
 }
 
-/// Premultiplied answer of one source pixel, and its weight in the fourth; 0 if it is none of this surface's.
+/// Premultiplied answer of one source pixel, with its weight in the fourth component; 0 if the pixel does not show this
+/// surface.
 struct Gathered {
     vec4 premultiplied;
     float total;
@@ -76,16 +73,16 @@ void main() {
     float reach = blurReach(here.perceptualRoughness, rayPX, settings.strength, settings.roughnessFactor);
     reach *= settings.sourceSize[axis] / frame.constants.size[axis];
     if (shrink[axis] > 1.0)
-        reach = max(reach, 0.75 * shrink[axis]); // no source pixel is left out
-    // A tap a source pixel, as long as there are taps enough. Beyond, neighbours take others, so that what lies between
-    // the taps shows as grain and not as a grid.
+        reach = max(reach, 0.75 * shrink[axis]); // no source pixel is skipped
+    // One tap for each source pixel, while the taps suffice. Beyond that, neighbours take different taps, so that
+    // detail between the taps shows as grain, not as a grid.
     float end = kKernelEnd * reach;
     int side = min(int(ceil(end)), int(settings.maxTaps) / 2);
     float spacing = max(end / max(float(side), 1.0), 1.0);
     float shift = (gradientNoise(px) - 0.5) * (spacing - 1.0);
     vec2 along = axis == 0 ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
 
-    // When downsampling, the first pass takes each of the rows that fall together.
+    // When downsampling, the first pass takes each of the source rows that map to one target row.
     int lines = max(int(round(shrink[1 - axis])), 1);
     vec2 first = (vec2(px) + 0.5) * shrink - (1.0 - along) * 0.5 * float(lines - 1);
     Gathered sum = Gathered(vec4(0.0), 0.0);

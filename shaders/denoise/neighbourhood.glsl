@@ -1,14 +1,15 @@
-// What the passes of `denoise` know about the pixels that they mix: where each one's surface is, and how far two
-// surfaces are one. Include after `frame`, `viewZ`, `surface` and `rayRecord`.
+// The pixels that the passes of `denoise` mix: where each one's surface is, and how similar two surfaces are. Include
+// after `rayRecord`.
 #ifndef GLINT_DENOISE_NEIGHBOURHOOD_GLSL
 #define GLINT_DENOISE_NEIGHBOURHOOD_GLSL
 
+#include "frame/prepared.glsl"
 #include "lib/camera.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 
-/// The surface that one pixel of the picture shows.
+/// The surface that one pixel of the frame shows.
 struct Place {
     vec3 positionVS;
     vec3 normalVS;
@@ -31,9 +32,9 @@ Place placeOf(ivec2 px) {
     return place;
 }
 
-/// 1 where `other` continues the surface of `here`, 0 across an edge of depth, a crease, another roughness; `pixels`
-/// apart on screen. How far a surface may leave the other's plane grows with the distance between them: a silhouette
-/// leaves it at once, a curved or bumpy surface by little.
+/// 1 where `other` continues the surface of `here`; 0 across an edge of depth, a crease or a change of roughness.
+/// `pixels`: their distance on screen. How far a surface may leave the other's plane grows with that distance: a
+/// silhouette leaves the plane at once, a curved or bumpy surface by little.
 float sameSurface(Place here, Place other, float pixels) {
     if (other.background)
         return 0.0;
@@ -50,12 +51,12 @@ RayRecord rayOf(ivec2 tracePX) {
     return unpackRayRecord(texelFetch(rayRecord, tracePX, 0).xy);
 }
 
-/// Did a ray start here? Background and surfaces that do not reflect have no answer, not an answer of black.
+/// True if a ray started here. Background and surfaces that do not reflect have no answer, which is not a black answer.
 bool wasTraced(RayRecord ray) {
     return ray.outcome != kOutcomeNone && ray.outcome < kOutcomeBelowThreshold;
 }
 
-/// Pixels of an image of `gridSize`, which covers the same picture, each stand for one traced pixel.
+/// Each pixel of an image of `gridSize`, which covers the whole frame, stands for one traced pixel.
 ivec2 gridToTracePixel(vec2 gridSize, ivec2 gridPX) {
     vec2 at = (vec2(gridPX) + 0.5) * (frame.constants.traceSize / gridSize);
     return min(ivec2(at), ivec2(frame.constants.traceSize) - 1);

@@ -1,29 +1,24 @@
-// From the traced (or blurred) image to the picture's own size.
+// Upsamples the traced (or blurred) image to the frame's size.
 //
-// Where a reflection is sharp, the rays of the four nearest traced pixels only say how far light came; where from, the
-// pixel's own position and normal say. It aims its own ray that far, and takes the colour there if the picture shows a
-// surface at just that place: mirrors stay as sharp as the picture, for two depth lookups a pixel instead of a march.
-// Everywhere else a pixel mixes the four, each by nearness and by how far it shows the same surface (Kopf et al. 2007,
-// "Joint Bilateral Upsampling"). What was not traced does not count; where none of the four shows the pixel's surface,
-// the most similar one around speaks alone.
+// Where a reflection is sharp, the rays of the four nearest traced pixels give only the ray's length; the pixel's own
+// position and normal give its direction. The pixel aims its own ray that far, and takes the colour there if the frame
+// shows a surface at exactly that place. Mirrors stay as sharp as the frame, for two depth lookups a pixel instead of a
+// march. Everywhere else a pixel mixes the four, each weighted by nearness and by surface similarity (Kopf et al. 2007,
+// "Joint Bilateral Upsampling"). Pixels that were not traced do not count. Where none of the four shows the pixel's
+// surface, the most similar traced pixel around is used alone.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/prepared.glsl"
+#include "lib/color.glsl"
 #include "lib/fades.glsl"
 #include "shared/denoise_constants.h"
-#include "shared/frame_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-}
-frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 4) uniform sampler2D traced; // radiance, not multiplied by weight
-layout(set = 0, binding = 5) uniform sampler2D source; // the same, or that blurred
+layout(set = 0, binding = 5) uniform sampler2D source; // the same, or blurred
 layout(set = 0, binding = 9) uniform usampler2D rayRecord;
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D radianceWeight;
 layout(push_constant, scalar) uniform PushBlock {
@@ -34,10 +29,10 @@ layout(push_constant, scalar) uniform PushBlock {
 #include "denoise/neighbourhood.glsl"
 #include "trace/hit_color.glsl" // bindings 3, 6, 7, 8
 
-/// Below this a similarity is another surface.
+/// Below this similarity a pixel shows another surface.
 const float kOtherSurface = 0.01;
 
-/// Is a pixel of this surface one that rays start from?
+/// True if rays start from pixels of this surface.
 bool reflects(Place here) {
     return !here.background && here.reflectivity > settings.threshold &&
            fadeRoughness(here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness) > 0.0;
@@ -45,8 +40,8 @@ bool reflects(Place here) {
 
 struct Tap {
     vec4 premultiplied;
-    float similarity; // to the surface of the pixel that asks; 0: not traced
-    vec2 px;          // of the picture, whose surface it is
+    float similarity; // to the surface of the target pixel; 0: not traced
+    vec2 px;          // of the frame, whose surface it is
 };
 
 Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX) {
@@ -64,7 +59,7 @@ Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX
     return tap;
 }
 
-/// Top left of the four pixels of an image of this size whose own places in the picture surround `px`.
+/// Top left of the four pixels of an image of this size whose places in the frame surround `px`.
 ivec2 cornerOf(vec2 imageSize, ivec2 px) {
     ivec2 corner = min(ivec2((vec2(px) + 0.5) * imageSize / frame.constants.size), ivec2(imageSize) - 1);
     ivec2 cornerPX = tracePixelToFull(frame.constants, gridToTracePixel(imageSize, corner));
@@ -104,12 +99,12 @@ vec4 mostSimilar(Place here, ivec2 px) {
 
 // ---------------------------------------------------------------- a ray of its own
 
-/// Follows `directionVS` for about `distance` metres to what the picture shows there. False: it shows nothing at just
-/// that place, or a side that the ray would not meet.
+/// Follows `directionVS` for about `distance` metres to the surface that the frame shows there. False if the frame
+/// shows no surface at exactly that place, or a side that the ray could not hit.
 bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
     const float kMeetsFront = 0.02; // cosine
-    const float kSameHit = 1.5;     // the surface found may be farther by half; toward a contact rays become short
-    const float kSameDepth = 0.002; // of viewZ, besides half a pixel
+    const float kSameHit = 1.5;     // the surface found may be farther by half; rays get short towards a contact
+    const float kSameDepth = 0.002; // fraction of viewZ, besides half a pixel
     float along = distance;
     for (int step = 0; step < 2; ++step) {
         vec3 atVS = here.positionVS + directionVS * along;
@@ -124,7 +119,7 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
         float approach = -dot(there.normalVS, directionVS);
         if (there.background || approach < kMeetsFront)
             return false;
-        float beyond = dot(there.normalVS, atVS - there.positionVS); // metres still before its plane
+        float beyond = dot(there.normalVS, atVS - there.positionVS); // metres that remain before its plane
         if (step == 1)
             return abs(beyond) <= 0.5 * there.metresPerPixel + kSameDepth * -there.positionVS.z;
         along += beyond / approach;
@@ -135,16 +130,16 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
 }
 
 vec4 answerAt(Place here, vec2 hitPX, float weight) {
-    uint lookups = 0u; // counted for rays alone
+    uint lookups = 0u; // only rays count lookups
     vec3 hitVS = placeOf(ivec2(hitPX)).positionVS;
     vec3 radiance = hitRadiance(hitPX, here.positionVS, hitVS, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
-        radiance = min(radiance, 1.0);
+        radiance = scaledToOne(radiance);
     return vec4(radiance, 1.0) * weight;
 }
 
-/// The usual case, by two gathers: all four rays hit and count alike. Whose surface each started from does not matter,
-/// as the pixel's own ray either finds what is there or does not.
+/// The usual case, by two gathers: all four rays hit and have equal weight. The surfaces that they started from do not
+/// matter, because the pixel's own ray tests the surface it ends at.
 bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, out vec4 answer) {
     const float kAlike = 0.05;
     answer = vec4(0.0);
@@ -162,7 +157,7 @@ bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, out vec4
     vec2 low = vec2(tracePixelToFull(frame.constants, corner));
     vec2 high = vec2(tracePixelToFull(frame.constants, corner + 1));
     vec2 share = clamp((vec2(px) - low) / (high - low), 0.0, 1.0);
-    // A gather begins at the bottom left and goes round.
+    // A gather starts at the bottom left and goes counter-clockwise.
     vec4 shares = vec4((1.0 - share.x) * share.y, share.x * share.y, share.x * (1.0 - share.y),
                        (1.0 - share.x) * (1.0 - share.y));
     vec2 hitPX;
@@ -172,8 +167,8 @@ bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, out vec4
     return true;
 }
 
-/// The answer of the pixel's own ray, premultiplied, where the four traced rays around tell its length. False: they
-/// tell nothing, mix them.
+/// The answer of the pixel's own ray, premultiplied, where the four traced rays around give its length. False if they
+/// do not: mix them.
 bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
     ivec2 corner = cornerOf(frame.constants.traceSize, px);
@@ -194,7 +189,7 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
         vec2 near = max(1.0 - abs(tap.px - vec2(px)) / frame.constants.traceScale, 0.001);
         float weight = tap.similarity * near.x * near.y;
         RayRecord ray = rayOf(tracePX);
-        if (isAnswered(ray.outcome) && ray.outcome != kOutcomeHit) // from no place that could be aimed at
+        if (isAnswered(ray.outcome) && ray.outcome != kOutcomeHit) // the answer has no place to aim at
             return false;
         if (ray.outcome != kOutcomeHit) {
             misses += weight;
@@ -209,18 +204,18 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
         return false;
     vec2 hitPX;
     bool found = aim(here, directionVS, meanDistance / hits, hitPX);
-    for (int i = 0; i < 4 && !found; ++i) // across an edge of what they hit, one of them alone may be right
+    for (int i = 0; i < 4 && !found; ++i) // across an edge in the hits, a single one may be right
         found = distances[i] > 0.0 && aim(here, directionVS, distances[i], hitPX);
     if (!found)
-        return misses > 0.0; // beside a miss and not to be found: a miss itself
+        return misses > 0.0; // beside a miss, and no surface found: a miss itself
     answer = answerAt(here, hitPX, alpha / hits);
     return true;
 }
 
-// ---------------------------------------------------------------- between the two
+// ---------------------------------------------------------------- sharp or blurred
 
-/// Share of the unblurred answer: all of it without a blur, and what is left where the blur is narrower than a pixel of
-/// its image.
+/// Weight of the unblurred answer: 1 without a blur, and the remaining weight where the blur is narrower than a pixel
+/// of its image.
 float sharpShare(Place here, ivec2 px) {
     if (settings.strength <= 0.0)
         return 1.0;

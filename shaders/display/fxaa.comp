@@ -1,8 +1,8 @@
 // This work is based on:
 // Timothy Lottes. FXAA. NVIDIA white paper, 2009
-// Smooths edges of the finished picture: finds them by contrast of luma as the eye sees it (after tone map and sRGB
-// curve), follows each to its ends, and moves every pixel's sample across the edge by what its place along it tells of
-// the edge's slope.
+// Smooths edges of the final image. Finds edges by the contrast of displayed luma (after tone map and sRGB curve),
+// follows each edge to its ends, and moves every pixel's sample across the edge by the slope that the pixel's place
+// along the edge implies.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -18,17 +18,17 @@ layout(push_constant, scalar) uniform PushBlock {
     FxaaConstants constants;
 };
 
-// The white paper's numbers for high quality.
-const float kEdgeThreshold = 1.0 / 8.0;     // of the largest luma around: less is no edge
-const float kEdgeThresholdMin = 1.0 / 24.0; // and in the dark, less cannot be seen
-const float kSubpixelTrim = 1.0 / 4.0;      // thin things below this share of the contrast are left alone
-const float kSubpixelCap = 3.0 / 4.0;       // most of a thin thing that is smoothed away
-// How far along the edge each step of the search goes, pixels. Long edges are followed with less care.
+// The white paper's constants for high quality.
+const float kEdgeThreshold = 1.0 / 8.0;     // of the largest luma around: lower contrast is no edge
+const float kEdgeThresholdMin = 1.0 / 24.0; // in dark regions, lower contrast is invisible
+const float kSubpixelTrim = 1.0 / 4.0;      // features below this fraction of the contrast are kept
+const float kSubpixelCap = 3.0 / 4.0;       // most of a thin feature that is smoothed away
+// Length of each step of the search along the edge, pixels. Long edges are followed with less precision.
 const int kSteps = 12;
 const float kStrides[kSteps] = float[](1.0, 1.0, 1.0, 1.0, 1.0, 1.5, 2.0, 2.0, 2.0, 2.0, 4.0, 8.0);
 
 float luma(vec3 color) {
-    return dot(color, vec3(0.299, 0.587, 0.114)); // Rec. 601, meant for encoded colours
+    return dot(color, vec3(0.299, 0.587, 0.114)); // Rec. 601, for encoded colours
 }
 
 float lumaAt(ivec2 px) {
@@ -52,7 +52,7 @@ Neighbourhood neighbourhood(ivec2 px) {
     return n;
 }
 
-/// How much of a feature thinner than a pixel is here, [0, kSubpixelCap].
+/// Amount of a feature thinner than a pixel, [0, kSubpixelCap].
 float subpixelShare(Neighbourhood n, float range) {
     float cross_ = n.l[0][1] + n.l[2][1] + n.l[1][0] + n.l[1][2];
     float corners = n.l[0][0] + n.l[0][2] + n.l[2][0] + n.l[2][2];
@@ -73,7 +73,7 @@ bool isHorizontal(Neighbourhood n) {
 /// Where an edge ends, in one direction.
 struct EdgeEnd {
     float distance; // pixels
-    float change;   // of luma against the edge's own, there
+    float change;   // luma there minus the edge's own luma
 };
 
 EdgeEnd followEdge(vec2 uv, vec2 direction, float edgeLuma, float enough) {
@@ -87,7 +87,7 @@ EdgeEnd followEdge(vec2 uv, vec2 direction, float edgeLuma, float enough) {
     return end;
 }
 
-/// How far the pixel's sample moves across its edge, pixels: half a pixel at the edge's end, none in its middle.
+/// Offset of the pixel's sample across its edge, pixels: half a pixel at the edge's end, none in its middle.
 float edgeOffset(vec2 uv, Neighbourhood n, bool horizontal, float side, float sideLuma, float gradient) {
     vec2 texel = 1.0 / vec2(constants.size);
     vec2 along = horizontal ? vec2(texel.x, 0.0) : vec2(0.0, texel.y);
@@ -99,7 +99,7 @@ float edgeOffset(vec2 uv, Neighbourhood n, bool horizontal, float side, float si
     EdgeEnd forth = followEdge(onEdge, along, edgeLuma, 0.25 * gradient);
     bool backIsNearer = back.distance < forth.distance;
     float change = backIsNearer ? back.change : forth.change;
-    if ((change < 0.0) == (middle < edgeLuma)) // the edge steps away from this pixel: it is the other row's to smooth
+    if ((change < 0.0) == (middle < edgeLuma)) // the edge steps away from this pixel: the other row's pixel smooths it
         return 0.0;
     return 0.5 - min(back.distance, forth.distance) / (back.distance + forth.distance);
 }

@@ -1,4 +1,4 @@
-// A view's raw values -> colours for people: displayColor of src/render/views.cpp, on the GPU for windows.
+// Maps a view's raw values to display colours: displayColor of src/render/views.cpp, on the GPU for windows.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-// Makes the split-sum table once: x = NoV, y = perceptual roughness (lib/dfg.glsl).
+// Builds the split-sum table once: x = NoV, y = perceptual roughness (lib/dfg.glsl).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

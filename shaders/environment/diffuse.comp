@@ -1,5 +1,5 @@
 // Irradiance / pi for each direction: the cosine-weighted mean of the environment, summed exactly over the texels of a
-// small mip of the source, each with its solid angle. No series, so no ringing around a bright sun.
+// small mip of the source, each with its solid angle. No series expansion, so no ringing around a bright sun.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -10,7 +10,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform samplerCube source;
 layout(set = 0, binding = 1, rgba16f) uniform writeonly image2DArray diffuse;
 
-const int kSourceSize = 32; // texels of a face that are summed over; the cosine is smooth on their scale
+const int kSourceSize = 32; // summed texels along a face's side; the cosine is smooth on their scale
 
 void main() {
     uvec3 texel = gl_GlobalInvocationID;

@@ -1,4 +1,4 @@
-// An equirectangular picture onto the faces of a cube, four samples a texel.
+// Converts an equirectangular image to the faces of a cube, four samples a texel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -11,7 +11,7 @@ layout(set = 0, binding = 1, rgba16f) uniform writeonly image2DArray cube;
 
 vec3 radianceFrom(vec3 direction) {
     vec2 uv = equirectangularUV(direction);
-    // The picture wraps around sideways, but its poles must not reach each other: stay half a texel inside.
+    // The image wraps around horizontally, but its poles must not blend: stay half a texel inside.
     float margin = 0.5 / float(textureSize(equirect, 0).y);
     return textureLod(equirect, vec2(uv.x, clamp(uv.y, margin, 1.0 - margin)), 0.0).rgb;
 }

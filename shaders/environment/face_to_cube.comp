@@ -1,5 +1,5 @@
-// A picture drawn by a camera that looks along a face's axis, onto that face. Cube maps are left-handed and a camera's
-// picture is not, so it is turned left to right. Alpha: 1 / metres to what is seen, 0 for the sky.
+// Copies an image drawn by a camera that looks along a face's axis to that face. Cube maps are left-handed and a
+// camera's image is not, so the image is flipped horizontally. Alpha: 1 / metres to the visible surface, 0 for the sky.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -30,7 +30,7 @@ void main() {
     int samples = textureSize(picture, 0).x / size.x; // along a texel's side
     ivec2 first = ivec2(size.x - 1 - texel.x, texel.y) * samples;
     vec3 sum = vec3(0.0);
-    float nearest = 0.0; // no mean: there is nothing half way between two surfaces
+    float nearest = 0.0; // no mean: no surface lies half way between two surfaces
     for (int y = 0; y < samples; ++y)
         for (int x = 0; x < samples; ++x) {
             vec4 here = seen(first + ivec2(x, y));

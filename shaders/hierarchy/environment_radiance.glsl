@@ -1,7 +1,8 @@
-// What the host's environment shows in a direction. Include after `frame`; the entry point declares the cube.
+// Radiance of the host's environment in a direction. The entry point declares the cube.
 #ifndef GLINT_HIERARCHY_ENVIRONMENT_RADIANCE_GLSL
 #define GLINT_HIERARCHY_ENVIRONMENT_RADIANCE_GLSL
 
+#include "frame/frame_block.glsl"
 #include "lib/sanitize.glsl"
 
 vec3 environmentRadiance(samplerCube environment, vec3 directionWS, float perceptualRoughness) {

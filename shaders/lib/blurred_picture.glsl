@@ -1,5 +1,5 @@
-// A picture's mips as a blur without blocks: a cubic B-spline over each, by four filtered lookups in place of sixteen
-// texels. Sigg and Hadwiger 2005, "Fast Third-Order Texture Filtering", GPU Gems 2, chapter 20.
+// Blurs an image with its mips and shows no blocks: a cubic B-spline over each mip, with four filtered fetches instead
+// of sixteen texels. Sigg and Hadwiger 2005, "Fast Third-Order Texture Filtering", GPU Gems 2, chapter 20.
 #ifndef GLINT_LIB_BLURRED_PICTURE_GLSL
 #define GLINT_LIB_BLURRED_PICTURE_GLSL
 
@@ -22,7 +22,7 @@ vec3 splineMip(sampler2D picture, vec2 uv, float mip) {
     return low.y * top + high.y * bottom;
 }
 
-/// `radiusPX`: standard deviation of the blur, roughly, in pixels of mip 0. Up to a quarter: the picture itself.
+/// `radiusPX`: approximate standard deviation of the blur, in pixels of mip 0. Up to a quarter: the image itself.
 vec3 blurredPicture(sampler2D picture, vec2 uv, float radiusPX) {
     vec3 sharp = textureLod(picture, uv, 0.0).rgb;
     if (radiusPX <= 0.25)

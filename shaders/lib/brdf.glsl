@@ -1,5 +1,5 @@
-// The terms of glTF's microfacet model (glTF 2.0, appendix B), one function a term.
-// alpha = perceptualRoughness^2. Cosines are clamped by the caller to (0, 1].
+// The terms of glTF's microfacet model (glTF 2.0, appendix B), one function for each term. alpha =
+// perceptualRoughness^2. The caller clamps cosines to (0, 1].
 #ifndef GLINT_LIB_BRDF_GLSL
 #define GLINT_LIB_BRDF_GLSL
 
@@ -40,30 +40,31 @@ float dielectricF0(float ior) {
     return ior == 0.0 ? 1.0 : square((ior - 1.0) / (ior + 1.0));
 }
 
-/// F90 that belongs to a dielectric's F0. Everything reflects all at grazing angles, but what is hardly denser than air:
-/// Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering 3.0", section 3.1.3: from 2 % on.
+/// F90 that belongs to a dielectric's F0. At grazing angles every material reflects all light, except materials hardly
+/// denser than air: Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering 3.0", section 3.1.3:
+/// from 2 % on.
 float edgeReflectance(float f0) {
     return saturate(50.0 * f0);
 }
 
-/// What a lobe reflects of uniform light, from the split-sum table: Karis 2013, "Real Shading in Unreal Engine 4".
+/// Reflectance of a lobe under uniform light, from the split-sum table: Karis 2013, "Real Shading in Unreal Engine 4".
 /// `dfg`: x multiplies f0, y multiplies f90.
 vec3 directionalAlbedo(vec3 f0, float f90, vec2 dfg) {
     return f0 * dfg.x + f90 * dfg.y;
 }
 
-/// Brings back what single scattering loses between the facets: Turquin 2019, "Practical multiple scattering
+/// Compensates the energy that single scattering loses between the facets: Turquin 2019, "Practical multiple scattering
 /// compensation for microfacet models", eq. 16. 1 for smooth surfaces; with f0 = 1 the albedo becomes exactly 1.
 vec3 energyCompensation(vec3 f0, vec2 dfg) {
     return 1.0 + f0 * (1.0 / max(dfg.x + dfg.y, 1e-3) - 1.0);
 }
 
-/// What a surface makes of reflected radiance: directional albedo with multiple scattering.
+/// Factor of a surface on reflected radiance: directional albedo with multiple scattering.
 vec3 specularResponse(vec3 f0, float f90, vec2 dfg) {
     return directionalAlbedo(f0, f90, dfg) * energyCompensation(f0, dfg);
 }
 
-/// How much of the environment's specular light reaches a point whose diffuse light is dimmed to `occlusion`.
+/// Fraction of the environment's specular light that reaches a point whose diffuse light is dimmed to `occlusion`.
 /// Lagarde, de Rousiers 2014, "Moving Frostbite to Physically Based Rendering 3.0", listing 26.
 float specularOcclusion(float NoV, float occlusion, float alpha) {
     return saturate(pow(NoV + occlusion, exp2(-16.0 * alpha - 1.0)) - 1.0 + occlusion);

@@ -1,5 +1,5 @@
-// One node of the wide hierarchy (shared/bvh.h) against a ray: all eight boxes at once.
-// Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG.
+// Intersects a ray with one node of the wide hierarchy (shared/bvh.h): all eight boxes at once. Ylitie, Karras and
+// Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG.
 #ifndef GLINT_LIB_BVH_NODE_GLSL
 #define GLINT_LIB_BVH_NODE_GLSL
 
@@ -7,17 +7,17 @@
 
 #include "shared/bvh.h"
 
-/// A ray as boxes see it.
+/// A ray in the form that box tests need.
 struct BoxRay {
     vec3 origin;
     vec3 inverseDirection;
-    uint order; // slot ^ order: the larger, the sooner the ray comes to that corner
+    uint order; // slot ^ order: larger for corners that the ray reaches sooner
 };
 
 BoxRay makeBoxRay(vec3 origin, vec3 direction) {
     BoxRay ray;
     ray.origin = origin;
-    // Without zeros: the distance of a face that the ray runs along would be 0 * infinity. Rays are 2^-60 off at worst.
+    // Replace zeros: the distance of a face that the ray runs along would be 0 * infinity. Rays are 2^-60 off at worst.
     vec3 size = abs(direction);
     float least = max(max(size.x, size.y), size.z) * exp2(-60.0);
     vec3 away = mix(vec3(1.0), vec3(-1.0), lessThan(direction, vec3(0.0)));
@@ -30,8 +30,8 @@ vec4 bytesOf(uint word) {
     return vec4(word & 0xffu, (word >> 8) & 0xffu, (word >> 16) & 0xffu, word >> 24);
 }
 
-/// Which children does the ray come through between tMin and tMax? Nodes are in bits 24 to 31, the one to visit first
-/// in the highest; primitives in bits 0 to 23, counted from the node's first.
+/// The children that the ray intersects between tMin and tMax. Nodes are in bits 24 to 31, the first to visit in the
+/// highest bit; primitives are in bits 0 to 23, counted from the node's first.
 uint intersectChildren(BvhNode node, BoxRay ray, float tMin, float tMax) {
     vec3 low = uintBitsToFloat(node.words[0].xyz);
     uint exponents = node.words[0].w;

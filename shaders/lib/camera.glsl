@@ -1,4 +1,4 @@
-// Between pixels and view space, both projections. Pure functions of FrameConstants.
+// Conversions between pixels and view space, for both projections. Pure functions of FrameConstants.
 #ifndef GLINT_LIB_CAMERA_GLSL
 #define GLINT_LIB_CAMERA_GLSL
 
@@ -20,12 +20,12 @@ vec3 viewDirection(FrameConstants frame, vec3 positionVS) {
 }
 
 /// Width and height of a pixel across the line of sight at `viewZ`, metres. `uvToView` is this frame's or the previous
-/// one's.
+/// frame's.
 vec2 pixelExtent(FrameConstants frame, vec4 uvToView, float viewZ) {
     return abs(uvToView.xy) * frame.invSize * (isOrthographic(frame) ? 1.0 : viewZ);
 }
 
-/// Device depth as the host stores it -> metres along the view axis, kBackgroundZ where nothing was drawn.
+/// Device depth as the host stores it -> metres along the view axis; kBackgroundZ where the host drew no surface.
 float viewZFromDepth(FrameConstants frame, float depth) {
     if ((frame.flags & kInputLinearDepth) != 0u)
         return depth > 0.0 && depth < kBackgroundZ ? depth : kBackgroundZ;

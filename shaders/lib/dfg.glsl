@@ -1,5 +1,5 @@
-// The split-sum integral. Karis 2013, "Real Shading in Unreal Engine 4": what a GGX lobe reflects of uniform light is
-// f0 * x + f90 * y.
+// The split-sum integral. Karis 2013, "Real Shading in Unreal Engine 4": a GGX lobe reflects f0 * x + f90 * y of
+// uniform light.
 #ifndef GLINT_LIB_DFG_GLSL
 #define GLINT_LIB_DFG_GLSL
 

@@ -1,5 +1,5 @@
-// The second surface of a pixel that shows several: what a host with several samples a pixel has there besides the
-// nearest one. Four words, kept only for such hosts.
+// The second surface of a pixel that shows several surfaces: the surface besides the nearest one, for a host with
+// several samples a pixel. Four words, kept only for such hosts.
 #ifndef GLINT_LIB_EDGE_GLSL
 #define GLINT_LIB_EDGE_GLSL
 
@@ -7,7 +7,7 @@
 
 struct Edge {
     vec3 f0;
-    float coverage; // [0, 1] of the pixel; the rest of both is background
+    float coverage; // [0, 1] of the pixel; what both surfaces leave is background
     float viewZ;
     vec3 normalVS; // unit
 };

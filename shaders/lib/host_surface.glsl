@@ -1,5 +1,5 @@
-// A host's G-buffer texels -> Glint's own conventions (include/glint/gbuffer.hpp lists what a host may state). Pure
-// functions: the passes of prepare read the images, one sample a pixel or several.
+// Converts a host's G-buffer texels to Glint's own conventions (include/glint/gbuffer.hpp lists what a host may
+// declare). Pure functions: the passes of prepare read the images, with one sample a pixel or several.
 #ifndef GLINT_LIB_HOST_SURFACE_GLSL
 #define GLINT_LIB_HOST_SURFACE_GLSL
 
@@ -7,22 +7,22 @@
 #include "lib/octahedral.glsl"
 #include "lib/sanitize.glsl"
 
-/// What a texel of the host says.
+/// The surface that a host's texel declares.
 struct HostSurface {
-    float viewZ;    // metres; kBackgroundZ: nothing is here
+    float viewZ;    // metres; kBackgroundZ: no surface
     vec3 normalVS;  // unit
     vec3 f0;        // [0, 1]
     float perceptualRoughness;
 };
 
-/// Metres along the view axis; a NaN depth is background too.
+/// Metres along the view axis; NaN depth counts as background.
 float hostViewZ(FrameConstants frame, float depth) {
     float z = viewZFromDepth(frame, depth);
     return z > 0.0 ? z : kBackgroundZ;
 }
 
-/// As rays see it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance. Rounded to the nearest half,
-/// ties to even, by hand: a compiler may take packing and unpacking for nothing and leave both out.
+/// viewZ as rays read it: with gbuffer.depthFormat half no finer than sixteen bits hold a distance. Rounded to the
+/// nearest half, ties to even, by hand: a compiler may treat packing and unpacking as a no-op and remove both.
 float storedViewZ(FrameConstants frame, float z) {
     const float kLargestHalf = 65504.0;
     if ((frame.flags & kInputHalfDepth) == 0u || z >= kBackgroundZ)
@@ -42,12 +42,14 @@ vec3 hostNormalVS(FrameConstants frame, vec3 stored) {
     } else {
         decoded = mat3(frame.worldToView) * decoded;
     }
-    // A cleared or broken normal faces the camera: it reflects nothing odd and spreads no NaN.
+    // Replace a cleared or broken normal by one that faces the camera, which keeps reflections plausible and spreads no
+    // NaN.
     float squaredLength = dot(decoded, decoded);
     return squaredLength > 1e-12 && squaredLength < 1e12 ? decoded * inversesqrt(squaredLength) : vec3(0.0, 0.0, 1.0);
 }
 
-/// `stored`: a texel of the material image; `baseColor`: of the base colour's, where the kind of material has one.
+/// `stored`: a texel of the material image; `baseColor`: a texel of the base colour image, where the material kind has
+/// one.
 vec3 hostF0(FrameConstants frame, vec4 stored, vec3 baseColor) {
     vec3 f0 = stored.rgb;
     if (frame.materialKind == kHostMaterialMetallicRoughness) // glTF 2.0, B.2: dielectrics reflect 4 %

@@ -1,6 +1,6 @@
 // Light reflected to the eye by one point: punctual lights and the environment, glTF's model (glTF 2.0, appendix B)
-// with compensation for multiple scattering. The entry point says where lights, environment and tables come from, so
-// that rasterized and ray-traced surfaces are lit by the same code.
+// with compensation for multiple scattering. The entry point provides lights, environment and tables, so the same code
+// lights rasterized and ray-traced surfaces.
 #ifndef GLINT_LIB_LIGHTING_GLSL
 #define GLINT_LIB_LIGHTING_GLSL
 
@@ -12,7 +12,7 @@
 
 uint loadLightCount();
 Light loadLight(uint index);
-/// Share of the light that is not shadowed, [0, 1].
+/// Fraction of the light that is not shadowed, [0, 1].
 float loadLightVisibility(Light light, vec3 positionWS, vec3 geometricNormalWS, vec3 L);
 /// Radiance from the environment around `directionWS`, filtered for the roughness.
 vec3 loadEnvironmentRadiance(vec3 directionWS, float perceptualRoughness);
@@ -23,12 +23,12 @@ vec2 loadDfg(float NoV, float perceptualRoughness);
 
 // ---------------------------------------------------------------- results
 
-/// Outgoing radiance in parts. Their sum is the surface's picture.
+/// Outgoing radiance in parts. Their sum is the surface's radiance in the frame.
 struct Lighting {
     vec3 diffuse;             // of all lights
     vec3 directSpecular;      // of punctual lights, clear coat included
-    vec3 environmentSpecular; // the base layer's: what reflections replace
-    vec3 coatSpecular;        // the clear coat's share of the environment
+    vec3 environmentSpecular; // the base layer's: the part that reflections replace
+    vec3 coatSpecular;        // the clear coat's reflection of the environment
     vec3 emission;
 };
 
@@ -88,7 +88,7 @@ Lighting lightSurface(MaterialSample m, SurfacePoint point, vec3 V) {
     sum.diffuse = sum.directSpecular = sum.environmentSpecular = sum.coatSpecular = vec3(0.0);
     sum.emission = m.emission * (1.0 - coat);
     if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 == 0.0)
-        return sum; // unlit or black: nothing to light
+        return sum; // unlit or black: no lobe to light
     vec2 dfg = loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness);
     vec3 compensation = energyCompensation(m.f0, dfg);
     for (uint i = 0u; i < loadLightCount(); ++i)

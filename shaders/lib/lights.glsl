@@ -1,5 +1,5 @@
-// Punctual lights: what arrives at a point. KHR_lights_punctual, "Light Shared Properties" and "Inner and Outer Cone
-// Angles". Shadows are another matter (lib/shadow.glsl).
+// Punctual lights: the irradiance that arrives at a point. KHR_lights_punctual, "Light Shared Properties" and "Inner
+// and Outer Cone Angles". Shadows are separate (lib/shadow.glsl).
 #ifndef GLINT_LIB_LIGHTS_GLSL
 #define GLINT_LIB_LIGHTS_GLSL
 
@@ -8,10 +8,10 @@
 
 struct Incidence {
     vec3 L;          // unit, towards the light
-    vec3 irradiance; // on a surface that faces the light; zero out of reach
+    vec3 irradiance; // on a surface that faces the light; zero out of range
 };
 
-/// Inverse square, brought smoothly to zero at `range` metres (0: never).
+/// Inverse square, falling smoothly to zero at `range` metres (0: no limit).
 float distanceAttenuation(float distance2, float range) {
     float window = range > 0.0 ? saturate(1.0 - square(distance2 / (range * range))) : 1.0;
     return window / max(distance2, 1e-8);

@@ -1,15 +1,16 @@
-// A glTF material at one point: textures and factors turned into what the lighting functions ask for. Rasterized and
-// ray-traced surfaces call the same code; the entry point defines how a texture is read.
+// A glTF material at one point: converts textures and factors to the inputs of the lighting functions. Rasterized and
+// ray-traced surfaces call the same code; the entry point defines how a texture is sampled.
 #ifndef GLINT_LIB_MATERIAL_GLSL
 #define GLINT_LIB_MATERIAL_GLSL
 
 #include "lib/brdf.glsl"
 #include "shared/material.h"
 
-/// Defined by the entry point: the texture table's entry `ref.index` at `uv`, which is transformed already, filtered.
+/// Defined by the entry point. Samples the texture table's entry `ref.index`, filtered, at `uv`, which is already
+/// transformed.
 vec4 sampleTexture(TextureRef ref, vec2 uv);
 
-/// A point of a surface as its geometry tells it, interpolated.
+/// A point of a surface, interpolated from its geometry.
 struct SurfacePoint {
     vec3 positionWS;
     vec3 normalWS;  // any length; towards the front
@@ -20,7 +21,7 @@ struct SurfacePoint {
     bool frontFacing;
 };
 
-/// The base lobe is one GGX lobe for metal and dielectric together, as their Fresnel terms mix linearly.
+/// The base lobe is one GGX lobe for metal and dielectric together, because their Fresnel terms mix linearly.
 struct MaterialSample {
     vec3 baseColor;    // linear, for debug views and unlit surfaces
     float opacity;     // [0, 1]
@@ -28,7 +29,7 @@ struct MaterialSample {
     vec3 diffuseColor; // albedo of the diffuse lobe, before the specular lobe takes its share
     vec3 f0;
     float f90;
-    vec3 dielectricF0; // the share that the diffuse lobe loses to reflection has no metal in it
+    vec3 dielectricF0; // the diffuse lobe's loss to reflection excludes metal
     float dielectricF90;
     float perceptualRoughness;
     float occlusion; // [0, 1], of indirect light
@@ -46,12 +47,12 @@ vec2 transformUV(TextureRef ref, SurfacePoint point) {
     return vec2(dot(ref.uvRow0, uv), dot(ref.uvRow1, uv));
 }
 
-/// White where the material has no texture there.
+/// White where the material has no texture in the slot.
 vec4 sampleSlot(TextureRef ref, SurfacePoint point) {
     return ref.index == kNoTexture ? vec4(1.0) : sampleTexture(ref, transformUV(ref, point));
 }
 
-/// The base colour alone: enough for alpha tests.
+/// The base colour alone, which alpha tests need.
 vec4 sampleBaseColor(Material material, SurfacePoint point) {
     return material.baseColorFactor * sampleSlot(material.baseColorTexture, point) * point.color;
 }
@@ -62,7 +63,7 @@ vec3 sampleNormal(TextureRef ref, float scale, SurfacePoint point, vec3 normalWS
         return normalWS;
     vec3 normalTS = sampleTexture(ref, transformUV(ref, point)).xyz * 2.0 - 1.0;
     normalTS.xy *= scale;
-    // Interpolation bends the frame: straighten the tangent, then the bitangent follows as the exporter made it.
+    // Interpolation skews the frame: orthogonalize the tangent; the bitangent then follows as the exporter made it.
     vec3 tangentWS = normalizeOr(point.tangentWS.xyz - normalWS * dot(normalWS, point.tangentWS.xyz), vec3(0.0));
     vec3 bitangentWS = cross(normalWS, tangentWS) * point.tangentWS.w;
     return normalizeOr(mat3(tangentWS, bitangentWS, normalWS) * normalTS, normalWS);
@@ -84,11 +85,11 @@ void applyMetallicRoughness(inout MaterialSample result, Material material, Surf
     result.diffuseColor = result.baseColor * (1.0 - metallic) * (1.0 - result.transmission);
 }
 
-/// KHR_materials_pbrSpecularGlossiness: colours are given directly, gloss is the opposite of roughness.
+/// KHR_materials_pbrSpecularGlossiness: colours are given directly, glossiness is 1 - roughness.
 void applySpecularGlossiness(inout MaterialSample result, Material material, SurfacePoint point) {
     vec4 specularGlossiness = sampleSlot(material.specularGlossinessTexture, point);
     result.f0 = result.dielectricF0 = material.specularGlossinessFactor * specularGlossiness.rgb;
-    result.f90 = result.dielectricF90 = maxComponent(result.f0) > 0.0 ? 1.0 : 0.0; // black specular reflects nothing
+    result.f90 = result.dielectricF90 = maxComponent(result.f0) > 0.0 ? 1.0 : 0.0; // black specular reflects no light
     result.perceptualRoughness = saturate(1.0 - material.glossinessFactor * specularGlossiness.a);
     result.diffuseColor = result.baseColor * (1.0 - maxComponent(result.f0));
     result.transmission = 0.0;
@@ -98,7 +99,7 @@ MaterialSample sampleMaterial(Material material, SurfacePoint point) {
     MaterialSample result;
     vec4 baseColor = sampleBaseColor(material, point);
     result.baseColor = baseColor.rgb;
-    // glTF 2.0, 3.9.4: opaque surfaces ignore alpha; a mask's has done its work in the alpha test.
+    // glTF 2.0, 3.9.4: opaque surfaces ignore alpha; a masked surface has used its alpha in the alpha test.
     result.opacity = (material.flags & kMaterialAlphaBlend) != 0u ? saturate(baseColor.a) : 1.0;
     if ((material.flags & kMaterialSpecularGlossiness) != 0u)
         applySpecularGlossiness(result, material, point);
@@ -110,7 +111,7 @@ MaterialSample sampleMaterial(Material material, SurfacePoint point) {
     if (material.occlusionTexture.index != kNoTexture)
         result.occlusion = 1.0 + material.occlusionStrength * (sampleSlot(material.occlusionTexture, point).r - 1.0);
 
-    // Back faces are lit as if the whole frame, normal map included, were turned over.
+    // Back faces are lit as if the whole frame, normal map included, were flipped.
     float side = point.frontFacing ? 1.0 : -1.0;
     vec3 normalWS = normalizeOr(point.normalWS, vec3(0.0, 1.0, 0.0));
     result.geometricNormalWS = normalWS * side;

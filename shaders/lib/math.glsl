@@ -1,4 +1,4 @@
-// Small numbers and small functions that every shader needs.
+// Small constants and functions that every shader needs.
 #ifndef GLINT_LIB_MATH_GLSL
 #define GLINT_LIB_MATH_GLSL
 
@@ -25,14 +25,14 @@ float maxComponent(vec3 v) {
     return max(v.x, max(v.y, v.z));
 }
 
-/// normalize() that gives `fallback` for a vector without length.
+/// normalize() that returns `fallback` for a zero vector.
 vec3 normalizeOr(vec3 v, vec3 fallback) {
     const float length2 = dot(v, v);
     return length2 > 1e-20 ? v * inversesqrt(length2) : fallback;
 }
 
-/// Two unit vectors that make a right-handed frame (x, y, n) with the unit vector `n`.
-/// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1), listing 3.
+/// Two unit vectors that form a right-handed frame (x, y, n) with the unit vector `n`. Duff et al. 2017, "Building an
+/// Orthonormal Basis, Revisited", JCGT 6(1), listing 3.
 mat3 orthonormalBasis(vec3 n) {
     const float s = n.z >= 0.0 ? 1.0 : -1.0;
     const float a = -1.0 / (s + n.z);

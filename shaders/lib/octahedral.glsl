@@ -1,5 +1,5 @@
-// Unit vectors in two numbers. Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit
-// Vectors", JCGT 3(2): the octahedron's upper half is the diamond |x| + |y| <= 1, the lower half is folded over it.
+// Unit vectors as two numbers. Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit
+// Vectors", JCGT 3(2): the octahedron's upper half is the diamond |x| + |y| <= 1; the lower half is folded over it.
 #ifndef GLINT_LIB_OCTAHEDRAL_GLSL
 #define GLINT_LIB_OCTAHEDRAL_GLSL
 

@@ -1,24 +1,25 @@
-// The depth pyramid: cells of 2^level pixels a side, each with bounds on what the picture shows there.
+// The depth pyramid: cells of 2^level pixels a side, each with bounds on the surfaces that the frame shows there.
 //
 // Bounds are taken about a plane instead of a constant. Nearness (lib/nearness.glsl) of a plane is linear on screen, so
-// a cell that shows one flat surface has bounds as thin as the depth's own rounding at every level: a ray that leaves a
-// floor is known to be in front of it at once, and one that meets a wall meets it in a large cell, without going down
-// to single pixels. With slope 0 this is the usual minimum and maximum of depth.
-// Each cell also bounds its four quarters, coarsely, so that one lookup tells which of them are worth another.
+// a cell that shows one flat surface has bounds as thin as the depth's own rounding at every level. A ray that leaves a
+// floor is known to be in front of it at once, and a ray that hits a wall hits it in a large cell, without descending
+// to single pixels. With slope 0 these bounds are the usual minimum and maximum of depth. Each cell also bounds its
+// four quarters, coarsely, so one lookup tells which quarters need another.
 //
-// Level 0 is viewZ itself. The others lie in one image of rgba32ui, level 1 at the left and the rest in a column beside
-// it, so that any size of picture has exact cells: ceil(size / 2^level) of them, none larger than it says.
+// Level 0 is viewZ itself. The other levels lie in one image of rgba32ui, level 1 at the left and the rest in a column
+// beside it, so that every image size has exact cells: ceil(size / 2^level) of them, none that covers more pixels than
+// its level says.
 #ifndef GLINT_LIB_PYRAMID_GLSL
 #define GLINT_LIB_PYRAMID_GLSL
 
-/// What is solid in a cell, as depths (of nearness) below the plane front + dot(slope, d), d px from the cell's centre:
-/// every surface lies in [0, depth] and ends behind by `slab`.
+/// The solid part of a cell, as depths (of nearness) below the plane front + dot(slope, d), d px from the cell's
+/// centre: every surface lies in [0, depth] and ends behind by `slab`.
 struct Cell {
-    float front; // kEmptyCell: nothing is drawn here
-    float depth; // kBroken: some pixel of the picture shows no surface
+    float front; // kEmptyCell: no surface
+    float depth; // kBroken: some pixel of the image in the cell shows no surface
     float slab;
     vec2 slope; // a pixel
-    vec2 quarters[4]; // the same for (0,0), (1,0), (0,1), (1,1): solid from, to; from > to: nothing
+    vec2 quarters[4]; // the same for (0,0), (1,0), (0,1), (1,1): solid from, to; from > to: empty
 };
 
 const float kEmptyCell = -1.0e37;
@@ -28,17 +29,17 @@ ivec2 pyramidLevelSize(ivec2 size, int level) {
     return (size + (1 << level) - 1) >> level;
 }
 
-/// Where a level above 0 starts in the image; the column's levels overlap nowhere, as
-/// floor(h/2 - h/2^(level-1)) + level - 2 >= the sum of the ceil(h/2^i) before it.
+/// Where a level above 0 starts in the image. The column's levels do not overlap, because floor(h/2 - h/2^(level-1)) +
+/// level - 2 >= the sum of the ceil(h/2^i) before it.
 ivec2 pyramidOffset(ivec2 size, int level) {
     if (level == 1)
         return ivec2(0);
     return ivec2((size.x + 1) >> 1, ((size.y * ((1 << (level - 2)) - 1)) >> (level - 1)) + level - 2);
 }
 
-// A cell in four words: front as a float; slopes as halves of a picture's width, which keeps them clear of the smallest
-// halves; twice two quarters of 2 x 6 bits, in 63rds of the slab; beside them depth and slab as parts of the front, in
-// floats of 6 bits of exponent and 2 of mantissa. All rounded so that the bounds stay bounds.
+// A cell in four words: front as a float; slopes as halves, times the image's width, which avoids the smallest halves;
+// twice two quarters of 2 x 6 bits, in 63rds of the slab; beside them depth and slab as fractions of the front, in
+// floats of 6 bits of exponent and 2 of mantissa. All values are rounded so that the bounds stay conservative.
 
 const uint kSmallestExponent = 127u - 40u;
 
@@ -65,8 +66,8 @@ vec2 unpackQuarter(uint packed, float slab) {
     return vec2(packed & 63u, (packed >> 6) & 63u) * (slab / 63.0);
 }
 
-/// A slope that was stored before, as the very same halves: an eighth of a step more, as drivers may round down, and
-/// may divide by the width a little less than exactly.
+/// Packs a slope that was stored before to exactly the same halves: adds an eighth of a step, because drivers may round
+/// down, and may divide by the width a little less than exactly.
 uint packSlope(vec2 slope, float width) {
     return packHalf2x16(slope * (width * (1.0 + 1.0 / 16384.0)));
 }

@@ -1,10 +1,11 @@
-// The ray seam: what every shader that traces the host's triangles says and hears. An entry includes one of the two
-// back ends, rays/query.glsl or rays/bvh.glsl, which define
+// The ray seam: the interface of every shader that traces the host's triangles. An entry includes one of the two back
+// ends, rays/query.glsl or rays/bvh.glsl, which define
 //     Hit traceRay(Ray ray);      // the nearest hit
-//     bool isOccluded(Ray ray);   // is there any?
+//     bool isOccluded(Ray ray);   // true if there is any hit
 // Both give the same hits. Triangles of instances that are not opaque stop a ray only where
 //     bool rayMeetsSurface(uint instance, uint primitive, vec2 barycentrics)
-// says so: an entry that tests texels defines it and GLINT_RAY_ALPHA_TEST before the include; else all are solid.
+// returns true. An entry that tests texels defines rayMeetsSurface and GLINT_RAY_ALPHA_TEST before the include;
+// otherwise all triangles are solid.
 #ifndef GLINT_LIB_RAY_GLSL
 #define GLINT_LIB_RAY_GLSL
 
@@ -12,19 +13,19 @@
 
 struct Ray {
     vec3 originWS;
-    float tMin;       // distances count in lengths of the direction: metres if it is a unit vector
+    float tMin;       // distances are in lengths of the direction: metres for a unit vector
     vec3 directionWS; // any length but 0
     float tMax;       // hits lie strictly between tMin and tMax
-    uint mask;        // low 8 bits; an instance is met if its own mask shares one
+    uint mask;        // low 8 bits; the ray tests an instance if their masks share a bit
     uint flags;       // kRay...
 };
 
 struct Hit {
-    float distance;    // tMax of the ray if nothing was met
-    uint instance;     // in the host's list; kNoInstance: nothing was met
+    float distance;    // tMax of the ray for a miss
+    uint instance;     // in the host's list; kNoInstance: miss
     uint primitive;    // triangle of the instance's mesh
     vec2 barycentrics; // weights of its second and third vertex
-    bool frontFace;    // its front looks at the ray's origin
+    bool frontFace;    // the front faces the ray's origin
 };
 
 Ray makeRay(vec3 originWS, vec3 directionWS, float tMin, float tMax) {
@@ -39,10 +40,10 @@ bool isHit(Hit hit) {
     return hit.instance != kNoInstance;
 }
 
-/// No for rays with NaN, infinite or absurdly large numbers, without direction or with an empty range: they meet nothing.
-/// Vulkan leaves such ray queries undefined.
+/// False for rays with NaN, infinite or absurdly large numbers, without direction or with an empty range: they hit
+/// nothing. Vulkan leaves such ray queries undefined.
 bool isTraceable(Ray ray) {
-    const float kMost = 1e18; // squares still fit
+    const float kMost = 1e18; // squares stay finite
     return all(lessThan(abs(ray.originWS), vec3(kMost))) && all(lessThan(abs(ray.directionWS), vec3(kMost))) &&
            any(greaterThan(abs(ray.directionWS), vec3(1e-18))) && ray.tMin >= 0.0 && ray.tMax > ray.tMin;
 }

@@ -1,6 +1,6 @@
-// Light on its way through a body: in at the surface, out somewhere behind it. The body is known at one point only, so
-// it is taken for a sphere or a plate there. Unity HDRP's refraction models; formulas and what they leave out are in
-// docs/techniques/refraction.md.
+// The path of light through a body: in at the surface, out somewhere behind it. The body is known at one point only, so
+// it is approximated there by a sphere or a plate. Unity HDRP's refraction models; docs/techniques/refraction.md has
+// the formulas and what they leave out.
 #ifndef GLINT_LIB_REFRACTION_GLSL
 #define GLINT_LIB_REFRACTION_GLSL
 
@@ -8,21 +8,27 @@
 #include "shared/refraction.h"
 
 struct Refraction {
-    vec3 exit;        // where the light leaves, from where it entered, metres
-    vec3 insideDir;   // unit, between the two
-    vec3 direction;   // unit, of the light that has left
+    vec3 exit;        // where the light leaves, relative to where it entered, metres
+    vec3 insideDir;   // unit, between the two points
+    vec3 direction;   // unit, of the light after it left
     float pathLength; // inside, metres
-    bool isTotal;     // none gets in: all of it is reflected
+    bool isTotal;     // no light enters: all of it is reflected
 };
 
-/// Normal maps and interpolation turn normals away from the eye; this one does not look away. All unit.
+/// Normal maps and interpolation may turn a normal away from the eye; the result faces the eye. All unit.
 vec3 facingNormal(vec3 N, vec3 V) {
     float cosine = dot(N, V);
     return cosine < 1e-3 ? normalizeOr(N + (1e-3 - cosine) * V, V) : N;
 }
 
-/// `N` faces the eye, `V` points to it; both unit. `ior` of the body against that around it; 0 (infinite) and thickness
-/// 0 bend nothing. `model`: kRefraction*.
+/// Index of refraction for red, green and blue light. `dispersion`: 20 / Abbe number. KHR_materials_dispersion.
+vec3 dispersedIor(float ior, float dispersion) {
+    float halfSpread = (ior - 1.0) * 0.025 * dispersion;
+    return max(ior + vec3(-halfSpread, 0.0, halfSpread), vec3(1e-3));
+}
+
+/// `N` faces the eye, `V` points to the eye; both unit. `ior` of the body relative to its surroundings; 0 (infinite)
+/// and thickness 0 do not bend light. `model`: kRefraction*.
 Refraction refractThrough(uint model, vec3 N, vec3 V, float ior, float thickness) {
     Refraction straight = Refraction(vec3(0.0), -V, -V, 0.0, false);
     if (model == kRefractionThin)
@@ -35,13 +41,13 @@ Refraction refractThrough(uint model, vec3 N, vec3 V, float ior, float thickness
         return Refraction(vec3(0.0), -V, reflect(-V, N), 0.0, true);
     inside = normalize(inside);
     if (model == kRefractionSphere) {
-        // A chord of the sphere that touches the surface from within. All is symmetric about the chord's middle, so the
-        // light leaves as it came: no second refraction to compute, and none that rounding could make total.
+        // A chord of the sphere that touches the surface from within. The path is symmetric about the chord's middle,
+        // so the light leaves as it came. No second refraction needs computing, and rounding cannot make one total.
         float chord = -dot(N, inside) * thickness;
         return Refraction(inside * chord, inside, 2.0 * dot(-V, inside) * inside + V, chord, false);
     }
     float path = thickness / max(-dot(N, inside), 1e-5);
-    return Refraction(inside * path, inside, -V, path, false); // a plate turns it back
+    return Refraction(inside * path, inside, -V, path, false); // a plate restores the direction
 }
 
 #endif

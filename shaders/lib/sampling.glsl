@@ -1,11 +1,11 @@
-// Points in the unit square, and directions made from them.
+// Points in the unit square, and directions generated from them.
 #ifndef GLINT_LIB_SAMPLING_GLSL
 #define GLINT_LIB_SAMPLING_GLSL
 
 #include "lib/math.glsl"
 
-/// Hammersley's point set: point `i` of `count`, in [0, 1)^2. Dammertz 2012, "Hammersley Points on the Hemisphere".
-/// The first coordinate is taken at the middle of its interval, which halves the error of sums over few points.
+/// Hammersley's point set: point `i` of `count`, in [0, 1)^2. Dammertz 2012, "Hammersley Points on the Hemisphere". The
+/// first coordinate is the middle of its interval, which halves the error of sums over few points.
 vec2 hammersley(uint i, uint count) {
     return vec2((float(i) + 0.5) / float(count), float(bitfieldReverse(i)) * 2.3283064365386963e-10);
 }
@@ -18,9 +18,8 @@ vec3 sampleGGX(vec2 u, float alpha) {
     return vec3(sinTheta * cos(phi), sinTheta * sin(phi), sqrt(cosTheta2));
 }
 
-/// A microfacet normal among those that `wo` sees (unit, wo.z > 0), with density
-/// D_wo(wm) = G1(wo) max(dot(wo, wm), 0) D(wm) / wo.z. Heitz 2018, "Sampling the GGX Distribution of Visible Normals",
-/// JCGT 7(4).
+/// A microfacet normal among those visible from `wo` (unit, wo.z > 0), with density D_wo(wm) = G1(wo) max(dot(wo, wm),
+/// 0) D(wm) / wo.z. Heitz 2018, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4).
 vec3 sampleGGXVisible(vec3 wo, vec2 u, float alpha) {
     const vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
     const float length2 = dot(stretched.xy, stretched.xy);
@@ -46,8 +45,8 @@ vec3 sampleGGXVisibleCap(vec3 wo, vec2 u, float alpha) {
     return normalize(vec3(alpha * halfway.xy, max(halfway.z, 1e-6)));
 }
 
-/// Share of the light on a GGX microfacet that `wo` sees and that leaves towards `wi` unhindered: G2 / G1(wo), what a
-/// sample of sampleGGXVisible weighs without Fresnel. Heitz 2014, eqs. 43 and 99.
+/// Fraction of the light on a GGX microfacet visible from `wo` that leaves towards `wi` unhindered: G2 / G1(wo), the
+/// weight of a sample of sampleGGXVisible without Fresnel. Heitz 2014, eqs. 43 and 99.
 float visibleGGXWeight(float NoV, float NoL, float alpha) {
     const float a2 = alpha * alpha;
     const float lambdaV = sqrt(a2 + (1.0 - a2) * NoV * NoV) / NoV; // 1 + 2 Lambda

@@ -1,4 +1,4 @@
-// The host's colours are not trusted: one NaN or Inf would spread through every filter behind us.
+// The host's colours are not trusted: one NaN or Inf would spread through every later filter.
 #ifndef GLINT_LIB_SANITIZE_GLSL
 #define GLINT_LIB_SANITIZE_GLSL
 

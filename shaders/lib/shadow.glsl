@@ -1,4 +1,4 @@
-// Shadow maps: where to look, and how far off the surface, so that a surface does not shadow itself.
+// Shadow maps: where to sample them, and the offset from the surface that prevents self-shadowing.
 #ifndef GLINT_LIB_SHADOW_GLSL
 #define GLINT_LIB_SHADOW_GLSL
 
@@ -10,14 +10,14 @@ const float kShadowFilterRadius = 2.0;
 
 struct ShadowLookup {
     vec2 uv;      // in the atlas
-    float depth;  // reversed: what is nearer to the light is larger
+    float depth;  // reversed: larger is nearer to the light
     vec2 uvMin;   // the light's own tile: filters must not reach into a neighbour's
     vec2 uvMax;
-    bool covered; // false: outside the map, lit
+    bool covered; // false: outside the map, and lit
 };
 
-/// The point is pushed off its surface along the normal by about the filter's footprint, more at grazing light:
-/// Holbert 2011, "Saying Goodbye to Shadow Acne", GDC. Unlike a depth bias this does not detach contact shadows.
+/// Offsets the point from its surface along the normal by about the filter's footprint, more at grazing light: Holbert
+/// 2011, "Saying Goodbye to Shadow Acne", GDC. Unlike a depth bias the offset does not detach contact shadows.
 ShadowLookup shadowLookup(Light light, vec3 positionWS, vec3 normalWS, vec3 L, vec2 atlasTexel) {
     float NoL = saturate(dot(normalWS, L));
     float texelSize = light.shadowTexelSize;
@@ -36,8 +36,8 @@ ShadowLookup shadowLookup(Light light, vec3 positionWS, vec3 normalWS, vec3 L, v
     return result;
 }
 
-/// Share of the light that arrives, [0, 1]: a 4x4 tent of hardware-filtered comparisons, about 5 texels wide.
-/// Reeves et al. 1987, "Rendering Antialiased Shadows with Depth Maps" (percentage closer filtering).
+/// Fraction of the light that arrives, [0, 1]: a 4x4 tent of hardware-filtered comparisons, about 5 texels wide. Reeves
+/// et al. 1987, "Rendering Antialiased Shadows with Depth Maps" (percentage closer filtering).
 float filterShadow(sampler2DShadow atlas, ShadowLookup at, vec2 atlasTexel) {
     float lit = 0.0;
     for (int y = 0; y < 4; ++y)

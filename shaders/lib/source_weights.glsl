@@ -1,4 +1,4 @@
-// What each source got of a pixel: five weights of ten bits in two words.
+// The weight that each source has in a pixel: six weights of ten bits in two words.
 #ifndef GLINT_LIB_SOURCE_WEIGHTS_GLSL
 #define GLINT_LIB_SOURCE_WEIGHTS_GLSL
 
@@ -7,9 +7,9 @@
 const uint kWeightBits = 10u;
 const uint kWeightMask = (1u << kWeightBits) - 1u;
 
-uvec2 packSourceWeights(float weights[kSourceCount]) {
+uvec2 packSourceWeights(float weights[kMaxSources]) {
     uvec2 packed = uvec2(0u);
-    for (uint i = 0u; i < kSourceCount; ++i)
+    for (uint i = 0u; i < kMaxSources; ++i)
         packed[i / 3u] |= uint(clamp(weights[i], 0.0, 1.0) * float(kWeightMask) + 0.5) << (kWeightBits * (i % 3u));
     return packed;
 }

@@ -1,5 +1,5 @@
 // A pixel's surface as `prepare` packs it into two words: octahedral view-space normal (2 x snorm16), perceptual
-// roughness and reflectivity (2 x unorm16). Eight bytes are all that tracing reads besides depth; sixteen bits a
+// roughness and reflectivity (2 x unorm16). Besides depth, tracing reads only these eight bytes. Sixteen bits a
 // component keep a mirror's reflection within a tenth of a pixel.
 #ifndef GLINT_LIB_SURFACE_GLSL
 #define GLINT_LIB_SURFACE_GLSL

@@ -1,6 +1,6 @@
-// Which pixel of the picture a traced pixel stands for. With screen.resolutionScale below 1 fewer rays than pixels are
-// traced; each starts from one pixel of the full-resolution G-buffer, and everybody who reads what it found asks here
-// which pixel that was. Pure functions of FrameConstants.
+// Maps between traced pixels and the frame's pixels. With screen.resolutionScale below 1 fewer rays than pixels are
+// traced. Each ray starts from one pixel of the full-resolution G-buffer; every pass that reads the ray's result uses
+// these functions to find that pixel. Pure functions of FrameConstants.
 #ifndef GLINT_LIB_TRACE_PIXEL_GLSL
 #define GLINT_LIB_TRACE_PIXEL_GLSL
 
@@ -10,12 +10,12 @@ bool isTracePixel(FrameConstants frame, ivec2 tracePX) {
     return all(greaterThanEqual(tracePX, ivec2(0))) && all(lessThan(tracePX, ivec2(frame.traceSize)));
 }
 
-/// The pixel of the picture from which the ray of a traced pixel starts: that under its centre.
+/// The frame's pixel from which the ray of a traced pixel starts: the pixel under the traced pixel's centre.
 ivec2 tracePixelToFull(FrameConstants frame, ivec2 tracePX) {
     return min(ivec2((vec2(tracePX) + 0.5) * frame.traceScale), ivec2(frame.size) - 1);
 }
 
-/// The traced pixel that covers a pixel of the picture.
+/// The traced pixel that covers a pixel of the frame.
 ivec2 fullToTracePixel(FrameConstants frame, ivec2 px) {
     return min(ivec2((vec2(px) + 0.5) / frame.traceScale), ivec2(frame.traceSize) - 1);
 }

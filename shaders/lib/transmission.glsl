@@ -1,11 +1,12 @@
-// Light that passes through a surface (KHR_materials_transmission, KHR_materials_volume), seen in a picture of what is
-// behind it. One refraction on entering; where the light leaves is guessed from the thickness.
+// Light that passes through a surface (KHR_materials_transmission, KHR_materials_volume), sampled from an image of what
+// is behind it. The light refracts once, on entering; where it leaves is estimated from the thickness.
 #ifndef GLINT_LIB_TRANSMISSION_GLSL
 #define GLINT_LIB_TRANSMISSION_GLSL
 
 #include "lib/math.glsl"
 
-/// From the surface to where the light leaves the volume, world space. Thin walls (thickness 0) do not bend it.
+/// Offset from the surface to where the light leaves the volume, world space. Thin walls (thickness 0) do not bend
+/// light.
 vec3 refractedPath(vec3 N, vec3 V, float ior, float thicknessWS) {
     if (thicknessWS <= 0.0 || ior <= 0.0)
         return vec3(0.0);
@@ -17,7 +18,7 @@ float transmissionRoughness(float perceptualRoughness, float ior) {
     return perceptualRoughness * saturate(ior * 2.0 - 2.0);
 }
 
-/// Beer-Lambert: `attenuationColor` is what is left after `attenuationDistance` metres; distance 0: clear.
+/// Beer-Lambert: `attenuationColor` is the transmittance after `attenuationDistance` metres; distance 0: no absorption.
 vec3 volumeTransmittance(float pathLength, vec3 attenuationColor, float attenuationDistance) {
     if (attenuationDistance <= 0.0)
         return vec3(1.0);

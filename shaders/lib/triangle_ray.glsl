@@ -1,9 +1,9 @@
-// Ray against triangle without cracks: rays through a shared edge or vertex meet at least one of its triangles.
-// Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1).
+// Intersects a ray with a triangle without cracks: rays through a shared edge or vertex hit at least one of its
+// triangles. Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1).
 #ifndef GLINT_LIB_TRIANGLE_RAY_GLSL
 #define GLINT_LIB_TRIANGLE_RAY_GLSL
 
-/// A ray turned so that it runs along z, which is the largest component of its direction.
+/// A ray with permuted axes: z is the largest component of its direction.
 struct ShearedRay {
     vec3 origin;
     uint longest; // axis, 0 to 2
@@ -11,13 +11,13 @@ struct ShearedRay {
 };
 
 struct TriangleHit {
-    float distance;    // in lengths of the direction; NaN or anything where `met` is false
+    float distance;    // in lengths of the direction; NaN or any value where `met` is false
     vec2 barycentrics; // weights of the second and third vertex
     bool frontFace;    // counter-clockwise as seen from the origin
     bool met;
 };
 
-/// Cyclic, so that handedness stays; the paper's extra swap for negative z is left to `frontFace`.
+/// A cyclic permutation keeps handedness; `frontFace` replaces the paper's extra swap for negative z.
 vec3 longestLast(vec3 v, uint longest) {
     return longest == 2u ? v : longest == 0u ? v.yzx : v.zxy;
 }
@@ -32,13 +32,14 @@ ShearedRay shearRay(vec3 origin, vec3 direction) {
     return ray;
 }
 
-/// `normal`: any length, as exact as can be had. The paper's distance, a mean of the vertices' by their weights, loses
-/// digits on long thin triangles; the plane through the most important vertex keeps them, and makes the distance on
-/// axis-aligned planes exact. Where the ray runs along the plane the vertices' own range bounds the distance.
+/// `normal`: any length, as exact as available. The paper's distance, a mean of the vertices' distances by their
+/// weights, loses digits on long thin triangles. The plane through the vertex of largest weight keeps them, and makes
+/// the distance on axis-aligned planes exact. Where the ray runs along the plane the vertices' own range bounds the
+/// distance.
 ///
-/// `precise`: an edge that two triangles share must give exactly opposite signs in both, so no fused multiply-adds.
-/// An edge value of 0 counts as inside for both; the paper computes such again in double precision, to tell which of the
-/// two was met, which here does not matter. Degenerate triangles and NaN are not met.
+/// `precise`: an edge that two triangles share must give exactly opposite signs in both, so fused multiply-adds are not
+/// allowed. An edge value of 0 counts as inside for both triangles. The paper recomputes such a value in double
+/// precision to tell which of the two is hit, which does not matter here. Degenerate triangles and NaN are not hit.
 TriangleHit intersectTriangle(ShearedRay ray, vec3 v0, vec3 v1, vec3 v2, vec3 normal) {
     precise vec3 a = longestLast(v0 - ray.origin, ray.longest);
     precise vec3 b = longestLast(v1 - ray.origin, ray.longest);

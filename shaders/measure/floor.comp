@@ -1,5 +1,5 @@
-// The least that a screen-space effect can do: read once what it needs of the G-buffer, and write one picture. Its time
-// is the unit in which effects are counted (docs/truth.md, "Time").
+// The least work of a screen-space effect: read each needed part of the G-buffer once, and write one image. Its time is
+// the unit in which effects are measured (docs/truth.md, "Time").
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
@@ -15,7 +15,7 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, imageSize(result))))
         return;
-    // A sum: no read can be left out.
+    // A sum, so that no read can be optimized away.
     vec4 sum = texelFetch(litRadiance, px, 0) + texelFetch(material, px, 0);
     sum.xy += texelFetch(normal, px, 0).xy;
     sum.z += texelFetch(depth, px, 0).r;

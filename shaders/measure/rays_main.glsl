@@ -1,4 +1,9 @@
-// Traces a list of rays for their nearest hits: for timing. Included by rays_query.comp and rays_bvh.comp.
+// Traces a list of rays to their nearest hits, for timing.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "rays/back_end.glsl"
 
 layout(local_size_x = 64) in;
 

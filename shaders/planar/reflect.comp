@@ -1,13 +1,15 @@
-// The source `planar`: for each pixel on a mirror of which there is a picture, what lies along its reflected ray there.
-// The picture shows the world behind the mirror from the frame's own camera, so the ray is looked up in it as a
-// screen-space ray is in the frame: a perfect mirror's at the pixel itself, a bent one's some way off. Roughness reads
-// coarser mips. docs/techniques/planar.md.
+// The source `planar`: for each pixel on a mirror with an image, the radiance along the pixel's reflected ray in that
+// image. The image shows the world behind the mirror from the frame's own camera, so the ray is marched in it as a
+// screen-space ray is in the frame: a perfect mirror's ray stays at the pixel itself, a bumpy mirror's moves some way
+// off. Roughness samples coarser mips. docs/techniques/planar.md.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "hierarchy/taken_before.glsl"
+#include "frame/prepared.glsl"
+#include "generate/pixel_ray.glsl"
+#include "hierarchy/answers.glsl"
 #include "lib/camera.glsl"
 #include "lib/fades.glsl"
 #include "lib/math.glsl"
@@ -18,11 +20,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(scalar, set = 0, binding = 9) readonly buffer PlanarBlock {
     PlanarRecord list[];
 } mirrors;
@@ -32,7 +29,7 @@ layout(push_constant, scalar) uniform PushBlock {
     PlanarConstants settings;
 };
 
-const float kMirrorLean = 0.8; // cosine: a normal farther off a mirror's belongs to something else
+const float kMirrorLean = 0.8; // cosine: a normal farther off the mirror's is another surface's
 
 bool liesOn(PlanarRecord mirror, vec3 positionVS, vec3 normalVS) {
     vec3 off = positionVS - mirror.centerVS;
@@ -47,23 +44,23 @@ float pictureZ(PlanarRecord mirror, vec2 framePx) {
     return texelFetch(pictures[nonuniformEXT(2u * mirror.picture + 1u)], ivec2(px), 0).r;
 }
 
-/// A ray's way over the picture: pixels of the frame and nearness, both linear from 0 to 1.
+/// A ray's path over the image: pixels of the frame and nearness, both linear from 0 to 1.
 struct Way {
     vec2 fromPx;
     vec2 toPx;
     float fromNearness;
     float toNearness;
-    bool leaves; // it ends at the picture's border, or on its way back to the eye: nothing is known beyond
+    bool leaves; // the path ends at the image's border, or on its way back to the eye: what lies beyond is unknown
 };
 
-/// Part of the way from `from` to `to` that lies between 0 and `size`.
+/// The part of the segment from `from` to `to` that lies between 0 and `size`.
 float insidePart(float from, float to, float size) {
     float along = to - from;
     return along > 0.0 ? (size - from) / along : along < 0.0 ? from / -along : 1.0;
 }
 
 Way wayOver(vec3 startVS, vec3 directionVS, vec2 startPx) {
-    const float kFar = 1.0e6; // metres: a direction's end
+    const float kFar = 1.0e6; // metres: end of a ray without length
     bool orthographic = isOrthographic(frame.constants);
     bool returns = directionVS.z > 0.0 && !orthographic;
     float reach = returns ? -0.9 * startVS.z / directionVS.z : kFar; // short of the eye's plane
@@ -82,18 +79,18 @@ Way wayOver(vec3 startVS, vec3 directionVS, vec2 startPx) {
     return way;
 }
 
-/// How much farther than what the picture shows there the ray is, metres; the background is never met.
+/// How far the ray is behind the image's surface there, metres; the background is never hit.
 float behindBy(PlanarRecord mirror, Way way, float t) {
     float z = pictureZ(mirror, mix(way.fromPx, way.toPx, t));
     return z < kBackgroundZ ? viewZOf(frame.constants, mix(way.fromNearness, way.toNearness, t)) - z : -1.0;
 }
 
-const uint kMeetsNothing = 0u; // it ends in the background
+const uint kMeetsNothing = 0u; // ends in the background
 const uint kMeets = 1u;
-const uint kUnknown = 2u; // it leaves the picture, or goes on behind something
+const uint kUnknown = 2u; // leaves the image, or continues behind a surface
 
-/// Where along its way the ray meets something. Steps as many as pixels, at most settings.steps, then halvings down to an
-/// eighth of a pixel. A ray that is far behind there by then has passed behind an edge, and goes on.
+/// Where along its path the ray hits a surface. One step for each pixel, at most settings.steps, then halvings down to
+/// an eighth of a pixel. A ray that is still far behind after the halvings passed behind an edge, and continues.
 uint meets(PlanarRecord mirror, Way way, out float t) {
     float lengthPx = distance(way.fromPx, way.toPx);
     uint steps = uint(clamp(ceil(lengthPx), 1.0, float(settings.steps)));
@@ -115,7 +112,7 @@ uint meets(PlanarRecord mirror, Way way, out float t) {
             else
                 before = middle;
         }
-        // At a surface that it meets, it is behind by what its last step made of it, and a little.
+        // At a surface that the ray hits, the ray is behind it by what its last step adds, and a little.
         float farZ = viewZOf(frame.constants, mix(way.fromNearness, way.toNearness, after));
         float nearZ = viewZOf(frame.constants, mix(way.fromNearness, way.toNearness, before));
         if (lengthPx < 1.0 || behindBy(mirror, way, after) <= 2.0 * abs(farZ - nearZ) + 0.01 * farZ) {
@@ -129,7 +126,7 @@ uint meets(PlanarRecord mirror, Way way, out float t) {
     return way.leaves || hidden ? kUnknown : kMeetsNothing;
 }
 
-/// 1 inside; to 0 at the border, but for what was not turned aside far.
+/// 1 inside; falls to 0 at the border, except for rays that deviate little.
 float fadeBorder(vec2 px, vec2 startPx) {
     vec2 toBorder = min(px, frame.constants.size - px) * frame.constants.invSize;
     float aside = length((px - startPx) * frame.constants.invSize);
@@ -138,11 +135,11 @@ float fadeBorder(vec2 px, vec2 startPx) {
     return inside.x * inside.y;
 }
 
-/// Mean of the picture over an ellipse in which half of the weight lies: `longPx` to each side along `along`, `shortPx`
-/// across, both in its own pixels.
+/// Mean of the image over an ellipse that holds half of the weight: `longPx` to each side along `along`, `shortPx`
+/// across, both in the image's own pixels.
 vec3 meanOver(PlanarRecord mirror, vec2 px, vec2 along, float longPx, float shortPx) {
     uint picture = 2u * mirror.picture;
-    const float kTexelRadius = 0.7; // of a mip's texel, within which half of its weight lies
+    const float kTexelRadius = 0.7; // of a mip's texel, radius that holds half of its weight
     const int kMostTaps = 4;        // to each side
     float fineMip = log2(max(shortPx / kTexelRadius, 1.0));
     int taps = int(clamp(ceil(longPx / (exp2(fineMip) * kTexelRadius)), 1.0, float(kMostTaps)));
@@ -160,10 +157,10 @@ vec3 meanOver(PlanarRecord mirror, vec2 px, vec2 along, float longPx, float shor
     return sum / total;
 }
 
-/// The mirror's picture as a surface of `alpha` reflects it: about `framePx`, where it shows `atVS`, `way` metres from
-/// the surface. GGX' half vectors lean by a slope s with the share s^2 / (s^2 + alpha^2) of their weight below s, and
-/// turn the ray by twice that; by less across the plane of incidence, times the cosine of incidence. Two Gaussians
-/// together stand for that long-tailed share, within 0.03 of it.
+/// The mirror's image as a surface of `alpha` reflects it, around `framePx`, where it shows `atVS`, `way` metres from
+/// the surface. GGX half vectors deviate by a slope s with the fraction s^2 / (s^2 + alpha^2) of their weight below s,
+/// and turn the ray by twice that; by less across the plane of incidence, times the cosine of incidence. Two Gaussians
+/// together approximate that long-tailed fraction, within 0.03.
 vec3 pictureRadiance(PlanarRecord mirror, vec2 framePx, vec3 atVS, vec3 directionVS, float way, float alpha) {
     vec2 toPicture = mirror.size * frame.constants.invSize;
     vec2 px = framePx * toPicture;
@@ -188,19 +185,19 @@ vec4 answer(ivec2 px, float z) {
         return vec4(0.0);
     vec2 centerPx = vec2(px) + 0.5;
     vec3 positionVS = viewPosition(frame.constants, centerPx * frame.constants.invSize, z);
-    vec3 reflectedVS = reflect(viewDirection(frame.constants, positionVS), here.normalVS);
+    vec3 reflectedVS = generateRay(positionVS, here).directionVS;
     for (uint i = 0u; i < settings.count; ++i) {
         PlanarRecord mirror = mirrors.list[i];
         float away = dot(reflectedVS, mirror.normalVS);
         if (!liesOn(mirror, positionVS, here.normalVS) || away <= 0.0)
             continue;
-        vec3 directionVS = reflectedVS - 2.0 * away * mirror.normalVS; // on through the mirror
+        vec3 directionVS = reflectedVS - 2.0 * away * mirror.normalVS; // continues through the mirror
         Way way = wayOver(positionVS, directionVS, centerPx);
         float t;
         if (meets(mirror, way, t) == kUnknown)
             return vec4(0.0);
         vec2 hitPx = mix(way.fromPx, way.toPx, t);
-        // A perfect mirror's ray has no way at all over the picture: how far it went, the picture says.
+        // A perfect mirror's ray does not move over the image: its length comes from the image's depth.
         float hitZ = min(pictureZ(mirror, hitPx), 1.0e6);
         vec3 hitVS = viewPosition(frame.constants, hitPx * frame.constants.invSize, hitZ);
         float alpha = here.perceptualRoughness * here.perceptualRoughness;

@@ -1,6 +1,6 @@
-// The next mip of a mirror's picture, by a tent two texels to each side: (1 3 3 1) / 8 each way where the size is even.
-// It keeps single bright pixels from becoming squares, as a plain mean of four would make them.
-// Radiance is averaged by its weight (a), which is averaged by itself.
+// The next mip of a mirror's image, by a tent two texels to each side: (1 3 3 1) / 8 along each axis where the size is
+// even. The tent keeps single bright pixels from becoming squares, as a plain mean of four would make them. Radiance is
+// averaged by its weight (a); the weight is averaged unweighted.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, rgba16f) uniform image2D finer; // only read
 layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D coarser;
 
-/// `along`: of a texel's centre from that of the tent, in texels.
+/// `along`: offset of a texel's centre from the tent's centre, in texels.
 float tent(float along) {
     return max(2.0 - abs(along), 0.0);
 }

@@ -1,5 +1,5 @@
-// Mip 0 of a filtered cube, and of the cube that its other mips are filtered from: the host's cube at the size asked
-// for, without what would spread over a whole lobe (NaN, infinities).
+// Copies the host's cube, at the requested size, to mip 0 of a filtered cube and of the cube that the other mips are
+// filtered from. Removes NaN and infinities, which would spread over a whole lobe.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

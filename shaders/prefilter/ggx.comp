@@ -1,7 +1,7 @@
-// One mip of the radiance cube: the environment as a GGX lobe of that mip's roughness sees it head-on.
-// Karis 2013, "Real Shading in Unreal Engine 4" (N = V = R), by filtered importance sampling: Krivanek, Colbert 2008,
-// "Real-time Shading with Filtered Importance Sampling": each sample reads the source at the mip whose texels are as
-// large as the sample's share of the lobe, so that a small sun gives no fireflies.
+// One mip of the radiance cube: the environment as a GGX lobe of that mip's roughness sees it head-on. Karis 2013,
+// "Real Shading in Unreal Engine 4" (N = V = R), by filtered importance sampling: Krivanek, Colbert 2008, "Real-time
+// Shading with Filtered Importance Sampling". Each sample reads the source at the mip whose texels are as large as the
+// sample's part of the lobe, so a small sun causes no fireflies.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

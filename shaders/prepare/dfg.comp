@@ -1,5 +1,5 @@
-// Makes the split-sum table once: what of a GGX reflection's energy F0 scales (red) and what it adds (green), by the
-// angle to the eye (x) and perceptual roughness (y). Karis 2013, "Real Shading in Unreal Engine 4".
+// Builds the split-sum table once: the factor (red) and the offset (green) of F0 in the energy of a GGX reflection, by
+// the angle to the eye (x) and perceptual roughness (y). Karis 2013, "Real Shading in Unreal Engine 4".
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

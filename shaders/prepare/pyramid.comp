@@ -1,26 +1,27 @@
-// Makes every level of the depth pyramid (lib/pyramid.glsl) in one dispatch: each group reduces a tile of 64 pixels to
-// one cell of level 6, and the group that ends last reduces those. Runs if there are rays to trace, or layers whose rays may follow.
+// Builds every level of the depth pyramid (lib/pyramid.glsl) in one dispatch. Each group reduces a tile of 64 pixels to
+// one cell of level 6; the group that finishes last reduces those cells. Runs if there are rays to trace, or layers
+// whose rays may follow.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/frame_block.glsl"
 #include "lib/nearness.glsl"
 #include "lib/pyramid.glsl"
+#include "lib/surface.glsl"
 #include "shared/trace_constants.h"
 
-layout(local_size_x = 16, local_size_y = 16) in; // a thread takes 4 x 4 pixels
+layout(local_size_x = 16, local_size_y = 16) in; // a thread reduces 4 x 4 pixels
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform sampler2D backViewZ; // of any size
+layout(set = 0, binding = 2) uniform sampler2D backViewZ;
 layout(set = 0, binding = 3, rgba32ui) uniform writeonly uimage2D pyramid;
 layout(scalar, set = 0, binding = 4) coherent buffer TilesBlock {
-    uint finishedGroups; // 0 before and after
+    uint finishedGroups; // 0 before and after the dispatch
     uint padding[3];
-    uvec4 cells[]; // level 6; then levels above it in turn behind and in its place
+    uvec4 cells[]; // level 6; then the levels above it, in turn behind and in its place
 } tiles;
+layout(set = 0, binding = 5) uniform usampler2D surface;
 layout(push_constant, scalar) uniform PushBlock {
     PyramidConstants settings;
 };
@@ -28,22 +29,67 @@ layout(push_constant, scalar) uniform PushBlock {
 shared uvec4 sharedCells[256];
 shared bool isLastGroup;
 
-/// A step of nearness from pixel to pixel that is taken for an edge, in parts of it.
+/// A step of nearness from pixel to pixel that counts as an edge, as a fraction of the nearness.
 const float kEdge = 0.05;
 
 ivec2 size;
 float width;
 
-// ---------------------------------------------------------------- a cell from what it is made of
+// ---------------------------------------------------------------- a cell from its parts
 
-/// The nearest half, none of the smallest. By its bits: compilers take packing and unpacking again for nothing.
+/// The nearest half, never a denormal one. Uses the bits, because compilers treat packing and unpacking as a no-op.
 float asHalf(float value) {
     const float kSmallest = 1.0 / 16384.0; // below it drivers may round to 0
     value = clamp(value, -60000.0, 60000.0);
     return abs(value) < kSmallest ? 0.0 : uintBitsToFloat((floatBitsToUint(value) + 0x1000u) & 0xffffe000u);
 }
 
-/// As it will be read back: bounds are made for that slope.
+/// True if the four pixels of a cell show flat faces that meet in a corner, each in front of the other's plane. On a
+/// curved surface, planes do not predict the surface a pixel away; neither does a face beyond a convex edge.
+bool isCorner(vec3 positions[4], vec3 normals[4]) {
+    const float kFlat = 0.9995; // cosine of 2 degrees
+    const float kAngle = 0.9;   // of 25 degrees
+    bool meets = false;
+    for (int i = 0; i < 4; ++i)
+        for (int k = i + 1; k < 4; ++k) {
+            float cosine = dot(normals[i], normals[k]);
+            if (cosine >= kFlat)
+                continue;
+            vec3 apart = positions[k] - positions[i];
+            if (cosine > kAngle || dot(normals[i], apart) < 0.0 || dot(normals[k], apart) > 0.0)
+                return false;
+            meets = true;
+        }
+    return meets;
+}
+
+/// How much deeper than at its centre rays may hit a pixel's own plane, in nearness over a plane of `slope`: rays hit
+/// the plane anywhere in the pixel, and up to a pixel before.
+float ownReach(vec3 positionVS, vec3 normalVS, vec2 slope) {
+    const float kReach = 1.5; // pixels from the centre
+    vec2 apart = abs(nearnessSlope(frame.constants, positionVS, normalVS) - slope);
+    float most = kEdge * abs(nearnessOf(frame.constants, -positionVS.z)); // planes seen edge-on give no bound
+    return min(kReach * (apart.x + apart.y), most);
+}
+
+/// Where a cell shows one plane, rays hit its pixels' planes on that plane. In a corner the cell's plane is none of the
+/// pixels' planes: a ray that passes close above one surface would be classified as behind it.
+void reachIntoCorner(ivec2 cell, vec2 slope, inout vec2 solids[4]) {
+    vec3 positions[4];
+    vec3 normals[4];
+    for (int i = 0; i < 4; ++i) {
+        ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
+        positions[i] = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize,
+                                    texelFetch(viewZ, px, 0).r);
+        normals[i] = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    }
+    if (!isCorner(positions, normals))
+        return;
+    for (int i = 0; i < 4; ++i)
+        solids[i].y -= ownReach(positions[i], normals[i], slope);
+}
+
+/// The slope as it will be read back: bounds are computed for that slope.
 vec2 storedSlope(vec2 slope) {
     return vec2(asHalf(slope.x * width), asHalf(slope.y * width)) / width;
 }
@@ -51,16 +97,14 @@ vec2 storedSlope(vec2 slope) {
 float slabNearness(ivec2 px, float z, bool orthographic) {
     float reach = z;
     if ((settings.flags & kTraceBackDepth) != 0u) {
-        ivec2 backSize = textureSize(backViewZ, 0);
-        ivec2 backPX = min(ivec2((vec2(px) + 0.5) * frame.constants.invSize * vec2(backSize)), backSize - 1);
-        float backZ = texelFetch(backViewZ, backPX, 0).r;
-        if (backZ < kBackgroundZ && backZ >= z * 0.999)
-            reach = max(backZ, z);
+        float backZ = texelFetch(backViewZ, px, 0).r;
+        if (backZ < kBackgroundZ)
+            reach = backZ;
     }
     return nearnessOf(orthographic, reach + settings.thickness + settings.thicknessRelative * z);
 }
 
-/// Of the picture (`broken`), or outside of it.
+/// A cell of the image (`broken`), or outside of the image.
 Cell emptyCell(bool broken) {
     Cell cell = Cell(kEmptyCell, broken ? kBroken : 0.0, 0.0, vec2(0.0), vec2[4](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0)));
     for (int i = 0; i < 4; ++i)
@@ -68,7 +112,7 @@ Cell emptyCell(bool broken) {
     return cell;
 }
 
-/// What a cell above needs to know of this one, exactly.
+/// The values that a cell above needs of this one, exactly.
 uvec4 packBounds(Cell cell) {
     return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.depth), floatBitsToUint(cell.slab),
                  packSlope(cell.slope, width));
@@ -83,8 +127,8 @@ Cell unpackBounds(uvec4 packed) {
     return cell;
 }
 
-/// Makes the whole from its quarters, which say from where to where they are solid in nearness above the cell's plane
-/// of front 0 (from the nearest down).
+/// Builds a cell from its quarters. Each quarter gives its solid range in nearness above the cell's plane of front 0
+/// (from the nearest down).
 Cell cellOfQuarters(vec2 slope, vec2 solids[4], bool there[4], float lowestFront, bool broken) {
     Cell cell = emptyCell(false);
     cell.slope = slope;
@@ -122,11 +166,14 @@ Cell cellOfPixels(ivec2 cell) {
     }
     if (!any4)
         return emptyCell(broken);
+    float nearest = max(max(solids[0].x, solids[1].x), max(solids[2].x, solids[3].x));
+    float farthest = min(min(solids[0].x, solids[1].x), min(solids[2].x, solids[3].x));
+    bool joined = all4 && nearest - farthest <= kEdge * abs(nearest);
     vec2 slope = vec2(0.0);
     if (all4)
         slope = storedSlope(0.5 * vec2(solids[1].x - solids[0].x + solids[3].x - solids[2].x,
                                        solids[2].x - solids[0].x + solids[3].x - solids[1].x));
-    // Four pixels on both sides of an edge lie on a steep plane too; but between their centres nothing does.
+    // Four pixels on both sides of an edge lie on a steep plane too, but between their centres there is no surface.
     if (max(abs(slope.x), abs(slope.y)) > kEdge * abs(solids[0].x))
         slope = vec2(0.0);
     float low = 1e37;
@@ -135,6 +182,8 @@ Cell cellOfPixels(ivec2 cell) {
         if (seen[i])
             low = min(low, solids[i].x);
     }
+    if (joined)
+        reachIntoCorner(cell, slope, solids);
     return cellOfQuarters(slope, solids, seen, low, broken);
 }
 
@@ -166,8 +215,8 @@ float solidIn(Cell cell) {
     return sum;
 }
 
-/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1): about the
-/// planes that leave the least solid, of those of the four and their mean.
+/// One cell from four of half its size, `childSize` pixels a side, in the order (0,0), (1,0), (0,1), (1,1). Uses the
+/// planes with the smallest solid range among those of the four and their mean.
 Cell cellOfCells(Cell children[4], float childSize) {
     vec2 mean = vec2(0.0);
     float count = 0.0;
@@ -231,7 +280,7 @@ void reduceTile() {
     }
 }
 
-/// The last group alone: levels above the tiles', by all of its threads.
+/// The last group alone: levels above the tiles' level, by all of its threads.
 void reduceTiles() {
     int from = 0;
     ivec2 childSize = pyramidLevelSize(size, int(kPyramidTileLevel));
@@ -245,7 +294,7 @@ void reduceTiles() {
                 ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
                 children[i] = all(lessThan(child, childSize))
                                   ? unpackBounds(tiles.cells[from + child.y * childSize.x + child.x])
-                                  : emptyCell(false); // outside the picture
+                                  : emptyCell(false); // outside the image
             }
             Cell value = cellOfCells(children, float(1 << (level - 1)));
             store(level, cell, value);
@@ -266,7 +315,7 @@ void main() {
     reduceTile();
     if (gl_LocalInvocationIndex == 0u) {
         tiles.cells[gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x] = sharedCells[0];
-        memoryBarrierBuffer(); // before anybody can count this group as finished
+        memoryBarrierBuffer(); // before any group can count this one as finished
         uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
         isLastGroup = atomicAdd(tiles.finishedGroups, 1u) == groups - 1u;
     }

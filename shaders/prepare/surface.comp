@@ -1,18 +1,16 @@
 // Converts the host's G-buffer into Glint's own conventions, once: every later pass reads viewZ in metres, one packed
-// surface and a resolved material. include/glint/gbuffer.hpp lists what a host may state.
+// surface and a resolved material. include/glint/gbuffer.hpp lists what a host may declare.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/frame_block.glsl"
 #include "lib/host_surface.glsl"
 #include "lib/math.glsl"
 #include "lib/surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
 layout(set = 0, binding = 1) uniform sampler2D depth;
 layout(set = 0, binding = 2) uniform sampler2D normal;
 layout(set = 0, binding = 3) uniform sampler2D material;
@@ -31,6 +29,6 @@ void main() {
     imageStore(viewZ, px, vec4(storedViewZ(frame.constants, here.viewZ)));
     imageStore(surface, px,
                uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));
-    if ((frame.constants.flags & kInputResolved) != 0u) // else the host's own image says it as well
+    if ((frame.constants.flags & kInputResolved) != 0u) // else the host's own image holds the same
         imageStore(resolvedMaterial, px, vec4(here.f0, 1.0));
 }

@@ -1,14 +1,15 @@
-// prepare/surface for hosts with several samples a pixel. A pixel's samples may lie on different surfaces, whose mean is
-// a surface that does not exist: a wall and the floor far behind it average to a depth where nothing is and a normal
-// that faces nowhere, and mirrors show both as a rim. So one sample speaks for the pixel, depth, normal and material
-// together: one of the surface that most samples show, of the nearest if two show as many. (The nearest sample of all,
-// the other sensible rule, widens things by a pixel; measured against a picture with sixteen times the pixels it is
-// farther off.) Its share of the pixel is its coverage; of the other samples the nearest is kept as the pixel's second
-// surface, whose reflection composite finds beside it.
+// prepare/surface for hosts with several samples a pixel. A pixel's samples may lie on different surfaces, whose mean
+// is a surface that does not exist: a wall and the floor far behind it average to a depth without a surface and a
+// normal that faces nowhere, and mirrors show both as a rim. So one sample represents the pixel, with its depth, normal
+// and material together: a sample of the surface that most samples show, of the nearest surface in a tie. (The nearest
+// sample of all, the other sensible rule, widens objects by a pixel; measured against an image with sixteen times the
+// pixels it is farther off.) The surface's fraction of the pixel is its coverage. The nearest of the other samples is
+// kept as the pixel's second surface, whose reflection composite finds beside it.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/frame_block.glsl"
 #include "lib/edge.glsl"
 #include "lib/host_surface.glsl"
 #include "lib/math.glsl"
@@ -16,9 +17,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
 layout(set = 0, binding = 1) uniform sampler2DMS depth;
 layout(set = 0, binding = 2) uniform sampler2DMS normal;
 layout(set = 0, binding = 3) uniform sampler2DMS material;
@@ -33,7 +31,7 @@ HostSurface loadSample(ivec2 px, int index) {
                        texelFetch(material, px, index), texelFetch(baseColor, px, index).rgb);
 }
 
-/// How far the surface's plane goes away from the eye over one pixel, metres.
+/// Change of the surface's plane away from the eye over one pixel, metres.
 float slopeOverPixel(ivec2 px, HostSurface here) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     bool orthographic = isOrthographic(frame.constants);
@@ -43,7 +41,7 @@ float slopeOverPixel(ivec2 px, HostSurface here) {
     return dot(abs(here.normalVS.xy), pixel) / max(abs(dot(here.normalVS, ray)), 0.02);
 }
 
-/// May be too strict at no harm: a surface cut in two finds its own reflection again.
+/// Being too strict is harmless: a surface split in two finds its own reflection again.
 bool sameSurface(HostSurface a, HostSurface b, float depthTolerance) {
     return abs(a.viewZ - b.viewZ) <= depthTolerance && dot(a.normalVS, b.normalVS) > 0.95 &&
            maxComponent(abs(a.f0 - b.f0)) < 1.0 / 128.0 && abs(a.perceptualRoughness - b.perceptualRoughness) < 1.0 / 64.0;
@@ -58,7 +56,7 @@ struct Group {
     HostSurface surface;
     float depthTolerance;
     int members;    // 0: the background
-    float depthSum; // of what a plane is linear in on the screen: 1 / viewZ, or viewZ of an orthographic camera
+    float depthSum; // of a value that is linear on screen over a plane: 1 / viewZ, or viewZ of an orthographic camera
 };
 
 Group groupOf(ivec2 px, int index, int count) {
@@ -85,7 +83,7 @@ Group mostSeen(ivec2 px, int count) {
     return best;
 }
 
-/// What `front` leaves of the pixel: the nearest of it stands for all.
+/// The samples outside `front`, represented by the nearest of them.
 Edge secondSurface(ivec2 px, Group front, int count) {
     HostSurface nearest = front.surface;
     nearest.viewZ = kBackgroundZ;

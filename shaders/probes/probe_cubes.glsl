@@ -1,11 +1,12 @@
-// What the probes around a place show in a direction, smallest volume first, each getting at most what is left.
+// Radiance of the probes around a place in a direction, smallest volume first; each probe gets at most the remaining
+// weight.
 #ifndef GLINT_PROBES_PROBE_CUBES_GLSL
 #define GLINT_PROBES_PROBE_CUBES_GLSL
 
 #include "lib/sanitize.glsl"
 #include "probes/probe_march.glsl"
 
-/// Metres, infinite where nothing is met; negative: not this probe's to say.
+/// Metres, infinite for a miss; negative: this probe has no answer.
 float distanceToHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
     if ((flags & kProbesParallax) == 0u)
         return 1e30;
@@ -26,7 +27,8 @@ vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float s
     return sanitize(sanitize(radiance) * probe.strength);
 }
 
-/// Of the probes around `weighedWS`; `ofObject`: an object's centre, which has no normal and looks everywhere.
+/// Asks the probes around `weighedWS`. `ofObject`: `weighedWS` is an object's centre, which has no normal and faces
+/// everywhere.
 vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, vec3 directionWS,
                float perceptualRoughness, float left, uint flags) {
     uvec2 range = probesAround(weighedWS);
@@ -53,8 +55,8 @@ vec4 probesAnswer(vec3 positionWS, vec3 normalWS, vec3 directionWS, float percep
     return askProbes(positionWS, false, positionWS, normalWS, directionWS, perceptualRoughness, left, flags);
 }
 
-/// The same for light that leaves an object at `positionWS`: all of it asks the probes that hold the object's centre, so
-/// that no seam of theirs runs across it.
+/// As probesAnswer, for light that leaves an object at `positionWS`: all of that light asks the probes that hold the
+/// object's centre, so that no seam between probes runs across the object.
 vec4 probesAnswerOfObject(vec3 centerWS, vec3 positionWS, vec3 directionWS, float perceptualRoughness, float left,
                           uint flags) {
     return askProbes(centerWS, true, positionWS, vec3(0.0), directionWS, perceptualRoughness, left, flags);

@@ -1,4 +1,4 @@
-// Which probes there are around a place: the grid over their volumes. docs/techniques/probes.md.
+// The probes around a place, from the grid over their volumes. docs/techniques/probes.md.
 #ifndef GLINT_PROBES_PROBE_LISTS_GLSL
 #define GLINT_PROBES_PROBE_LISTS_GLSL
 
@@ -15,11 +15,11 @@ layout(scalar, set = 0, binding = 22) readonly buffer ListsBlock {
     uint probe[];
 } probeLists;
 
-/// From and to, without it, in probeLists; empty outside of the grid.
+/// First and end index (exclusive) in probeLists; empty outside of the grid.
 uvec2 probesAround(vec3 positionWS) {
     ProbeGridHeader grid = probeCells.grid;
     vec3 at = (positionWS - grid.originWS) * grid.cellsPerMetre;
-    if (!(all(greaterThanEqual(at, vec3(0.0))) && all(lessThan(at, vec3(grid.size))))) // nor where nothing compares
+    if (!(all(greaterThanEqual(at, vec3(0.0))) && all(lessThan(at, vec3(grid.size))))) // also false for NaN
         return uvec2(0u);
     uvec3 cell = min(uvec3(at), grid.size - 1u);
     uint index = (cell.z * grid.size.y + cell.y) * grid.size.x + cell.x;

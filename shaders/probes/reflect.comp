@@ -1,23 +1,20 @@
-// The source `probes`: for each pixel that the sources before left something of, the probes whose volumes hold it,
-// smallest first, each getting at most what is left. A grid says which those are. docs/techniques/probes.md.
+// The source `probes`: for each pixel with remaining weight after the sources before, the probes whose volumes hold it,
+// smallest first; each probe gets at most the remaining weight. A grid lists the probes. docs/techniques/probes.md.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "hierarchy/taken_before.glsl"
+#include "frame/prepared.glsl"
+#include "generate/pixel_ray.glsl"
+#include "hierarchy/answers.glsl"
 #include "lib/camera.glsl"
 #include "lib/surface.glsl"
 #include "probes/probe_cubes.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D answers; // mean radiance, weight
+layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D probesRadianceWeight; // mean radiance, weight
 layout(push_constant, scalar) uniform PushBlock {
     ProbesConstants constants;
 };
@@ -28,12 +25,10 @@ vec4 answer(ivec2 px, float z) {
     if (left <= 0.0 || here.reflectivity <= 0.0)
         return vec4(0.0);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-    vec3 positionVS = viewPosition(frame.constants, uv, z);
-    vec3 positionWS = (frame.constants.viewToWorld * vec4(positionVS, 1.0)).xyz;
+    PixelRay ray = generateRay(uv, z, here);
+    vec3 positionWS = (frame.constants.viewToWorld * vec4(ray.originVS, 1.0)).xyz;
     vec3 normalWS = mat3(frame.constants.viewToWorld) * here.normalVS;
-    vec3 directionWS =
-        mat3(frame.constants.viewToWorld) * reflect(viewDirection(frame.constants, positionVS), here.normalVS);
-    return probesAnswer(positionWS, normalWS, directionWS, here.perceptualRoughness, left, constants.flags);
+    return probesAnswer(positionWS, normalWS, directionWS(ray), ray.roughnessLeft, left, constants.flags);
 }
 
 void main() {
@@ -41,5 +36,5 @@ void main() {
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
     float z = texelFetch(viewZ, px, 0).r;
-    imageStore(answers, px, z < kBackgroundZ ? answer(px, z) : vec4(0.0));
+    imageStore(probesRadianceWeight, px, z < kBackgroundZ ? answer(px, z) : vec4(0.0));
 }

@@ -1,5 +1,5 @@
-// The ray seam (lib/ray.glsl) over Glint's own two-level hierarchy (shared/bvh.h), traversed in compute: any device, no
-// subgroup operations. A short stack of groups of siblings stands in for recursion; shared/bvh.h bounds it.
+// The ray seam (lib/ray.glsl) over Glint's own two-level hierarchy (shared/bvh.h), traversed in compute on any device,
+// without subgroup operations. A short stack of groups of siblings replaces recursion; shared/bvh.h bounds the stack.
 #ifndef GLINT_RAYS_BVH_GLSL
 #define GLINT_RAYS_BVH_GLSL
 
@@ -21,7 +21,7 @@ layout(std430, set = 0, binding = 18) readonly buffer BvhInstances {
 }
 bvhInstances;
 
-/// A ray in one space: the world's, or that of the instance it is in.
+/// A ray in one space: world space, or the local space of the current instance.
 struct BvhRay {
     BoxRay boxes;
     ShearedRay triangles;
@@ -31,22 +31,23 @@ BvhRay makeBvhRay(vec3 origin, vec3 direction) {
     return BvhRay(makeBoxRay(origin, direction), shearRay(origin, direction));
 }
 
-// Groups are what waits to be visited. Of nodes: x the first sibling, y the hits of intersectChildren with, below them,
-// the bits of the slots that hold nodes. Of primitives: x the first, y their hits, all below bit 24.
+// A group is a stack entry to visit. Group of nodes: x is the first sibling; y holds the hits of intersectChildren and,
+// below them, the bits of the slots that hold nodes. Group of primitives: x is the first primitive; y holds the hits,
+// all below bit 24.
 const uint kFirstNodeBit = 0x01000000u;
 
-/// A group of the one node `root`.
+/// A group with the single node `root`.
 uvec2 groupOfRoot(uint root) {
     return uvec2(root, 0x80000000u);
 }
 
-/// Its longest component is 1.
+/// The largest component of the result is 1.
 vec3 normalOf(BvhTriangle triangle, uint axis) {
     vec2 others = vec2(triangle.vertices[1].w, triangle.vertices[2].w);
     return axis == 0u ? vec3(1.0, others) : axis == 1u ? vec3(others.x, 1.0, others.y) : vec3(others, 1.0);
 }
 
-/// Nearest hit, or, with `any`, the first that is found.
+/// Returns the nearest hit or, with `any`, the first hit found.
 Hit traverseBvh(Ray ray, bool any) {
     Hit hit = missOf(ray);
     if (!isTraceable(ray))
@@ -57,7 +58,7 @@ Hit traverseBvh(Ray ray, bool any) {
     uint instanceFlags = 0u;
     uvec2 stack[kBvhStackSize];
     uint height = 0u;
-    uint instanceHeight = 0u; // of the stack when the instance was entered
+    uint instanceHeight = 0u; // height of the stack when the instance was entered
     uvec2 nodes = groupOfRoot(0u);
     uvec2 primitives = uvec2(0u);
 
@@ -90,8 +91,8 @@ Hit traverseBvh(Ray ray, bool any) {
                 instanceHeight = height;
                 instanceNumber = instance.number;
                 instanceFlags = instance.maskAndFlags;
-                // The translation first: near the instance little is lost by rounding, wherever in the world it is.
-                // The direction keeps its length in the world, so distances are the world's.
+                // Subtract the translation first: near the instance little is lost by rounding, wherever in the world
+                // it is. The direction keeps its world length, so distances are world distances.
                 vec4 rows[3] = instance.worldToLocal;
                 mat3 transposed = mat3(rows[0].xyz, rows[1].xyz, rows[2].xyz);
                 current = makeBvhRay((ray.originWS - vec3(rows[0].w, rows[1].w, rows[2].w)) * transposed,

@@ -1,5 +1,5 @@
-// Light at what a ray has met, by the very functions that light rasterized surfaces (lib/lighting.glsl), with rays for
-// shadows. Include after the ray seam, rays_inputs.glsl and surface_table.glsl.
+// Lights a ray's hit with the same functions that light rasterized surfaces (lib/lighting.glsl), with rays for shadows.
+// Include after the ray seam, rays_inputs.glsl and surface_table.glsl.
 #ifndef GLINT_RAYS_HIT_LIGHTING_GLSL
 #define GLINT_RAYS_HIT_LIGHTING_GLSL
 
@@ -16,7 +16,7 @@ layout(set = 0, binding = 3) uniform samplerCube environment; // prefiltered: gl
 layout(set = 0, binding = 4) uniform samplerCube environmentDiffuse;
 layout(set = 0, binding = 5) uniform sampler2D dfg;
 
-/// Of the surface that is lit: shadow rays start off the triangle, not off its bent normal.
+/// Face normal of the lit surface: shadow rays start off the triangle, not off its bent normal.
 vec3 litFaceNormalWS;
 
 vec3 toEnvironment(vec3 directionWS) {
@@ -52,7 +52,7 @@ vec3 loadEnvironmentRadiance(vec3 directionWS, float perceptualRoughness) {
 }
 
 vec3 loadEnvironmentDiffuse(vec3 normalWS) {
-    if (!isOn(kRaysEnvironmentDiffuse)) // the lobe of roughness 1 is about as wide
+    if (!isOn(kRaysEnvironmentDiffuse)) // the lobe of roughness 1 is about as wide as the diffuse lobe
         return loadEnvironmentRadiance(normalWS, 1.0);
     return sanitize(textureLod(environmentDiffuse, toEnvironment(normalWS), 0.0).rgb) *
            frame.constants.environmentStrength;

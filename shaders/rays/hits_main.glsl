@@ -1,4 +1,10 @@
-// What rays meet, written down for a host that shades it: one ray a listed pixel. docs/techniques/ray-reflections.md.
+// Writes rays' hits for a host that shades them: one ray for each listed pixel. docs/techniques/ray-reflections.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "rays/back_end.glsl"
+
 #include "rays/pixel_rays.glsl"
 #include "shared/ray_hit.h"
 

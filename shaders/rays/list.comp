@@ -1,24 +1,18 @@
-// Finds the pixels that the source `rays` has to answer for, and lists them: those that reflect and of which the sources
-// before leave something. The others get their answer here: none.
+// Finds the pixels that the source `rays` must answer, for trace/list to list: pixels that reflect and have remaining
+// weight after the sources before. The other pixels get an empty answer here.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "hierarchy/taken_before.glsl"
+#include "frame/prepared.glsl"
+#include "hierarchy/answers.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
-#include "shared/frame_constants.h"
 #include "shared/rays_constants.h"
 #include "trace/ray_list.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-}
-frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D raysRadianceWeight;
 layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(push_constant, scalar) uniform PushBlock {
@@ -27,9 +21,7 @@ layout(push_constant, scalar) uniform PushBlock {
 
 #include "rays/after_screen.glsl"
 
-void listBegins() {}
-
-/// kOutcomeNone where a ray is needed.
+/// Returns kOutcomeNone where a ray is needed.
 uint whyNoRay(Surface here) {
     if (here.reflectivity <= settings.threshold)
         return kOutcomeBelowThreshold;
@@ -38,7 +30,7 @@ uint whyNoRay(Surface here) {
 
 /// Bit s of `sources`: source s.
 bool takeAll(uint sources, ivec2 px) {
-    const float kAll = 1.0 - 1.0 / 512.0; // the rest is less than a ray could add
+    const float kAll = 1.0 - 1.0 / 512.0; // the remaining weight is less than a ray could add
     return takenBefore(sources, px) >= kAll;
 }
 
@@ -52,16 +44,17 @@ void main() {
             record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
             bool reflects = record.outcome == kOutcomeNone;
             needsRay = reflects && !takeAll(settings.before, px);
-            // Even if others then have all and no ray is needed; behind the sky rays have no say.
+            // True if rays may replace the screen's answer where the sources before took all weight and no ray is
+            // needed. Behind the sky, rays may not.
             bool heard = (settings.before & (1u << kSourceSky)) == 0u;
             if (reflects && !needsRay && heard && takesBack(screenRay(px))) {
                 needsRay = !takeAll(settings.before & ~(1u << kSourceScreen), px);
                 route = kRaysReplaceScreen;
             }
         }
-        imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer for each
+        imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer each pixel
         if (!needsRay)
             imageStore(raysRecord, px, uvec4(packRayRecord(record), route, 0u));
     }
-    listRay(needsRay, px);
+    needRay(needsRay);
 }

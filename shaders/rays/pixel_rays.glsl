@@ -1,4 +1,4 @@
-// The rays of a listed pixel: where they start, in which directions they go and how wide they are.
+// The rays of a listed pixel: their starts, directions and widths.
 #ifndef GLINT_RAYS_PIXEL_RAYS_GLSL
 #define GLINT_RAYS_PIXEL_RAYS_GLSL
 
@@ -8,24 +8,29 @@
 #include "rays/ray_noise.glsl"
 #include "rays/rays_inputs.glsl"
 
-/// Below, a lobe is narrower than a pixel.
+/// Below this roughness a lobe is narrower than a pixel.
 const float kMirrorRoughness = 0.001;
 
 // ---------------------------------------------------------------- directions
 
 struct Direction {
     vec3 ws;      // unit
-    float weight; // share of the light from there that leaves the facets; 0: below the surface
+    float weight; // fraction of the light from there that leaves the facets; 0: below the surface
 };
 
-/// One of the directions that reflect to `V`, with the density of visible normals.
+/// Roughness of the lobe that directions are drawn from; 0 is a mirror.
+float sampledRoughness(float perceptualRoughness) {
+    return isOn(kRaysMirror) || perceptualRoughness < kMirrorRoughness ? 0.0 : perceptualRoughness;
+}
+
+/// Draws a direction that reflects to `V`, with the density of visible normals.
 Direction sampleReflection(vec3 N, vec3 V, float perceptualRoughness, vec2 noise) {
-    if (isOn(kRaysMirror) || perceptualRoughness < kMirrorRoughness)
+    if (sampledRoughness(perceptualRoughness) == 0.0)
         return Direction(reflect(-V, N), 1.0);
     float alpha = square(perceptualRoughness);
     mat3 frameOfN = orthonormalBasis(N);
     vec3 wo = V * frameOfN;
-    wo.z = max(wo.z, 1e-3); // a bent normal may look away
+    wo.z = max(wo.z, 1e-3); // a bent normal may face away
     wo = normalize(wo);
     vec3 wm = sampleGGXVisibleCap(wo, noise, alpha);
     vec3 wi = reflect(-wo, wm);
@@ -36,21 +41,22 @@ Direction sampleReflection(vec3 N, vec3 V, float perceptualRoughness, vec2 noise
 
 // ---------------------------------------------------------------- width
 
-/// A ray as wide as the pixel that it stands for. Akenine-Moller et al. 2021.
+/// A ray cone as wide as its pixel. Akenine-Moller et al. 2021.
 struct Cone {
     float width;  // metres, at the start
     float spread; // radians
 };
 
-/// Where a pixel's mirror ray goes, unit.
+/// Direction of a pixel's mirror ray, unit.
 vec3 mirrorDirectionVS(ivec2 px) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
     return reflect(viewDirection(frame.constants, viewPosition(frame.constants, uv, 1.0)), normalVS);
 }
 
-/// How far the neighbours' mirror rays part from this one: as much as the camera's do on a flat mirror, more on a bent
-/// one. The smaller difference of both sides, as across an edge stands another surface. Radians, mean of both ways.
+/// Angle by which the neighbours' mirror rays diverge from this one: the camera rays' angle on a flat mirror, more on a
+/// curved one. Takes the smaller difference of both sides, since another surface lies across an edge. Radians, mean of
+/// both axes.
 float reflectedSpread(ivec2 px) {
     ivec2 last = ivec2(frame.constants.size) - 1;
     vec3 here = mirrorDirectionVS(px);
@@ -77,14 +83,14 @@ Cone pixelCone(ivec2 px, float z) {
 struct PixelRays {
     ivec2 px;
     vec2 uv;
-    vec3 originWS; // off the surface
-    vec3 N;        // unit, world
+    vec3 originWS; // moved off the surface
+    vec3 N;        // unit, world space
     vec3 V;        // unit, towards the eye
     float perceptualRoughness;
     Cone cone;
 };
 
-/// This invocation's place in the list.
+/// This invocation's index in the list.
 uint listedRay() {
     return gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup +
            gl_LocalInvocationIndex;
@@ -109,7 +115,7 @@ PixelRays loadPixelRays(uint index) {
     return from;
 }
 
-/// Sample `i` of this frame, counted on over the frames.
+/// Number of sample `i` of this frame, counted across frames.
 uint sampleNumber(uint i) {
     return frame.constants.frameIndex * settings.samples + i;
 }

@@ -1,4 +1,4 @@
-// The ray seam (lib/ray.glsl) over VK_KHR_ray_query: the driver's acceleration structures, in hardware where there is.
+// The ray seam (lib/ray.glsl) over VK_KHR_ray_query: the driver's acceleration structures, in hardware where available.
 #ifndef GLINT_RAYS_QUERY_GLSL
 #define GLINT_RAYS_QUERY_GLSL
 
@@ -9,7 +9,7 @@
 // Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
 layout(set = 0, binding = 16) uniform accelerationStructureEXT scene;
 
-/// Nearest hit, or, with gl_RayFlagsTerminateOnFirstHitEXT in `flags`, the first that is found.
+/// Returns the nearest hit or, with gl_RayFlagsTerminateOnFirstHitEXT in `flags`, the first hit found.
 Hit proceedQuery(Ray ray, uint flags) {
     Hit hit = missOf(ray);
     if (!isTraceable(ray))

@@ -2,17 +2,12 @@
 #ifndef GLINT_RAYS_RAYS_INPUTS_GLSL
 #define GLINT_RAYS_RAYS_INPUTS_GLSL
 
+#include "frame/prepared.glsl"
 #include "lib/camera.glsl"
 #include "lib/surface.glsl"
 #include "shared/rays_constants.h"
 #include "shared/trace_constants.h"
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-}
-frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
     RayListHeader header;
     uint pixels[];
@@ -26,14 +21,23 @@ bool isOn(uint flag) {
     return (settings.flags & flag) != 0u;
 }
 
-/// kRay...: as the raster pass culls, and as rays.alphaTest says.
-uint viewRayFlags() {
-    return kRayCullBackFaces | (isOn(kRaysAlphaTest) ? 0u : kRayAllOpaque);
+bool rayAsksHoles() {
+    return isOn(kRaysAlphaTest);
 }
 
-/// Whatever stands in a light's way does, seen from either side.
+/// kRayAllOpaque where no triangle needs a test: none has holes, and none is transparent.
+uint opaqueFlags() {
+    return isOn(kRaysAlphaTest) || isOn(kRaysTransparentScene) ? 0u : kRayAllOpaque;
+}
+
+/// kRay... flags: culling as in the raster pass, holes as rays.alphaTest sets.
+uint viewRayFlags() {
+    return kRayCullBackFaces | opaqueFlags();
+}
+
+/// Flags of shadow rays: any occluder blocks the light, hit from either side.
 uint shadowRayFlags() {
-    return isOn(kRaysAlphaTest) ? 0u : kRayAllOpaque;
+    return opaqueFlags();
 }
 
 #endif

@@ -1,13 +1,13 @@
-// What a pixel of the picture can tell a ray that meets its surface: not what stands between its centre and the next,
-// and not how a shiny surface looks from elsewhere. Include after rays_inputs.glsl, or what list.comp declares in its
-// place.
+// What a pixel of the frame can tell about a ray's hit on its surface. A pixel does not tell what lies between its
+// centre and the next, nor how a glossy surface looks from elsewhere. Include after rays_inputs.glsl, or after
+// list.comp's own declarations of the same inputs.
 #ifndef GLINT_RAYS_SHOWN_PIXEL_GLSL
 #define GLINT_RAYS_SHOWN_PIXEL_GLSL
 
 #include "lib/camera.glsl"
 #include "lib/surface.glsl"
 
-/// A surface seen by two pixels: within this share of its distance and a quarter of a pixel on one plane.
+/// Two pixels show one surface if they lie on one plane, within this fraction of the distance and a quarter of a pixel.
 const float kSamePlace = 0.002;
 
 float samePlaceSlack(float viewZ) {
@@ -29,16 +29,16 @@ bool showSame(ivec2 px, ivec2 neighbour) {
            abs(here.perceptualRoughness - there.perceptualRoughness) < kLikeMaterial;
 }
 
-/// Does the picture change its surface between the centre of the pixel in which `at` lies, in pixels, and the centres
-/// of the next ones on that side? Then it does not say which of them is at `at`.
+/// True if the frame changes its surface between the centre of the pixel that contains `at` (in pixels) and the centres
+/// of the next pixels on that side. The frame then does not tell which surface is at `at`.
 bool isAtEdge(vec2 at) {
     ivec2 px = ivec2(at);
     ivec2 side = ivec2(sign(at - vec2(px) - 0.5));
     return !showSame(px, px + ivec2(side.x, 0)) || !showSame(px, px + ivec2(0, side.y));
 }
 
-/// Does this surface look the same from where rays come from as from the eye? What shines does not: its highlights are
-/// the eye's. A perfect mirror's are too small to matter.
+/// True if this surface looks the same from where rays come from as from the eye. A glossy surface does not: its
+/// highlights are those that the eye sees. A perfect mirror's highlights are too small to matter.
 bool looksAlike(Surface here) {
     const float kPerfect = 0.001;
     return here.reflectivity <= settings.threshold || here.perceptualRoughness >= settings.reuseRoughness ||

@@ -1,4 +1,4 @@
-// Surfaces that the host's picture shows, for rays that have met one: their light need not be computed anew.
+// Surfaces that the host's frame shows, for rays that hit them: their light need not be computed again.
 #ifndef GLINT_RAYS_SHOWN_SURFACE_GLSL
 #define GLINT_RAYS_SHOWN_SURFACE_GLSL
 
@@ -9,18 +9,19 @@
 #include "rays/hit_lighting.glsl"
 #include "rays/lit_surface.glsl"
 #include "rays/pixel_rays.glsl"
+#include "rays/regularization.glsl"
 #include "rays/shown_pixel.glsl"
 
 layout(set = 0, binding = 13) uniform sampler2D material;
 layout(set = 0, binding = 14) uniform sampler2D litRadiance;
 layout(set = 0, binding = 15) uniform sampler2D fallbackSpecular;
 
-/// Cosine between the normals of a hit and of the pixel that shows it, from which on they may be one surface: normal
-/// maps bend by less, the two sides of an edge by more.
+/// Least cosine between the normals of a hit and of the pixel that shows it, for both to be one surface. Normal maps
+/// bend normals by less; the two sides of an edge differ by more.
 const float kSameNormal = 0.7;
 
-/// The pixel of the picture that shows the point `hitWS` of a surface, with `faceNormalWS` towards the ray that met it.
-/// (-1, -1): none does, or one that the ray sees larger than the eye.
+/// The pixel that shows the point `hitWS` of a surface. `faceNormalWS` points to the ray's side. Returns (-1, -1) if no
+/// pixel shows the point, or if a pixel looks larger to the ray than to the eye.
 ivec2 pixelThatShows(vec3 hitWS, vec3 faceNormalWS, vec3 directionWS, float coneWidthWS) {
     vec3 hitVS = (frame.constants.worldToView * vec4(hitWS, 1.0)).xyz;
     vec4 pixelH = frame.constants.viewToPixel * vec4(hitVS, 1.0);
@@ -43,9 +44,9 @@ ivec2 pixelThatShows(vec3 hitWS, vec3 faceNormalWS, vec3 directionWS, float cone
     return same ? px : ivec2(-1);
 }
 
-/// What the picture says of the surface at `px`, for a ray that came along `directionWS`. Highlights are those that the
-/// eye sees.
-LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 directionWS) {
+/// The surface at `px` as the frame shows it, for a ray that came along `directionWS`. Highlights are those that the
+/// eye sees. `share`, `spread`: of regularized().
+LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 directionWS, float share, float spread) {
     bool encoded = (frame.constants.flags & kInputGamma) != 0u;
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     vec3 f0 = here.reflectivity > 0.0 ? resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb : vec3(0.0);
@@ -54,6 +55,8 @@ LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 direc
     shown.faceNormalWS = faceNormalWS;
     shown.normalWS = mat3(frame.constants.viewToWorld) * here.normalVS;
     shown.perceptualRoughness = here.perceptualRoughness;
+    shown.lobeRoughness = regularized(here.perceptualRoughness, share, spread);
+    shown.bend = 0.0;
     shown.response = vec3(0.0);
     if (maxComponent(f0) > 0.0)
         shown.response =
@@ -64,7 +67,7 @@ LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 direc
         vec3 reflected = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, encoded);
         shown.own = max(shown.own - reflected, vec3(0.0));
         shown.environmentSpecular =
-            shown.response * loadEnvironmentRadiance(reflect(directionWS, shown.normalWS), here.perceptualRoughness);
+            shown.response * loadEnvironmentRadiance(reflect(directionWS, shown.normalWS), shown.lobeRoughness);
     }
     return shown;
 }

@@ -1,4 +1,4 @@
-// Counts what the source `rays` did. Runs only where someone asked.
+// Counts the work of the source `rays`. Runs only on request.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

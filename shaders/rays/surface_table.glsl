@@ -1,5 +1,5 @@
-// What a triangle looks like: the host's instances, meshes, materials and textures (glint/surface_table.hpp), and the
-// texel test of the ray seam. Include before rays/query.glsl or rays/bvh.glsl.
+// The appearance of triangles: the host's instances, meshes, materials and textures (glint/surface_table.hpp), and the
+// texel test of the ray seam. Include before rays/back_end.glsl.
 #ifndef GLINT_RAYS_SURFACE_TABLE_GLSL
 #define GLINT_RAYS_SURFACE_TABLE_GLSL
 
@@ -11,6 +11,9 @@
 #include "shared/surface_table.h"
 
 #define GLINT_RAY_ALPHA_TEST
+
+/// Defined by the entry. True if alpha-tested surfaces have holes.
+bool rayAsksHoles();
 
 layout(scalar, set = 0, binding = 19) readonly buffer SurfaceInstancesBlock {
     SurfaceInstanceRecord item[];
@@ -35,18 +38,20 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Uin
 
 // ---------------------------------------------------------------- textures
 
-/// How far UVs change across the ray's cone, along both axes of the ellipse that it cuts from the surface; by texCoord.
+/// Change of UVs across the ray's cone, along both axes of the ellipse that the cone cuts from the surface; indexed by
+/// texCoord.
 struct UvFootprint {
     vec2 along;
     vec2 across;
 };
 UvFootprint uvFootprint[2] = UvFootprint[2](UvFootprint(vec2(0.0), vec2(0.0)), UvFootprint(vec2(0.0), vec2(0.0)));
 
-/// Taps along the longer axis of a footprint that is stretched.
+/// Most taps along the longer axis of a stretched footprint.
 const float kMostTaps = 4.0;
 
-/// The mean over the footprint: taps along its longer axis, each in the mip in which it covers a texel. Heckbert 1989,
-/// "Fundamentals of Texture Mapping and Image Warping". By hand, as drivers differ in what textureGrad does of it.
+/// The mean over the footprint: taps along its longer axis, each from the mip in which the tap covers one texel.
+/// Heckbert 1989, "Fundamentals of Texture Mapping and Image Warping". Computed by hand, because drivers differ in
+/// textureGrad.
 vec4 sampleTexture(TextureRef ref, vec2 uv) {
     UvFootprint footprint = uvFootprint[min(ref.texCoord, 1u)];
     if (footprint.along == vec2(0.0))
@@ -104,7 +109,7 @@ uvec3 loadTriangle(SurfaceMeshRecord mesh, uint primitive) {
     return uvec3(data.item[3u * primitive], data.item[3u * primitive + 1u], data.item[3u * primitive + 2u]);
 }
 
-/// A vertex attribute at a point of a triangle; the absent one is `absent` everywhere.
+/// A vertex attribute at a point of a triangle; `absent` everywhere if the mesh lacks the attribute.
 vec2 interpolate2(StreamRecord stream, uvec3 triangle, vec3 weights, vec2 absent) {
     if (!isPresent(stream))
         return absent;
@@ -130,18 +135,37 @@ vec3 weightsOf(vec2 barycentrics) {
     return vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
 }
 
-/// How an attribute changes along a way, given as weights of the second and third vertex.
+/// Change of an attribute along an offset, given as weights of the second and third vertex.
 vec2 change2(StreamRecord stream, uvec3 triangle, vec2 weights) {
     return interpolate2(stream, triangle, vec3(-weights.x - weights.y, weights), vec2(0.0));
 }
 
+vec3 change3(StreamRecord stream, uvec3 triangle, vec2 weights) {
+    return interpolate3(stream, triangle, vec3(-weights.x - weights.y, weights), vec3(0.0));
+}
+
 // ---------------------------------------------------------------- hits
 
-/// No where the material has a hole: the seam's question (lib/ray.glsl).
+/// Whether the following rays test transparent surfaces in rayMeetsSurface. Shadow rays pass transparent surfaces.
+bool rayMeetsTransparents = false;
+
+bool isTransparent(Material material) {
+    const uint kNoTransmission = kMaterialUnlit | kMaterialSpecularGlossiness;
+    return (material.flags & kMaterialAlphaBlend) != 0u ||
+           (material.transmissionFactor > 0.0 && (material.flags & kNoTransmission) == 0u);
+}
+
+Material instanceMaterial(uint instance) {
+    return surfaceMaterials.item[surfaceInstances.item[instance].material];
+}
+
+/// False where the material has a hole: the test of the ray seam (lib/ray.glsl).
 bool rayMeetsSurface(uint instance, uint primitive, vec2 barycentrics) {
     SurfaceInstanceRecord placed = surfaceInstances.item[instance];
     Material material = surfaceMaterials.item[placed.material];
-    if ((material.flags & kMaterialAlphaMask) == 0u)
+    if (isTransparent(material) && !rayMeetsTransparents)
+        return false;
+    if ((material.flags & kMaterialAlphaMask) == 0u || !rayAsksHoles())
         return true;
     SurfaceMeshRecord mesh = surfaceMeshes.item[placed.mesh];
     uvec3 triangle = loadTriangle(mesh, primitive);
@@ -154,14 +178,16 @@ bool rayMeetsSurface(uint instance, uint primitive, vec2 barycentrics) {
     return sampleBaseColor(material, point).a >= material.alphaCutoff;
 }
 
-/// What a ray has met: the point as rasterization would interpolate it, and the triangle itself.
+/// A ray's hit: the point as rasterization would interpolate it, and the triangle itself.
 struct HitSurface {
     SurfacePoint point;
     vec3 faceNormalWS; // unit, of the triangle, towards the side from which the ray came
     Material material;
+    float scale; // metres in world space for each metre in mesh space
+    float bend;  // radians that the normal turns for each metre across the ray, root mean square of both axes
 };
 
-/// `coneWidthWS`: of the ray where it meets, metres. Sets what sampleTexture filters over.
+/// `coneWidthWS`: width of the ray at the hit, metres. Sets the footprint that sampleTexture filters over.
 HitSurface hitSurface(uint instance, uint primitive, vec2 barycentrics, bool frontFace, vec3 directionWS,
                       float coneWidthWS) {
     SurfaceInstanceRecord placed = surfaceInstances.item[instance];
@@ -183,12 +209,11 @@ HitSurface hitSurface(uint instance, uint primitive, vec2 barycentrics, bool fro
 
     HitSurface result;
     result.material = surfaceMaterials.item[placed.material];
+    result.scale = (length(linear[0]) + length(linear[1]) + length(linear[2])) / 3.0;
     result.faceNormalWS = frontFace ? frontNormalWS : -frontNormalWS;
     result.point.positionWS = linear * (a + (u * weights.y + v * weights.z)) + translation;
-    result.point.normalWS = frontNormalWS;
-    if (isPresent(mesh.normals))
-        result.point.normalWS =
-            normalizeOr(cofactor * interpolate3(mesh.normals, triangle, weights, vec3(0.0)) * side, frontNormalWS);
+    vec3 normalWS = cofactor * interpolate3(mesh.normals, triangle, weights, vec3(0.0)) * side;
+    result.point.normalWS = normalizeOr(normalWS, frontNormalWS);
     vec4 tangent = interpolate4(mesh.tangents, triangle, weights, vec4(0.0));
     result.point.tangentWS = vec4(linear * tangent.xyz, tangent.w * side);
     result.point.uv0 = interpolate2(mesh.uv0, triangle, weights, vec2(0.0));
@@ -201,15 +226,20 @@ HitSurface hitSurface(uint instance, uint primitive, vec2 barycentrics, bool fro
     vec3 along = directionWS - frontNormalWS * dot(frontNormalWS, directionWS);
     along = normalizeOr(along, orthonormalBasis(frontNormalWS)[0]);
     vec3 across = cross(frontNormalWS, along);
-    along *= coneWidthWS / max(length(along - directionWS * dot(directionWS, along)), 1e-2);
-    across *= coneWidthWS;
+    along /= max(length(along - directionWS * dot(directionWS, along)), 1e-2); // a metre across the ray
     vec3 uWS = linear * u;
     vec3 vWS = linear * v;
     vec3 toWeightU =
-        cross(vWS, frontNormalWS) / max(area2, 1e-30) * side; // dot with a way in the plane: its weight of u
+        cross(vWS, frontNormalWS) / max(area2, 1e-30) * side; // dot with an offset in the plane: its weight of u
     vec3 toWeightV = cross(frontNormalWS, uWS) / max(area2, 1e-30) * side;
     vec2 weightsAlong = vec2(dot(along, toWeightU), dot(along, toWeightV));
     vec2 weightsAcross = vec2(dot(across, toWeightU), dot(across, toWeightV));
+    vec3 turnAlong = cofactor * change3(mesh.normals, triangle, weightsAlong);
+    vec3 turnAcross = cofactor * change3(mesh.normals, triangle, weightsAcross);
+    float turn2 = dot(turnAlong, turnAlong) + dot(turnAcross, turnAcross);
+    result.bend = sqrt(0.5 * turn2 / max(dot(normalWS, normalWS), 1e-30));
+    weightsAlong *= coneWidthWS;
+    weightsAcross *= coneWidthWS;
     uvFootprint[0] = UvFootprint(change2(mesh.uv0, triangle, weightsAlong), change2(mesh.uv0, triangle, weightsAcross));
     uvFootprint[1] = UvFootprint(change2(mesh.uv1, triangle, weightsAlong), change2(mesh.uv1, triangle, weightsAcross));
     return result;

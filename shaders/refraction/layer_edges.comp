@@ -1,43 +1,42 @@
-// Pixels that are covered in part, and whose centre neither this layer nor one behind it holds: they get that part of
-// what their neighbours show of the layer. Where it holds the centre, layer_main.glsl has mixed the part in already; where
-// all is covered, it is by others.
+// Pixels that are partly covered, and whose centre neither this layer nor one behind it covers: they blend in that
+// fraction of their neighbours' layer. Where the layer covers the centre, layer_main.glsl has blended it already; where
+// a pixel is fully covered, other layers cover it.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/frame_block.glsl"
 #include "lib/host_surface.glsl"
 #include "lib/input_color.glsl"
 #include "lib/math.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform sampler2D layerDepth;
 layout(set = 0, binding = 3) uniform sampler2D layerCoverage;
 layout(set = 0, binding = 6) uniform sampler2D layersZ;          // of the layers behind this one
-layout(set = 0, binding = 4) uniform sampler2D behind;           // the picture without this layer
-layout(set = 0, binding = 5, rgba16f) uniform image2D composite; // and with it; pixels read here are not written
+layout(set = 0, binding = 4) uniform sampler2D behind;           // the frame without this layer
+layout(set = 0, binding = 5, rgba16f) uniform image2D composite; // the frame with it; pixels read here are not written
 
-const float kSeen = 1.0 / 32.0; // less than a sample of sixteen
+#include "refraction/layer_seen.glsl"
+
+const float kSeen = 1.0 / 32.0; // less than one sample of sixteen
 
 float coverageAt(ivec2 px) {
     return saturate(sanitize(texelFetch(layerCoverage, px, 0).r));
 }
 
-/// Does the layer hold the pixel's centre, as layer_main.glsl asks it?
+/// True if the layer covers the pixel's centre.
 bool isShown(ivec2 px) {
-    float z = storedViewZ(frame.constants, hostViewZ(frame.constants, texelFetch(layerDepth, px, 0).r));
-    return z < kBackgroundZ && z <= texelFetch(viewZ, px, 0).r;
+    return seenLayerZ(px) < kBackgroundZ;
 }
 
 vec3 linear(vec3 stored) {
     return linearColor(stored, (frame.constants.flags & kOutputGamma) != 0u);
 }
 
-/// The layer alone at a pixel that it holds, with what comes through it: the mixture undone.
+/// The layer alone, with its transmitted light, at a pixel whose centre it covers: undoes the blend.
 vec3 layerAt(ivec2 px, float coverage) {
     vec3 mixed = linear(imageLoad(composite, px).rgb);
     return max((mixed - (1.0 - coverage) * linear(texelFetch(behind, px, 0).rgb)) / coverage, vec3(0.0));

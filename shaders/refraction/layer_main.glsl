@@ -1,12 +1,18 @@
-// A layer of transparent surfaces over the picture so far: what comes through them, bent, absorbed and blurred, and what
-// they reflect. Either ray has a walk of its own through the same sources: screen, probes, sky.
+// A layer of transparent surfaces over the frame so far: its transmitted light, refracted, absorbed and blurred, and
+// its reflections. Each of the two rays walks through the same sources separately: screen, probes, sky.
 // docs/techniques/refraction.md.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
 #define GLINT_REFRACTION
 #include "shared/refraction.h"
 
 #include "trace/hiz_march.glsl"
 
 #include "hierarchy/environment_radiance.glsl"
+#include "hierarchy/walk.glsl"
 #include "lib/blurred_picture.glsl"
 #include "lib/brdf.glsl"
 #include "lib/environment.glsl"
@@ -31,8 +37,8 @@ layout(set = 0, binding = 29) uniform sampler2D layerAbsorption;
 layout(set = 0, binding = 30) uniform sampler2D layerBody;
 layout(set = 0, binding = 31) uniform sampler2D layerCenter;
 layout(set = 0, binding = 40) uniform sampler2D layerCoverage;
-layout(set = 0, binding = 32) uniform sampler2D behind;  // the picture so far, with mips
-layout(set = 0, binding = 38) uniform sampler2D solid;   // the picture without layers, with mips
+layout(set = 0, binding = 32) uniform sampler2D behind;  // the frame so far, with mips
+layout(set = 0, binding = 38) uniform sampler2D solid;   // the frame without layers, with mips
 layout(set = 0, binding = 39) uniform sampler2D layersZ; // viewZ of the nearest layer that `behind` shows
 layout(set = 0, binding = 33) uniform samplerCube environment;
 layout(set = 0, binding = 34) uniform sampler2D dfg;
@@ -40,41 +46,93 @@ layout(set = 0, binding = 35, rgba16f) uniform writeonly image2D composite;
 layout(set = 0, binding = 36, rgba16f) uniform writeonly image2D refracted;         // of the nearest layer, for views
 layout(set = 0, binding = 37, rgba16f) uniform writeonly image2D refractionWeights; // screen, probes, sky
 
-/// Farther away than this things are as good as infinitely far, metres.
+#include "refraction/layer_seen.glsl"
+
+/// A hit farther away than this counts as infinitely far, metres.
 const float kFar = 1e4;
 
 bool layerHas(uint flag) {
     return (refraction.flags & flag) != 0u;
 }
 
-/// A ray that leaves a surface or a body, and how its light spreads.
-struct Leaving {
-    vec3 originVS;
-    vec3 directionVS;  // unit
-    float roughness;   // perceptual: of the lobe
-    float travelled;   // metres on which the light has spread before
-    vec3 centerWS;     // probes are chosen here
-    float layerZ;      // viewZ of the surface
-    ivec2 px;          // that shows it
-    bool mirrored;     // a reflection, of this normal
-    vec3 normalVS;
-    float fade; // of what the screen says, [0, 1]
-    bool bent;  // else it is seen where it is, up to the border of the picture
+/// Change of a ray to that of the next pixel, view space. Igehy 1999, "Tracing Ray Differentials".
+struct RayDifferential {
+    vec3 origin;
+    vec3 direction;
 };
 
-/// Of the picture at `uv`, which shows what lies `distance` metres along the ray at `hitZ`. What is transparent there is
-/// taken to be in the ray's way if it is farther from the eye than where the ray begins; else it is the body itself, or
-/// something beside it.
+const RayDifferential kNoDifferential = RayDifferential(vec3(0.0), vec3(0.0));
+
+/// A ray that leaves a surface or a body, and the spread of its light.
+struct Leaving {
+    vec3 originVS;
+    vec3 directionVS; // unit
+    float roughness;  // perceptual: of the lobe
+    float travelled;  // metres over which the light has spread before
+    vec3 centerWS;    // position that selects the probes
+    float layerZ;     // viewZ of the surface
+    ivec2 px;         // the pixel that shows the surface
+    bool mirrored;    // a reflection about this normal
+    vec3 normalVS;
+    float fade;         // of the screen's answer, [0, 1]
+    bool bent;          // false: it is seen in place, up to the image's border
+    RayDifferential dx; // to the pixels beside this one and below it
+    RayDifferential dy;
+};
+
+/// Taps along the longer axis of a footprint.
+const float kMostTaps = 8.0;
+
+/// Distance in pixels of the frame between the ends of this pixel's ray and the next one's, both `distance` metres
+/// long.
+vec2 footprintPX(Leaving ray, RayDifferential d, float distance) {
+    vec3 hitVS = ray.originVS + ray.directionVS * distance;
+    vec3 nextVS = hitVS + d.origin + d.direction * distance;
+    vec4 hitH = frame.constants.viewToPixel * vec4(hitVS, 1.0);
+    vec4 nextH = frame.constants.viewToPixel * vec4(nextVS, 1.0);
+    if (hitH.w <= 0.0 || nextH.w <= 0.0)
+        return vec2(0.0);
+    vec2 way = nextH.xy / nextH.w - hitH.xy / hitH.w;
+    float most = 0.25 * min(frame.constants.size.x, frame.constants.size.y);
+    return way * min(1.0, most / max(length(way), 1e-6));
+}
+
+/// Roughness with which to sample a distant environment: covers the lobe and the pixel's footprint together. A GGX lobe
+/// spreads directions by twice alpha, a footprint by half its angle.
+float distantRoughness(Leaving ray) {
+    float angle = 0.5 * (length(ray.dx.direction) + length(ray.dy.direction));
+    return sqrt(min(length(vec2(square(ray.roughness), angle / 4.0)), 1.0));
+}
+
+/// Radiance of the frame at `uv`, which shows the surface `distance` metres along the ray at `hitZ`. A transparent
+/// surface there is assumed to be in the ray's path if it is farther from the eye than the ray's start. Otherwise it is
+/// the body itself, or a surface beside it.
 vec3 pictureRadiance(Leaving ray, vec2 uv, float distance, float hitZ) {
-    // The lobe is a cone about as wide as that of normals; of what is far, it covers the same angle for ever.
-    float spread = square(ray.roughness) * (distance + ray.travelled);
+    // The lobe is a cone about as wide as that of normals; for far surfaces it covers a constant angle.
+    float lobe = square(ray.roughness) * (distance + ray.travelled);
     float pixel = pixelExtent(frame.constants, frame.constants.uvToView, hitZ).y;
     ivec2 px = min(ivec2(uv * frame.constants.size), ivec2(frame.constants.size) - 1);
     float otherZ = texelFetch(layersZ, px, 0).r;
     bool through = otherZ < kBackgroundZ && otherZ > -ray.originVS.z;
-    vec3 stored =
-        through ? blurredPicture(behind, uv, spread / pixel) : blurredPicture(solid, uv, spread / pixel);
-    return linearColor(stored, (frame.constants.flags & kOutputGamma) != 0u);
+    // A curved surface shrinks its refracted image: the pixel's footprint in the frame is an ellipse, longer than a
+    // pixel. Taps along its longer axis, each blurred as far as the next one.
+    vec2 along = footprintPX(ray, ray.dx, distance);
+    vec2 across = footprintPX(ray, ray.dy, distance);
+    if (dot(across, across) > dot(along, along)) {
+        vec2 shorter = along;
+        along = across;
+        across = shorter;
+    }
+    float taps = clamp(ceil(length(along) / max(length(across), 1.0)), 1.0, kMostTaps);
+    float tapPX = max(length(across), length(along) / taps);
+    // A pixel is a box, of standard deviation 1 / sqrt(12); the frame contains one such box already.
+    float radius = sqrt(square(lobe / pixel) + max(square(tapPX) - 1.0, 0.0) / 12.0);
+    vec3 stored = vec3(0.0);
+    for (float tap = 0.5; tap < taps; tap += 1.0) {
+        vec2 at = uv + along * ((tap / taps - 0.5) * frame.constants.invSize);
+        stored += through ? blurredPicture(behind, at, radius) : blurredPicture(solid, at, radius);
+    }
+    return linearColor(stored / taps, (frame.constants.flags & kOutputGamma) != 0u);
 }
 
 vec3 toWorld(vec3 directionVS) {
@@ -83,7 +141,7 @@ vec3 toWorld(vec3 directionVS) {
 
 // ---------------------------------------------------------------- sources
 
-/// Does the ray end in the pixel that it starts from? The march begins behind that pixel.
+/// True if the ray ends in the pixel that it starts from. The march begins behind that pixel.
 bool endsInOwnPixel(Ray r, out float share) {
     bool overX;
     share = min(leaveCell(makeLine(r.screen), vec2(r.px), 1.0, overX), 1.0);
@@ -91,7 +149,7 @@ bool endsInOwnPixel(Ray r, out float share) {
     return rayViewZ(r.screen, share) >= sceneZ;
 }
 
-/// Through the depth pyramid. `maxDistance` in metres; `found` is where it ended.
+/// Marches through the depth pyramid. `maxDistance` in metres; `found` is where the march ended.
 uint marchFrom(vec3 originVS, vec3 directionVS, vec3 normalVS, float maxDistance, out vec2 endPX, out float distance) {
     Ray r;
     r.originVS = originVS;
@@ -107,7 +165,7 @@ uint marchFrom(vec3 originVS, vec3 directionVS, vec3 normalVS, float maxDistance
     r.px = ivec2(endPX);
     float startZ = texelFetch(viewZ, r.px, 0).r;
     if (rayViewZ(r.screen, 0.0) > startZ * (1.0 + kAtSurface))
-        return kOutcomeHidden; // it starts behind something
+        return kOutcomeHidden; // it starts behind a surface
     float share;
     if (endsInOwnPixel(r, share)) {
         endPX = clamp(r.screen.startPX + r.screen.deltaPX * share, vec2(r.px), vec2(r.px) + 0.999);
@@ -121,7 +179,7 @@ uint marchFrom(vec3 originVS, vec3 directionVS, vec3 normalVS, float maxDistance
     return end.outcome;
 }
 
-/// 1 well inside the picture, 0 at its border.
+/// 1 well inside the image, 0 at its border.
 float borderFade(Leaving ray, vec2 uv) {
     if (!ray.mirrored)
         return ray.bent ? fadeBorderLinear(uv, settings.borderWidth) : 1.0;
@@ -136,10 +194,9 @@ float borderFade(Leaving ray, vec2 uv) {
 vec4 marchedAnswer(Leaving ray) {
     vec2 endPX;
     float distance;
-    uint outcome =
-        marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS,
-                  ray.mirrored ? settings.maxDistance : kFar, endPX, distance);
-    // Where the picture shows the background at the ray's end, that is what the ray sees.
+    uint outcome = marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS,
+                             ray.mirrored ? settings.maxDistance : kFar, endPX, distance);
+    // Where the frame shows the background at the ray's end, the ray hits the background.
     bool answered = isAnswered(outcome) || outcome == kOutcomeSky;
     vec2 uv = endPX * frame.constants.invSize;
     if (!answered || !onScreen(endPX))
@@ -148,8 +205,7 @@ vec4 marchedAnswer(Leaving ray) {
     return vec4(pictureRadiance(ray, uv, distance, max(-endVS.z, 1e-4)), borderFade(ray, uv));
 }
 
-/// Where the ray meets what probes are taken to lie on: that of the first one that holds the object; else infinitely
-/// far away.
+/// Distance at which the ray hits the proxy of the first probe that holds the object; without one, infinitely far.
 float proxyReach(Leaving ray) {
 #ifdef GLINT_PROBES
     vec3 originWS = (frame.constants.viewToWorld * vec4(ray.originVS, 1.0)).xyz;
@@ -164,7 +220,7 @@ float proxyReach(Leaving ray) {
     return kFar;
 }
 
-/// One depth sample, where the proxy says that the hit is.
+/// One depth sample, at the hit that the proxy gives.
 vec4 projectedAnswer(Leaving ray) {
     float distance = proxyReach(ray);
     vec3 hitVS = ray.originVS + ray.directionVS * distance;
@@ -175,7 +231,7 @@ vec4 projectedAnswer(Leaving ray) {
     if (!onScreen(px))
         return vec4(0.0);
     if (texelFetch(viewZ, ivec2(px), 0).r <= ray.layerZ)
-        px = vec2(ray.px) + 0.5; // something in front of the surface: what lies straight behind it is nearer the truth
+        px = vec2(ray.px) + 0.5; // an occluder before the surface: take the light straight behind it
     vec2 uv = px * frame.constants.invSize;
     return vec4(pictureRadiance(ray, uv, distance, max(-hitVS.z, 1e-4)), borderFade(ray, uv));
 }
@@ -184,39 +240,31 @@ vec4 probesAnswerFor(Leaving ray, float left) {
 #ifdef GLINT_PROBES
     vec3 originWS = (frame.constants.viewToWorld * vec4(ray.originVS, 1.0)).xyz;
     if (ray.mirrored)
-        return probesAnswer(originWS, toWorld(ray.normalVS), toWorld(ray.directionVS), ray.roughness, left,
+        return probesAnswer(originWS, toWorld(ray.normalVS), toWorld(ray.directionVS), distantRoughness(ray), left,
                             refraction.probeFlags);
-    return probesAnswerOfObject(ray.centerWS, originWS, toWorld(ray.directionVS), ray.roughness, left,
+    return probesAnswerOfObject(ray.centerWS, originWS, toWorld(ray.directionVS), distantRoughness(ray), left,
                                 refraction.probeFlags);
 #else
     return vec4(0.0);
 #endif
 }
 
-/// Weighted radiance and the weights of screen, probes and sky, none counted twice.
-vec3 walk(Leaving ray, bool askScreen, bool proxy, out vec3 weights) {
-    vec3 sum = vec3(0.0);
+/// Weighted radiance and the weights of screen, probes and sky.
+vec3 walkSources(Leaving ray, bool askScreen, bool proxy, out vec3 weights) {
+    Walk walk = beginWalk();
     weights = vec3(0.0);
-    if (askScreen) {
-        vec4 answer = proxy ? projectedAnswer(ray) : marchedAnswer(ray);
-        weights.x = saturate(answer.a);
-        sum += weights.x * answer.rgb;
-    }
-    if (layerHas(kLayerProbes) && weights.x < 1.0) {
-        vec4 answer = probesAnswerFor(ray, 1.0 - weights.x);
-        weights.y = clamp(answer.a, 0.0, 1.0 - weights.x);
-        sum += weights.y * answer.rgb;
-    }
-    if (layerHas(kLayerSky) && weights.x + weights.y < 1.0) {
-        weights.z = 1.0 - weights.x - weights.y;
-        sum += weights.z * environmentRadiance(environment, toWorld(ray.directionVS), ray.roughness);
-    }
-    return sum;
+    if (askScreen)
+        weights.x = take(walk, proxy ? projectedAnswer(ray) : marchedAnswer(ray));
+    if (layerHas(kLayerProbes) && walk.taken < 1.0)
+        weights.y = take(walk, probesAnswerFor(ray, remaining(walk)));
+    if (layerHas(kLayerSky) && walk.taken < 1.0)
+        weights.z = take(walk, vec4(environmentRadiance(environment, toWorld(ray.directionVS), distantRoughness(ray)), 1.0));
+    return walk.radiance;
 }
 
 // ---------------------------------------------------------------- the layer
 
-/// What the host says of the pixel's surface, under the user's hand.
+/// The host's layer at the pixel, with the user's overrides.
 struct LayerSurface {
     HostSurface here;
     vec3 positionVS;
@@ -226,6 +274,7 @@ struct LayerSurface {
     float thickness;
     vec3 attenuationColor;
     float attenuationDistance;
+    float dispersion;
     vec3 centerWS;
 };
 
@@ -240,20 +289,23 @@ LayerSurface loadLayer(ivec2 px, float z) {
     s.toEyeVS = -viewDirection(frame.constants, s.positionVS);
     s.here.normalVS = facingNormal(s.here.normalVS, s.toEyeVS);
 
-    vec3 body = sanitize(texelFetch(layerBody, px, 0).xyz);
+    vec4 stored = texelFetch(layerBody, px, 0);
+    vec3 body = sanitize(stored.xyz);
     vec4 absorption = texelFetch(layerAbsorption, px, 0);
     uint asked = refraction.flags & kLayerModelMask;
     s.model = asked != 0u ? asked - 1u : min(uint(body.z + 0.5), kRefractionThin);
     s.ior = body.x;
+    s.dispersion = refraction.dispersion >= 0.0 ? refraction.dispersion : sanitize(stored.w);
     if (refraction.ior > 0.0 && maxComponent(texelFetch(layerTransmittance, px, 0).rgb) > 0.0) {
-        // and reflects as such a body does
+        // reflectance follows the overriding index
         s.ior = refraction.ior;
         s.here.f0 = vec3(dielectricF0(s.ior));
     }
     s.thickness = (refraction.thickness >= 0.0 ? refraction.thickness : body.y) * refraction.thicknessMultiplier;
     vec4 override = vec4(unpackHalf2x16(refraction.transmittance.x), unpackHalf2x16(refraction.transmittance.y));
     s.attenuationColor = override.a > 0.0 ? override.rgb : clamp(sanitize(absorption.rgb), 0.0, 1.0);
-    s.attenuationDistance = refraction.absorptionDistance >= 0.0 ? refraction.absorptionDistance : sanitize(absorption.a);
+    s.attenuationDistance =
+        refraction.absorptionDistance >= 0.0 ? refraction.absorptionDistance : sanitize(absorption.a);
     s.centerWS = (frame.constants.viewToWorld * vec4(s.positionVS, 1.0)).xyz;
     if (layerHas(kLayerCenters))
         s.centerWS = texelFetch(layerCenter, px, 0).xyz;
@@ -264,47 +316,84 @@ vec3 pictureAt(ivec2 px) {
     return linearColor(texelFetch(behind, px, 0).rgb, (frame.constants.flags & kOutputGamma) != 0u);
 }
 
+/// The ray that brings a pixel's light: its start, behind the body or on the surface, and its direction.
+RayDifferential rayOf(LayerSurface s, bool mirrored) {
+    if (mirrored)
+        return RayDifferential(s.positionVS, reflect(-s.toEyeVS, s.here.normalVS));
+    Refraction path = refractThrough(s.model, s.here.normalVS, s.toEyeVS, s.ior, s.thickness);
+    return RayDifferential(s.positionVS + path.exit, path.direction);
+}
+
+/// Change to the ray of the next pixel along `step`. Takes the smaller difference of both sides, because across an edge
+/// lies another surface. The neighbours' bodies are assumed to be this one.
+RayDifferential differential(LayerSurface s, ivec2 px, ivec2 step, bool mirrored) {
+    RayDifferential here = rayOf(s, mirrored);
+    RayDifferential least = kNoDifferential;
+    float leastTurn = 2.0;
+    for (int side = -1; side <= 1; side += 2) {
+        ivec2 at = px + side * step;
+        if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(frame.constants.size))))
+            continue;
+        LayerSurface next = s;
+        next.here.viewZ = storedViewZ(frame.constants, hostViewZ(frame.constants, texelFetch(layerDepth, at, 0).r));
+        if (next.here.viewZ >= kBackgroundZ)
+            continue;
+        next.positionVS = viewPosition(frame.constants, (vec2(at) + 0.5) * frame.constants.invSize, next.here.viewZ);
+        next.toEyeVS = -viewDirection(frame.constants, next.positionVS);
+        next.here.normalVS =
+            facingNormal(hostNormalVS(frame.constants, texelFetch(layerNormal, at, 0).xyz), next.toEyeVS);
+        RayDifferential there = rayOf(next, mirrored);
+        vec3 turn = (there.direction - here.direction) * float(side);
+        if (length(turn) < leastTurn) {
+            leastTurn = length(turn);
+            least = RayDifferential((there.origin - here.origin) * float(side), turn);
+        }
+    }
+    return least;
+}
+
 Leaving mirrorRay(LayerSurface s, ivec2 px) {
     vec3 direction = reflect(-s.toEyeVS, s.here.normalVS);
     float fade = fadeRoughness(s.here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness);
     return Leaving(s.positionVS, direction, s.here.perceptualRoughness, 0.0, s.centerWS, s.here.viewZ, px, true,
-                   s.here.normalVS, fade, true);
+                   s.here.normalVS, fade, true, differential(s, px, ivec2(1, 0), true),
+                   differential(s, px, ivec2(0, 1), true));
 }
 
 vec3 reflectedRadiance(LayerSurface s, ivec2 px, out float weight) {
     Leaving ray = mirrorRay(s, px);
     bool askScreen = layerHas(kLayerScreen) && ray.fade > 0.0 && maxComponent(s.here.f0) > settings.threshold;
     vec3 weights;
-    vec3 radiance = walk(ray, askScreen, false, weights);
+    vec3 radiance = walkSources(ray, askScreen, false, weights);
     weight = weights.x + weights.y + weights.z;
     return radiance;
 }
 
-/// Mean radiance that comes through, absorbed on its way; what no source answers is what lies straight behind.
-vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
+/// Mean transmitted radiance, absorbed along the path. The remaining weight takes the light straight behind.
+vec3 transmittedLight(LayerSurface s, ivec2 px, out vec3 weights) {
     Refraction path = refractThrough(s.model, s.here.normalVS, s.toEyeVS, s.ior, s.thickness);
     float roughness = transmissionRoughness(s.here.perceptualRoughness, s.ior);
     vec3 left = pictureAt(px);
     weights = vec3(1.0, 0.0, 0.0);
     if (path.isTotal) {
-        vec3 radiance = walk(mirrorRay(s, px), layerHas(kLayerScreen), false, weights);
+        vec3 radiance = walkSources(mirrorRay(s, px), layerHas(kLayerScreen), false, weights);
         return radiance + (1.0 - weights.x - weights.y - weights.z) * left;
     }
     vec3 entryVS = s.positionVS;
     bool bent = path.pathLength > 0.0 && abs(s.ior - 1.0) > 1e-4;
-    if (!bent && roughness <= 0.0) { // nothing to look for: it is straight behind, or stands inside the body
+    if (!bent && roughness <= 0.0) { // no march: the light is straight behind, or comes from inside the body
         float toSolid = (texelFetch(viewZ, px, 0).r - s.here.viewZ) / max(s.toEyeVS.z, 1e-4);
-        return left * volumeTransmittance(min(path.pathLength, max(toSolid, 0.0)), s.attenuationColor,
-                                          s.attenuationDistance);
+        return left *
+               volumeTransmittance(min(path.pathLength, max(toSolid, 0.0)), s.attenuationColor, s.attenuationDistance);
     }
-    // Something may stand inside the body, or reach into it.
+    // Another object may be inside the body, or reach into it.
     if (path.pathLength > 0.0 && layerHas(kLayerScreen)) {
         vec2 endPX;
         float distance;
         uint outcome = marchFrom(entryVS, path.insideDir, -path.insideDir, path.pathLength, endPX, distance);
         if (isAnswered(outcome) && onScreen(endPX)) {
             Leaving inside = Leaving(entryVS, path.insideDir, roughness, 0.0, s.centerWS, s.here.viewZ, px, false,
-                                     s.here.normalVS, 1.0, bent);
+                                     s.here.normalVS, 1.0, bent, kNoDifferential, kNoDifferential);
             vec3 endVS = entryVS + path.insideDir * distance;
             return pictureRadiance(inside, endPX * frame.constants.invSize, distance, max(-endVS.z, 1e-4)) *
                    volumeTransmittance(distance, s.attenuationColor, s.attenuationDistance);
@@ -312,9 +401,27 @@ vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
     }
     vec3 transmittance = volumeTransmittance(path.pathLength, s.attenuationColor, s.attenuationDistance);
     Leaving ray = Leaving(entryVS + path.exit, path.direction, roughness, path.pathLength, s.centerWS, s.here.viewZ, px,
-                          false, s.here.normalVS, 1.0, bent);
-    vec3 radiance = walk(ray, layerHas(kLayerScreen), layerHas(kLayerProxy), weights);
+                          false, s.here.normalVS, 1.0, bent, differential(s, px, ivec2(1, 0), false),
+                          differential(s, px, ivec2(0, 1), false));
+    vec3 radiance = walkSources(ray, layerHas(kLayerScreen), layerHas(kLayerProxy), weights);
     return (radiance + (1.0 - weights.x - weights.y - weights.z) * left) * transmittance;
+}
+
+/// Each channel has its own index of refraction where the body disperses light.
+vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
+    if (s.dispersion <= 0.0 || s.ior <= 0.0)
+        return transmittedLight(s, px, weights);
+    vec3 iors = dispersedIor(s.ior, s.dispersion);
+    vec3 sum = vec3(0.0);
+    weights = vec3(0.0);
+    for (int channel = 0; channel < 3; ++channel) {
+        LayerSurface colored = s;
+        colored.ior = iors[channel];
+        vec3 share;
+        sum[channel] = transmittedLight(colored, px, share)[channel];
+        weights += share / 3.0;
+    }
+    return sum;
 }
 
 vec3 layered(LayerSurface s, ivec2 px) {
@@ -325,8 +432,7 @@ vec3 layered(LayerSurface s, ivec2 px) {
     vec3 result = pictureAt(px) * (1.0 - coverage) + linearColor(radiance.rgb, encoded);
     vec2 argument = vec2(clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0), s.here.perceptualRoughness);
     float f90 = edgeReflectance(maxComponent(s.here.f0));
-    vec3 response =
-        specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
+    vec3 response = specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
     vec3 through = sanitize(tint.rgb) * (1.0 - saturate(maxComponent(response)));
     vec3 weights = vec3(0.0);
     vec3 transmitted = vec3(0.0);
@@ -352,9 +458,9 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
-    float z = storedViewZ(frame.constants, hostViewZ(frame.constants, texelFetch(layerDepth, px, 0).r));
-    if (z >= kBackgroundZ || z > texelFetch(viewZ, px, 0).r)
-        return; // nothing of this layer is seen here
+    float z = seenLayerZ(px);
+    if (z >= kBackgroundZ)
+        return; // the layer is not seen here
     vec3 result = layered(loadLayer(px, z), px);
     if (layerHas(kLayerCoverage))
         result = mix(pictureAt(px), result, saturate(sanitize(texelFetch(layerCoverage, px, 0).r)));

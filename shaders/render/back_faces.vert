@@ -1,4 +1,4 @@
-// Places a vertex for depth alone, to the same bits as surface.vert does: a sheet's back is where its front is.
+// Places a vertex for depth alone, to the same bits as surface.vert: a sheet's back is where its front is.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-// Holes in back faces: where an alpha test cuts them, and where a blended surface is not there at all.
+// Holes in back faces: where an alpha test cuts them, and where a blended surface is fully transparent.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,4 +1,4 @@
-// The environment, and the sun's disc, where no surface is.
+// The environment and the sun's disc, where no surface is drawn.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -18,7 +18,7 @@ vec3 backgroundRadiance(vec3 directionWS) {
     vec3 radiance = textureLod(environmentRadiance, turned, 0.0).rgb * view.constants.environmentStrength;
     if (dot(directionWS, view.constants.sunDirWS) > view.constants.sunCosRadius)
         radiance += view.constants.sunRadiance;
-    return min(radiance, vec3(65000.0)); // the end of half floats
+    return min(radiance, vec3(65000.0)); // the largest half is 65504
 }
 
 void main() {

@@ -1,4 +1,4 @@
-// How the background moves when the camera turns.
+// Motion of the background when the camera rotates.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -8,7 +8,8 @@
 layout(location = 0) out vec2 outMotion;
 
 void main() {
-    // Infinitely far: only turning moves it, so the direction is projected as a point at infinity.
+    // The background is infinitely far and moves by rotation only, so its direction is projected as a point at
+    // infinity.
     vec4 previousCS = view.constants.prevWorldToClip * vec4(viewRay(), 0.0);
     outMotion = vec2(0.0);
     if (view.constants.orthographic == 0u && previousCS.w > 0.0) {

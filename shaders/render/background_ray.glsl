@@ -1,4 +1,4 @@
-// Where a pixel of the background looks.
+// The view ray of a background pixel.
 #ifndef GLINT_RENDER_BACKGROUND_RAY_GLSL
 #define GLINT_RENDER_BACKGROUND_RAY_GLSL
 

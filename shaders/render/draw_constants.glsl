@@ -1,4 +1,4 @@
-// Which instance a draw shows.
+// The instance that a draw shows.
 #ifndef GLINT_RENDER_DRAW_CONSTANTS_GLSL
 #define GLINT_RENDER_DRAW_CONSTANTS_GLSL
 

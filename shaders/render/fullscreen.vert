@@ -1,4 +1,4 @@
-// One triangle over the whole picture, at the far end of reversed depth. Three vertices, no buffers.
+// One triangle over the whole image, at the far end of reversed depth. Three vertices, no buffers.
 #version 460
 
 layout(location = 0) out vec2 ndc;

@@ -1,4 +1,4 @@
-// What an opaque or masked surface is, without its light: the first half of gbuffer.mode geometry.
+// An opaque or masked surface without its light: the first half of gbuffer.mode geometry.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,4 +1,4 @@
-// Counts the samples in which something transparent is seen.
+// Counts the samples in which a transparent surface is visible.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,5 +1,10 @@
-// A transparent surface as the reflections take it (include/glint/transparent_layer.hpp): lit, but for what comes
-// through it and what it mirrors of the picture.
+// A transparent surface as a layer for the reflections (include/glint/transparent_layer.hpp): lit, without transmitted
+// light and without reflections of the frame.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
 #include "lib/octahedral.glsl"
 #include "render/transparent_surface.glsl"
 #include "shared/refraction.h"
@@ -24,6 +29,6 @@ void main() {
     outMaterial = vec4(reflectionF0(s.surface, s.V), s.surface.perceptualRoughness);
     outTransmittance = vec4(s.surface.baseColor * (s.surface.transmission * s.surface.opacity), s.present);
     outAbsorption = vec4(s.material.attenuationColor, min(s.material.attenuationDistance, 65000.0));
-    outBody = vec4(s.material.ior, min(s.thickness, 65000.0), float(instance.bodyShape), 1.0);
+    outBody = vec4(s.material.ior, min(s.thickness, 65000.0), float(instance.bodyShape), s.material.dispersion);
     outObjectCenter = vec4(instance.centerWS, 1.0);
 }

@@ -1,4 +1,4 @@
-// What the fragment stage of a lit surface reads besides, and how the lighting functions reach it.
+// Further inputs of a lit surface's fragment stage, and the functions that give the lighting code access to them.
 #ifndef GLINT_RENDER_LIGHTING_BINDINGS_GLSL
 #define GLINT_RENDER_LIGHTING_BINDINGS_GLSL
 
@@ -41,6 +41,15 @@ vec3 loadEnvironmentDiffuse(vec3 normal) {
 
 vec2 loadDfg(float NoV, float perceptualRoughness) {
     return textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg;
+}
+
+/// Lighting as this view shows it: images that are sampled from elsewhere have no highlights. `V`: unit, towards the
+/// eye.
+Lighting shownLighting(MaterialSample surface, SurfacePoint point, vec3 V) {
+    Lighting lighting = lightSurface(surface, point, V);
+    if (view.constants.highlights == 0u)
+        lighting.directSpecular = vec3(0.0);
+    return lighting;
 }
 
 #endif

@@ -1,21 +1,13 @@
-// A lit surface's light as the G-buffer holds it.
+// A lit surface's light in the G-buffer's format.
 #ifndef GLINT_RENDER_LIT_OUTPUTS_GLSL
 #define GLINT_RENDER_LIT_OUTPUTS_GLSL
 
 #include "render/lighting_bindings.glsl"
 
-/// Half floats end at 65504: an infinity would spread through every blur that comes after.
+/// The largest half is 65504: an infinity would spread through every later blur.
 const vec3 kLargest = vec3(65000.0);
 
-/// Unit `V` towards the eye.
-Lighting shownLighting(MaterialSample surface, SurfacePoint point, vec3 V) {
-    Lighting lighting = lightSurface(surface, point, V);
-    if (view.constants.highlights == 0u)
-        lighting.directSpecular = vec3(0.0);
-    return lighting;
-}
-
-/// All of it, and in the alpha the mean of its channels without highlights (Conventions::highlightsInAlpha).
+/// All light; alpha: the mean of its channels without highlights (Conventions::highlightsInAlpha).
 vec4 litRadiance(Lighting lighting) {
     vec3 total = totalRadiance(lighting);
     lighting.directSpecular = vec3(0.0);

@@ -1,13 +1,13 @@
-// The depth of a transparent surface, if it is seen and lies behind those of the layer before. Everitt 2001,
-// "Interactive Order-Independent Transparency": depth peeling, from the eye on.
+// The depth of a transparent surface, if it is visible and lies behind the layer before. Everitt 2001, "Interactive
+// Order-Independent Transparency": depth peeling, starting at the eye.
 #include "render/transparent_present.glsl"
 
-layout(set = 0, binding = 10) uniform sampler2D nearerLayer; // its depth
+layout(set = 0, binding = 10) uniform sampler2D nearerLayer; // depth of the layer before
 
-/// There is a layer before.
+/// True if there is a layer before.
 layout(constant_id = 1) const bool kBehindAnother = false;
 
-/// Of what is solid, the farthest sample.
+/// Depth of the farthest sample of the solid surfaces.
 float solidDepth(ivec2 px);
 
 void main() {

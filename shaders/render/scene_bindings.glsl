@@ -1,4 +1,4 @@
-// Geometry of the scene: bindings of every vertex stage, and of fragment stages that look up their instance.
+// Geometry of the scene: bindings of every vertex stage, and of fragment stages that fetch their instance.
 #ifndef GLINT_RENDER_SCENE_BINDINGS_GLSL
 #define GLINT_RENDER_SCENE_BINDINGS_GLSL
 

@@ -1,4 +1,9 @@
 // The light of an opaque or masked surface: the second half of gbuffer.mode geometry.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
 #include "render/lighting_bindings.glsl"
 #include "render/lit_outputs.glsl"
 #include "render/surface_visible.glsl"

@@ -1,9 +1,8 @@
-// What shadow rays are asked about in fragment stages: the holes of alpha-tested triangles. Include before a back end
-// of the ray seam.
+// Geometry that shadow rays test in fragment stages: the holes of alpha-tested triangles. Include before
+// rays/back_end.glsl.
 #ifndef GLINT_RENDER_SHADOW_GEOMETRY_GLSL
 #define GLINT_RENDER_SHADOW_GEOMETRY_GLSL
 
-#define GLINT_SHADOW_RAYS
 #define GLINT_RAY_ALPHA_TEST
 
 #include "render/surface_bindings.glsl"
@@ -13,7 +12,7 @@ layout(scalar, set = 0, binding = 11) readonly buffer IndexBlock {
 }
 indices;
 layout(scalar, set = 0, binding = 12) readonly buffer RayItemBlock {
-    uint list[]; // by the ray scene's instances: the draw's
+    uint list[]; // indexed by the ray scene's instances: the draw's
 }
 rayItems;
 

@@ -1,4 +1,4 @@
-// Which light arrives, by the shadow maps: lights.shadows maps.
+// Visibility of each light from the shadow maps: lights.shadows maps.
 #ifndef GLINT_RENDER_SHADOW_MAPS_GLSL
 #define GLINT_RENDER_SHADOW_MAPS_GLSL
 

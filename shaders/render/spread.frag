@@ -1,4 +1,4 @@
-// A picture with one sample a pixel into all samples of another.
+// Copies an image with one sample a pixel to all samples of another image.
 #version 460
 
 layout(set = 0, binding = 0) uniform sampler2D radiance;

@@ -1,4 +1,4 @@
-// Places a vertex of the scene: pulled from storage buffers by index, so any geometry is drawn by one pipeline.
+// Places a vertex of the scene. Vertices are pulled from storage buffers by index, so one pipeline draws any geometry.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -14,7 +14,7 @@ layout(scalar, set = 0, binding = 4) uniform ViewBlock {
 
 #define VARYING out
 #include "render/surface_varyings.glsl"
-invariant gl_Position; // passes that draw the same surface meet at the same depth
+invariant gl_Position; // passes that draw the same surface get equal depth
 
 void main() {
     Instance instance = instances.list[draw.constants.instance];
@@ -22,8 +22,9 @@ void main() {
     vec3 prevPositionLS = positions.list[gl_VertexIndex + instance.prevVertexDelta];
     VertexAttributes vertex = attributes.list[gl_VertexIndex];
 
-    // Normals go by the cofactor matrix, which is the inverse transpose times the determinant: no division, and no
-    // trouble where a scale is zero. Its sign, and a mirrored tangent frame's, are put right by the determinant's.
+    // Normals are transformed by the cofactor matrix, which is the inverse transpose times the determinant: no
+    // division, and valid where a scale is zero. The determinant's sign corrects the cofactors' sign and that of a
+    // mirrored tangent frame.
     mat3 linear = mat3(instance.localToWorld);
     mat3 cofactor = mat3(cross(linear[1], linear[2]), cross(linear[2], linear[0]), cross(linear[0], linear[1]));
     float side = (instance.flags & kInstanceMirrored) != 0u ? -1.0 : 1.0;

@@ -1,4 +1,4 @@
-// What the fragment stage of every surface reads, whether it is lit or not.
+// Inputs of every surface's fragment stage, lit or not.
 #ifndef GLINT_RENDER_SURFACE_BINDINGS_GLSL
 #define GLINT_RENDER_SURFACE_BINDINGS_GLSL
 
@@ -18,7 +18,7 @@ layout(set = 1, binding = 0) uniform sampler2D textures[];
 #include "render/surface_varyings.glsl"
 
 #ifdef GLINT_SHADOW_RAYS
-bool sharpestTexels = false; // while a shadow ray asks: it has no neighbours to tell a mip from
+bool sharpestTexels = false; // true in a shadow ray's test, which has no neighbours to derive a mip from
 #endif
 
 vec4 sampleTexture(TextureRef ref, vec2 uv) {

@@ -1,5 +1,10 @@
 // An opaque or masked surface, lit, and the G-buffer that reflections start from (src/render/gbuffer.hpp), in one pass:
-// gbuffer.mode prepass. geometry.frag and shading.frag are its two halves.
+// gbuffer.mode prepass. geometry.frag and shading.frag are the two halves of this pass.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
 #include "lib/octahedral.glsl"
 #include "render/lighting_bindings.glsl"
 #include "render/lit_outputs.glsl"

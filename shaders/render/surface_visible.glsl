@@ -1,10 +1,10 @@
-// The part that every opaque pass has in common: what is seen of a surface, and how it moves.
+// The common part of every opaque pass: the visible part of a surface, and its motion.
 #ifndef GLINT_RENDER_SURFACE_VISIBLE_GLSL
 #define GLINT_RENDER_SURFACE_VISIBLE_GLSL
 
 #include "render/surface_bindings.glsl"
 
-/// A discard in the code costs early depth tests, so fully opaque surfaces are drawn without.
+/// A discard in the code disables early depth tests, so fully opaque surfaces are drawn without one.
 layout(constant_id = 0) const bool kAlphaTest = false;
 
 /// Ends the invocation where the material has a hole.

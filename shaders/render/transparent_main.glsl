@@ -1,13 +1,18 @@
-// A blended or light-transmitting surface over the picture so far. Premultiplied: what is mirrored in a pane of glass
-// does not fade with the pane.
+// A blended or light-transmitting surface over the frame so far. Premultiplied: the reflection in a pane of glass does
+// not fade with the pane.
+#version 460
+#extension GL_EXT_nonuniform_qualifier : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
 #include "lib/transmission.glsl"
 #include "render/transparent_surface.glsl"
 
-layout(set = 0, binding = 10) uniform sampler2D behind; // the picture without transparent surfaces, with mips
+layout(set = 0, binding = 10) uniform sampler2D behind; // the frame without transparent surfaces, with mips
 
 layout(location = 0) out vec4 outRadiance;
 
-/// What comes through: the picture behind, where the refracted light leaves the volume, blurred by roughness.
+/// Transmitted radiance: the frame behind, sampled where the refracted light leaves the volume, blurred by roughness.
 vec3 transmittedRadiance(TransparentSurface s) {
     Material material = s.material;
     MaterialSample surface = s.surface;

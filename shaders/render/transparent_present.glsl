@@ -1,4 +1,4 @@
-// Where a transparent surface's texture leaves something of it.
+// Where a transparent surface's texture leaves part of the surface.
 #ifndef GLINT_RENDER_TRANSPARENT_PRESENT_GLSL
 #define GLINT_RENDER_TRANSPARENT_PRESENT_GLSL
 

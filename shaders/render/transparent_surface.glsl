@@ -1,4 +1,4 @@
-// A blended or light-transmitting surface, lit: what is drawn over a picture and what is handed over as a layer.
+// A blended or light-transmitting surface, lit: drawn over a frame, or provided as a layer.
 #ifndef GLINT_RENDER_TRANSPARENT_SURFACE_GLSL
 #define GLINT_RENDER_TRANSPARENT_SURFACE_GLSL
 
@@ -9,12 +9,12 @@ struct TransparentSurface {
     MaterialSample surface;
     Lighting lighting;
     vec3 V;           // unit, towards the eye
-    vec3 mirrored;    // highlights and what stands in for reflections
-    float present;    // nothing is there where a texture cuts a shape out: no sheen below 5 % of opacity, smoothly
-    float thickness;  // metres in the world
+    vec3 mirrored;    // highlights and the fallback for reflections
+    float present;    // 0 where a texture cuts a shape out: no sheen below 5 % of opacity, smoothly
+    float thickness;  // metres in world space
 };
 
-/// Of this fragment; ends the invocation where the material has a hole.
+/// The surface at this fragment; ends the invocation where the material has a hole.
 TransparentSurface transparentSurface() {
     beginLighting();
     TransparentSurface s;
@@ -24,9 +24,7 @@ TransparentSurface transparentSurface() {
         discard;
     s.surface = sampleMaterial(s.material, point);
     s.V = viewVector();
-    s.lighting = lightSurface(s.surface, point, s.V);
-    if (view.constants.highlights == 0u)
-        s.lighting.directSpecular = vec3(0.0);
+    s.lighting = shownLighting(s.surface, point, s.V);
     s.mirrored = s.lighting.directSpecular + s.lighting.environmentSpecular + s.lighting.coatSpecular;
     s.present = saturate(s.surface.opacity * 20.0);
     mat4 localToWorld = instances.list[draw.constants.instance].localToWorld;

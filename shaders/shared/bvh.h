@@ -1,4 +1,4 @@
-// Glint's own bounding volume hierarchy as it lies in memory: eight children a node, boxes in bytes. Ylitie, Karras and
+// Memory layout of Glint's own bounding volume hierarchy: eight children a node, boxes in bytes. Ylitie, Karras and
 // Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG.
 #ifndef GLINT_SHARED_BVH_H
 #define GLINT_SHARED_BVH_H
@@ -7,12 +7,12 @@
 
 GLINT_SHARED_BEGIN
 
-/// A node's children are in eight slots; a slot's number says in which corner of the node the child lies (bit 0: +x,
-/// bit 1: +y, bit 2: +z), so that a ray's octant gives the order of visits.
+/// A node's children are in eight slots. A slot's number tells in which corner of the node the child lies (bit 0: +x,
+/// bit 1: +y, bit 2: +z), so a ray's octant gives the order of visits.
 ///   words[0]  xyz: the box's low corner (float bits); w: grid exponents of x, y, z with bias 127 (a byte each), then
 ///             a bit for each slot that holds a node
 ///   words[1]  x: first child node; y: first primitive; zw: a byte a slot: for primitives, 0 to 23 from the first one
-///             in the low five bits and one to three set bits above, one a primitive; 0x20 for a node; 0 for nothing
+///             in the low five bits and one to three set bits above, one a primitive; 0x20 for a node; 0 for none
 ///   words[2]  xy: low x, zw: low y      a byte a slot each, in cells of the grid
 ///   words[3]  xy: low z, zw: high x
 ///   words[4]  xy: high y, zw: high z
@@ -20,9 +20,10 @@ struct BvhNode {
     uint4 words[5];
 };
 
-/// A triangle in the order of the leaves. w of the first vertex, as float bits: its number in the mesh and, in the top
-/// two bits, the normal's longest axis; w of the others: the normal's other two components over the longest one. The
-/// normal comes from double precision, for that of a thin triangle would not survive single; NaN if it has none.
+/// A triangle in the order of the leaves. w of the first vertex, as float bits: the triangle's number in the mesh and,
+/// in the top two bits, the normal's longest axis. w of the other vertices: the normal's other two components over the
+/// longest one. The normal is computed in double precision, because a thin triangle's normal would not survive single
+/// precision; NaN if the triangle has no normal.
 struct BvhTriangle {
     float4 vertices[3];
 };
@@ -33,7 +34,7 @@ GLINT_CONSTANT(uint, kBvhInstanceDoubleSided, 0x200u);
 
 /// An instance in the order of the top level's leaves.
 struct BvhInstance {
-    float4 worldToLocal[3]; ///< rows of the linear part; w: where in the world the local origin is
+    float4 worldToLocal[3]; ///< rows of the linear part; w: the local origin in world space
     uint rootNode;
     uint number;       ///< in the host's list
     uint maskAndFlags; ///< low byte: the mask; kBvhInstance...
@@ -41,8 +42,8 @@ struct BvhInstance {
 };
 
 GLINT_CONSTANT(uint, kBvhPrimitivesPerSlot, 3u);
-/// The builder holds to these (src/rays/binary_bvh.hpp), so the traversal's stack cannot overflow: a level leaves at
-/// most one group of siblings behind, entering an instance the primitives beside it.
+/// The builder keeps these limits (src/rays/binary_bvh.hpp), so the traversal's stack cannot overflow: each level
+/// leaves at most one group of siblings on the stack, and entering an instance leaves the primitives beside it.
 GLINT_CONSTANT(uint, kBvhTopLevels, 8u);
 GLINT_CONSTANT(uint, kBvhMeshLevels, 16u);
 GLINT_CONSTANT(uint, kBvhStackSize, 25u); // 8 + 1 + 16

@@ -1,4 +1,4 @@
-// What the passes of `denoise` take besides FrameConstants.
+// Inputs of the passes of `denoise` besides FrameConstants.
 #ifndef GLINT_SHARED_DENOISE_CONSTANTS_H
 #define GLINT_SHARED_DENOISE_CONSTANTS_H
 
@@ -7,8 +7,8 @@
 GLINT_SHARED_BEGIN
 
 struct BlurConstants {
-    float2 sourceSize; // pixels of the image that is read
-    float2 targetSize; // pixels of the one that is written
+    float2 sourceSize; // pixels of the source image
+    float2 targetSize; // pixels of the target image
     uint vertical;     // 0: along x
     uint maxTaps;      // odd
     float strength;    // blur.strength
@@ -16,12 +16,12 @@ struct BlurConstants {
 };
 
 struct UpsampleConstants {
-    float2 sourceSize; // pixels of the image that is read
-    float threshold;   // as TraceConstants have these three: which pixels reflect at all
+    float2 sourceSize; // pixels of the source image
+    float threshold;   // this and the next two as in TraceConstants: which pixels reflect
     float roughnessFadeStart;
     float maxRoughness;
     uint mirrorRays; // 1: rays were not jittered
-    float strength;  // as BlurConstants
+    float strength;  // as in BlurConstants
     float roughnessFactor;
 };
 

@@ -16,12 +16,12 @@ struct DisplayConstants {
     uint tonemap;   ///< kTonemap...
 };
 
-GLINT_CONSTANT(uint, kViewFraction, 0u); ///< render::ViewKind: how a view's values become colours
+GLINT_CONSTANT(uint, kViewFraction, 0u); ///< render::ViewKind: how a view's values map to colours
 GLINT_CONSTANT(uint, kViewDirection, 1u);
 GLINT_CONSTANT(uint, kViewDistance, 2u);
 GLINT_CONSTANT(uint, kViewCount, 3u);
 GLINT_CONSTANT(float, kViewHalfWhite, 5.0f);   ///< metres at which a distance is middle grey
-GLINT_CONSTANT(float, kViewRedCount, 4096.0f); ///< screen.maxSteps' upper end
+GLINT_CONSTANT(float, kViewRedCount, 4096.0f); ///< screen.maxSteps' upper bound
 
 struct ViewConstants {
     uint2 size; ///< pixels

@@ -7,15 +7,15 @@
 GLINT_SHARED_BEGIN
 
 struct PrefilterConstants {
-    uint faceSize; ///< texels, of the mip being made
+    uint faceSize; ///< texels, of the target mip
     uint sampleCount;
-    float perceptualRoughness; ///< of that mip
+    float perceptualRoughness; ///< of the target mip
     float sourceFaceSize;      ///< texels
 };
 
 struct FaceConstants {
     uint face;  ///< of the cube, in Vulkan's order
-    float near; ///< of the camera: depth = near / viewZ, 0 the sky
+    float near; ///< of the camera: depth = near / viewZ, 0 for the sky
 };
 
 GLINT_SHARED_END

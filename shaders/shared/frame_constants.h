@@ -1,5 +1,5 @@
-// What every pass of the library knows of the camera and of the host's conventions, already converted: shaders see
-// right-handed view space looking down -Z, +Y up, viewZ as positive distance, UV (0,0) top left.
+// The camera and the host's conventions for every pass of the library, already converted. Shaders use a right-handed
+// view space looking down -Z, +Y up; viewZ is positive distance; UV (0,0) is top left.
 #ifndef GLINT_SHARED_FRAME_CONSTANTS_H
 #define GLINT_SHARED_FRAME_CONSTANTS_H
 
@@ -11,7 +11,7 @@ struct FrameConstants {
     float4x4 viewToPixel;        // homogeneous: (x, y, *, w) / w are pixels from the top left
     float4x4 worldToView;        // rigid
     float4x4 viewToWorld;        // rigid
-    float4x4 worldToEnvironment; // turns a direction into the environment cube's axes
+    float4x4 worldToEnvironment; // rotates a direction into the environment cube's axes
     float4x4 viewToPrevView;     // rigid: this frame's view space to the previous one's
     float4x4 prevViewToPixel;    // as viewToPixel, of the previous frame
     float4 uvToView;             // positionVS.xy = (uv * xy + zw) * (perspective ? viewZ : 1)
@@ -22,11 +22,11 @@ struct FrameConstants {
     float depthScale;
     float depthOffset;
     float farDepth;        // device depth of the background
-    float nearZ;           // metres: nothing nearer is drawn
+    float nearZ;           // metres: no surface is nearer
     uint flags;            // kInput*
     uint roughnessChannel; // of the material image
     float environmentStrength;
-    float environmentMips; // mips that roughness 0..1 spreads over
+    float environmentMips; // number of mips that roughness 0..1 spans
     uint frameIndex;
     uint seed;
     float2 traceSize;     // pixels of the traced image that this frame traces, from the top left
@@ -34,30 +34,33 @@ struct FrameConstants {
     float2 motionScale;   // stored motion times this = previous UV - current UV
     uint metallicChannel; // of the material image
     uint materialKind;    // kHostMaterial*, MaterialKind of glint/gbuffer.hpp
+    uint historyExpected; // number of the frame that the history should hold
+    uint historyTag;      // number of the frame that it holds: written by the GPU
 };
 
 GLINT_CONSTANT(uint, kInputOrthographic, 1);
 GLINT_CONSTANT(uint, kInputLinearDepth, 2);   // depth is viewZ in metres already, 0 is background
-GLINT_CONSTANT(uint, kInputReversedDepth, 4); // the background is at the small end
+GLINT_CONSTANT(uint, kInputReversedDepth, 4); // the background is at depth's small end
 GLINT_CONSTANT(uint, kInputNormalView, 8);    // normals are in the host's view space
 GLINT_CONSTANT(uint, kInputNormalOctahedral, 16);
 GLINT_CONSTANT(uint, kInputNormalUnorm, 32);  // stored as n * 0.5 + 0.5
 GLINT_CONSTANT(uint, kInputSmoothness, 64);   // the roughness channel holds 1 - perceptualRoughness
 GLINT_CONSTANT(uint, kInputLeftHanded, 128);  // the host's view space looks down +Z
-GLINT_CONSTANT(uint, kInputEnvironment, 256); // an environment cube is there
-GLINT_CONSTANT(uint, kInputFallback, 512);    // a fallbackSpecular image is there
-GLINT_CONSTANT(uint, kInputMotion, 1024);     // a motion image is there
-GLINT_CONSTANT(uint, kInputHistory, 2048);    // hits take their colour from the previous frame
+GLINT_CONSTANT(uint, kInputEnvironment, 256); // an environment cube is bound
+GLINT_CONSTANT(uint, kInputFallback, 512);    // a fallbackSpecular image is bound
+GLINT_CONSTANT(uint, kInputMotion, 1024);     // a motion image is bound
+GLINT_CONSTANT(uint, kInputHistory,
+               2048);                         // hits take the previous frame's colour, if the GPU ran it: hasHistory
 GLINT_CONSTANT(uint, kInputGamma, 4096);      // litRadiance and fallbackSpecular are sRGB-encoded
-GLINT_CONSTANT(uint, kHistoryGamma, 8192);    // so is the previous frame's picture
-GLINT_CONSTANT(uint, kOutputGamma, 16384);    // so shall this frame's be
+GLINT_CONSTANT(uint, kHistoryGamma, 8192);    // the previous frame's colour is sRGB-encoded
+GLINT_CONSTANT(uint, kOutputGamma, 16384);    // this frame's output is sRGB-encoded
 GLINT_CONSTANT(uint, kTraceTarget8, 32768);   // the traced radiance goes into the RGBA8 image
 GLINT_CONSTANT(uint, kInputHalfDepth, 65536); // viewZ is rounded to sixteen bits
-GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is there
+GLINT_CONSTANT(uint, kInputMaterial, 131072); // a material image is bound
 
-GLINT_CONSTANT(uint, kInputResolved, 262144); // material is to be read as prepare resolved it: F0 and coverage
+GLINT_CONSTANT(uint, kInputResolved, 262144); // read the material as prepare resolved it: F0 and coverage
 
-// Hits leave highlights out: litRadiance's alpha is the mean of its linear channels without them.
+// Hits exclude highlights: litRadiance's alpha is the mean of its linear channels without highlights.
 GLINT_CONSTANT(uint, kInputHighlights, 524288);
 
 GLINT_CONSTANT(uint, kHostMaterialF0Roughness, 0);

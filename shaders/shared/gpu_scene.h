@@ -1,4 +1,4 @@
-// What a scene is on the GPU: vertices that shaders pull by index, and the things placed in the world.
+// A scene on the GPU: vertices that shaders pull by index, and instances placed in the world.
 #ifndef GLINT_SHARED_GPU_SCENE_H
 #define GLINT_SHARED_GPU_SCENE_H
 
@@ -6,8 +6,7 @@
 
 GLINT_SHARED_BEGIN
 
-/// What a vertex carries besides its position, which has a buffer of its own: depth passes and ray tracing need no
-/// more.
+/// A vertex without its position, which has a buffer of its own: depth passes and ray tracing need only positions.
 struct VertexAttributes {
     float3 normal;  ///< unit
     float4 tangent; ///< xyz unit, w = handedness; zero if there is none
@@ -19,7 +18,7 @@ struct VertexAttributes {
 GLINT_CONSTANT(uint, kInstanceMirrored, 1u);  ///< the transform has a negative determinant
 GLINT_CONSTANT(uint, kInstanceNoNormals, 2u); ///< lines or points without normals: shown without lighting
 
-/// A piece of geometry, somewhere, with a material.
+/// An instance of a geometry, with a transform and a material.
 struct Instance {
     float4x4 localToWorld;
     float4x4 prevLocalToWorld;
@@ -27,12 +26,12 @@ struct Instance {
     uint flags;          ///< kInstance...
     uint firstIndex;     ///< of its triangles, in the index buffer
     uint vertexOffset;   ///< added to each index
-    int prevVertexDelta; ///< from a vertex to where it stood in the previous frame; 0 unless it deforms
+    int prevVertexDelta; ///< offset from a vertex to its place in the previous frame; 0 unless it deforms
     float3 centerWS;     ///< of its bounding box
-    uint bodyShape;      ///< kRefraction* (shared/refraction.h): what light that comes through it meets
+    uint bodyShape;      ///< kRefraction* (shared/refraction.h): the body's shape for transmitted light
 };
 
-/// Pushed for each draw.
+/// Push constants of each draw.
 struct DrawConstants {
     uint instance;
 };

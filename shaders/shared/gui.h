@@ -1,4 +1,4 @@
-// The viewer's panels, as Dear ImGui makes them.
+// The viewer's panels, as Dear ImGui generates them.
 #ifndef GLINT_SHARED_GUI_H
 #define GLINT_SHARED_GUI_H
 
@@ -6,7 +6,7 @@
 
 GLINT_SHARED_BEGIN
 
-GLINT_CONSTANT(uint, kGuiTextures, 11u); ///< the font, and two for each of five pictures
+GLINT_CONSTANT(uint, kGuiTextures, 11u); ///< the font, and two for each of five images
 
 struct GuiVertex {
     float2 positionPX;
@@ -17,7 +17,7 @@ struct GuiVertex {
 struct GuiConstants {
     float2 originPX; ///< of the window, in the vertices' pixels
     float2 scale;    ///< from pixels to clip space
-    uint texture;    ///< index into the table
+    uint texture;    ///< index into the texture table
 };
 
 GLINT_SHARED_END

@@ -12,6 +12,7 @@ GLINT_CONSTANT(uint, kSourcePlanar, 2);
 GLINT_CONSTANT(uint, kSourceProbes, 3);
 GLINT_CONSTANT(uint, kSourceSky, 4);
 GLINT_CONSTANT(uint, kSourceCount, 5);
+GLINT_CONSTANT(uint, kMaxSources, 6); // capacity of the table: three weights of ten bits a word
 
 struct HierarchyConstants {
     uint sources; // bit s: source s takes part

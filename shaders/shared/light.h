@@ -1,4 +1,4 @@
-// Punctual lights (KHR_lights_punctual) and their shadow maps, as shaders read them.
+// Punctual lights (KHR_lights_punctual) and their shadow maps.
 #ifndef GLINT_SHARED_LIGHT_H
 #define GLINT_SHARED_LIGHT_H
 
@@ -10,13 +10,13 @@ GLINT_CONSTANT(uint, kLightDirectional, 0u);
 GLINT_CONSTANT(uint, kLightPoint, 1u);
 GLINT_CONSTANT(uint, kLightSpot, 2u);
 
-GLINT_CONSTANT(uint, kMaxLights, 256u); ///< a scene; later ones are left out, with a warning
+GLINT_CONSTANT(uint, kMaxLights, 256u); ///< per scene; later lights are left out, with a warning
 
 struct Light {
     uint type;    ///< kLight...
     float3 color; ///< times intensity: candela (point, spot) or lux (directional)
     float3 positionWS;
-    float3 directionWS; ///< unit, the way the light travels
+    float3 directionWS; ///< unit, direction in which the light travels
     float range;        ///< metres; 0: infinite
     float spotScale;    ///< cone falloff = saturate(cos * spotScale + spotOffset)^2
     float spotOffset;

@@ -1,4 +1,4 @@
-// A glTF material as shaders read it: the factors of scene::Material and where its textures stand in the table.
+// A glTF material: the factors of scene::Material and its textures' indices in the texture table.
 #ifndef GLINT_SHARED_MATERIAL_H
 #define GLINT_SHARED_MATERIAL_H
 
@@ -10,7 +10,7 @@ GLINT_CONSTANT(uint, kNoTexture, 0xffffffffu);
 
 /// One use of a texture. uv' = (dot(uvRow0, (uv, 1)), dot(uvRow1, (uv, 1))), KHR_texture_transform.
 struct TextureRef {
-    uint index;    ///< into the texture table; kNoTexture: the factor alone counts
+    uint index;    ///< into the texture table; kNoTexture: the factor alone applies
     uint texCoord; ///< 0 or 1
     float3 uvRow0;
     float3 uvRow1;
@@ -37,7 +37,8 @@ struct Material {
     float transmissionFactor;
     float thicknessFactor; ///< metres in the mesh's space
     float3 attenuationColor;
-    float attenuationDistance; ///< metres; 0: no attenuation
+    float attenuationDistance; ///< metres; 0: no absorption
+    float dispersion;          ///< 20 / Abbe number
     float clearcoatFactor;
     float clearcoatRoughnessFactor;
     float clearcoatNormalScale;
@@ -63,6 +64,6 @@ GLINT_SHARED_END
 
 #ifdef __cplusplus
 static_assert(sizeof(glint::shared::TextureRef) == 32);
-static_assert(sizeof(glint::shared::Material) == 4 * 31 + 13 * 32);
+static_assert(sizeof(glint::shared::Material) == 4 * 32 + 13 * 32);
 #endif
 #endif

@@ -1,4 +1,5 @@
-// Why a traced ray ended: exactly one reason a ray, shared by C++ and GLSL. src/reflect/outcomes.cpp has the words.
+// Why a traced ray ended: exactly one reason a ray, shared by C++ and GLSL. src/reflect/trace/outcomes.hpp has the
+// words.
 #ifndef GLINT_SHARED_OUTCOME_H
 #define GLINT_SHARED_OUTCOME_H
 
@@ -8,7 +9,7 @@ GLINT_SHARED_BEGIN
 
 GLINT_CONSTANT(uint, kOutcomeNone, 0);         // no ray: background, or the sources before `rays` left nothing
 GLINT_CONSTANT(uint, kOutcomeHit, 1);          // met a visible surface
-GLINT_CONSTANT(uint, kOutcomeSky, 2);          // ended over the background
+GLINT_CONSTANT(uint, kOutcomeSky, 2);          // ended over the background, as far as it goes
 GLINT_CONSTANT(uint, kOutcomeOffScreen, 3);    // left the picture
 GLINT_CONSTANT(uint, kOutcomeBehindCamera, 4); // reached the near plane
 GLINT_CONSTANT(uint, kOutcomeMaxDistance, 5);  // reached screen.maxDistance in front of everything

@@ -1,4 +1,4 @@
-// Planar mirrors as shaders/planar reads them.
+// Planar mirrors, as shaders/planar reads them.
 #ifndef GLINT_SHARED_PLANAR_H
 #define GLINT_SHARED_PLANAR_H
 
@@ -6,18 +6,18 @@
 
 GLINT_SHARED_BEGIN
 
-// In the view space of the frame. Its pictures are 2 * picture and 2 * picture + 1 of the table: radiance with mips,
-// and viewZ, both as if the world behind the mirror were seen through it.
+// In the view space of the frame. The mirror's images are entries 2 * picture and 2 * picture + 1 of the table:
+// radiance with mips, and viewZ, both as if the world behind the mirror were seen through it.
 struct PlanarRecord {
     float3 centerVS;
-    float tolerance; // metres off the plane
+    float tolerance; // metres from the plane
     float3 normalVS;
     uint picture;
     float3 tangentVS;
     float halfWidth; // along the tangent
     float3 bitangentVS;
     float halfHeight;
-    float2 size; // pixels of the pictures
+    float2 size; // pixels of the images
     float lastMip;
     uint padding;
 };
@@ -28,7 +28,7 @@ struct PlanarTakeConstants {
 
 struct PlanarConstants {
     uint count;
-    uint before; // bit s: source s (shared/hierarchy.h) is asked before
+    uint before; // bit s: source s (shared/hierarchy.h) is asked before this one
     uint steps;
     float roughnessFadeStart;
     float maxRoughness;

@@ -1,4 +1,4 @@
-// What a ray may ask for (lib/ray.glsl) and what an instance says about its triangles.
+// Flags of a ray (lib/ray.glsl), and flags and masks of an instance's triangles.
 #ifndef GLINT_SHARED_RAY_FLAGS_H
 #define GLINT_SHARED_RAY_FLAGS_H
 
@@ -7,7 +7,11 @@
 GLINT_SHARED_BEGIN
 
 GLINT_CONSTANT(uint, kRayCullBackFaces, 1u); ///< pass through back faces of instances that are not double-sided
-GLINT_CONSTANT(uint, kRayAllOpaque, 2u);     ///< every triangle stops the ray: nobody is asked about holes
+GLINT_CONSTANT(uint, kRayAllOpaque, 2u);     ///< every triangle stops the ray: no test for holes
+
+// Masks of our own renderer's instances: shadow rays exclude transparent surfaces.
+GLINT_CONSTANT(uint, kTransparentMask, 0x80u);
+GLINT_CONSTANT(uint, kShadowMask, 0x7fu);
 
 GLINT_CONSTANT(uint, kNoInstance, 0xffffffffu); ///< Hit::instance of a miss
 

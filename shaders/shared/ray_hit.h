@@ -1,4 +1,4 @@
-// A ray and what it met, as it is handed out to hosts that shade hits themselves: glint::RayHit.
+// A ray and its hit, for hosts that shade hits themselves: glint::RayHit.
 #ifndef GLINT_SHARED_RAY_HIT_H
 #define GLINT_SHARED_RAY_HIT_H
 
@@ -9,11 +9,11 @@ GLINT_SHARED_BEGIN
 struct RayHitRecord {
     uint pixel; ///< x in the low half, y in the high one
     float distance;
-    uint instance; ///< kNoInstance: nothing was met
+    uint instance; ///< kNoInstance: miss
     uint primitive;
     float2 barycentrics;
     uint frontFace;
-    float coneWidth; ///< metres, where it met
+    float coneWidth; ///< metres, at the hit
     float3 originWS;
     float3 directionWS;
 };

@@ -1,4 +1,4 @@
-// What is written down about one pixel's ray when it is inspected: include/glint/inspection.hpp says what each means.
+// The log of one pixel's ray during inspection; include/glint/inspection.hpp documents each field.
 #ifndef GLINT_SHARED_RAY_LOG_H
 #define GLINT_SHARED_RAY_LOG_H
 
@@ -7,18 +7,18 @@
 
 GLINT_SHARED_BEGIN
 
-// What one look at a depth decided. src/reflect/inspection.cpp has the words.
-GLINT_CONSTANT(uint, kSampleFront, 0);    // the ray is in front of all that is there
-GLINT_CONSTANT(uint, kSampleBehind, 1);   // behind it, and no more was asked
-GLINT_CONSTANT(uint, kSampleEmpty, 2);    // a cell that shows nothing
-GLINT_CONSTANT(uint, kSampleLookInto, 3); // a cell that has to be looked into
-GLINT_CONSTANT(uint, kSamplePasses, 4);   // met nothing, though it is neither in front nor behind
+// The decision about one depth sample. src/reflect/inspect/inspector.cpp has their names.
+GLINT_CONSTANT(uint, kSampleFront, 0);    // the ray is in front of every surface there
+GLINT_CONSTANT(uint, kSampleBehind, 1);   // behind it; no further test was made
+GLINT_CONSTANT(uint, kSampleEmpty, 2);    // a cell that shows no surface
+GLINT_CONSTANT(uint, kSampleLookInto, 3); // a cell to descend into
+GLINT_CONSTANT(uint, kSamplePasses, 4);   // no hit, though the ray is neither in front nor behind
 GLINT_CONSTANT(uint, kSampleHit, 5);
 GLINT_CONSTANT(uint, kSampleSide, 6);
 GLINT_CONSTANT(uint, kSampleBackFace, 7);
 GLINT_CONSTANT(uint, kSampleGrazes, 8);
 GLINT_CONSTANT(uint, kSampleNearly, 9);
-GLINT_CONSTANT(uint, kSamplePlaces, 10); // the neighbour in which the hit's exact place lies
+GLINT_CONSTANT(uint, kSamplePlaces, 10); // the neighbour that contains the hit's exact place
 GLINT_CONSTANT(uint, kSampleDecisionCount, 11);
 
 struct LoggedSample {
@@ -26,7 +26,7 @@ struct LoggedSample {
     uint level;
     float rayZ;
     float sceneZ;
-    float slabZ; // 0: never asked
+    float slabZ; // 0: not sampled
     float distance;
     uint decision; // kSample*
 };
@@ -49,10 +49,10 @@ struct LoggedSource {
 
 // trace/log/pixel.comp
 struct LoggedPixel {
-    uint2 px;    // that was asked for
-    uint2 rayPX; // from which its ray starts
+    uint2 px;    // the pixel to inspect
+    uint2 rayPX; // the pixel that its ray starts from
     uint outcome;
-    uint2 record; // as the frame left it, lib/ray_record.glsl
+    uint2 record; // as the frame stored it, lib/ray_record.glsl
     float viewZ;
     float3 positionVS;
     float3 positionWS;
@@ -66,7 +66,7 @@ struct LoggedPixel {
 // trace/trace_main.glsl
 struct LoggedRay {
     uint traced;   // 1: the fields below are set
-    uint answered; // 1: so are radiance, weight and fades, and endPX is where they are from
+    uint answered; // 1: radiance, weight and fades are set too, and endPX is where they come from
     uint2 record;
     float3 startVS;
     float3 startWS;
@@ -80,14 +80,14 @@ struct LoggedRay {
     float startZ;
     float endZ;
     float endDistance;
-    float hitZ; // of the picture at the hit
+    float hitZ; // of the frame's surface at the hit
     float3 radiance;
     float weight;
     uint lookups;
     uint iterations;
-    uint fadesUsed; // a bit each
+    uint fadesUsed; // one bit each
     float fades[kLoggedFadeCount];
-    uint projected;           // 1: so are the next three, of march proxy
+    uint projected;           // 1: the next three are set too, by march proxy
     uint probe;               // number in the host's list, or kNoProbe
     uint proxyShape;          // kProbe*
     float projectionDistance; // kBackgroundZ: infinite
@@ -96,8 +96,8 @@ struct LoggedRay {
 struct RayLogHeader {
     LoggedPixel pixel;
     LoggedRay ray;
-    LoggedSource sources[kSourceCount]; // in the order of the walk
-    uint sampleCount;                   // those beyond kMaxLoggedSamples are counted, not written
+    LoggedSource sources[kMaxSources]; // in the order in which they are asked
+    uint sampleCount;                  // samples beyond kMaxLoggedSamples are counted, not written
 };
 
 GLINT_CONSTANT(uint, kMaxLoggedSamples, 4096);

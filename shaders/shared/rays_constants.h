@@ -1,4 +1,4 @@
-// Settings of the source `rays` as its shaders take them.
+// Settings of the source `rays` for its shaders.
 #ifndef GLINT_SHARED_RAYS_CONSTANTS_H
 #define GLINT_SHARED_RAYS_CONSTANTS_H
 
@@ -17,21 +17,27 @@ struct RaysConstants {
     uint cullMask;
     uint lightCount;
     float reuseRoughness;
-    uint before; ///< bit s: source s (shared/hierarchy.h) is asked before
+    uint before;            ///< bit s: source s (shared/hierarchy.h) is asked before this one
+    float regularization;   ///< of the first sample
+    uint transparents;      ///< most transparent surfaces in a path
+    float3 transparentsLow; ///< world box of all transparent surfaces
+    float3 transparentsHigh;
 };
 
-GLINT_CONSTANT(uint, kRaysAlphaTest, 1);          // texels may let a ray through
-GLINT_CONSTANT(uint, kRaysMirror, 2);             // mirror directions only, whatever the roughness
-GLINT_CONSTANT(uint, kRaysEnvironment, 4);        // the environment answers where a ray meets nothing
-GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8); // the host's own diffuse light is there
-GLINT_CONSTANT(uint, kRaysAccumulate, 16);        // the frames before, of the same view, count as well
-GLINT_CONSTANT(uint, kRaysReuseLight, 32);        // of surfaces that the picture shows
+GLINT_CONSTANT(uint, kRaysAlphaTest, 1);          // texels may let a ray pass
+GLINT_CONSTANT(uint, kRaysMirror, 2);             // mirror directions only, at any roughness
+GLINT_CONSTANT(uint, kRaysEnvironment, 4);        // the environment answers for a ray that misses
+GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8); // the host's own diffuse environment is bound
+GLINT_CONSTANT(uint, kRaysAccumulate, 16);        // previous frames of the same view count as well
+GLINT_CONSTANT(uint, kRaysReuseLight, 32);        // of surfaces that the frame shows
+GLINT_CONSTANT(uint, kRaysTransparentScene, 128); // some materials are transparent, however rays treat them
+GLINT_CONSTANT(uint, kRaysTransparents, 64);      // some surfaces let rays pass
 
-// Third word of the source's record, behind those of lib/ray_record.glsl: hits whose light was the picture's (low 12
+// Third word of the source's record, after the words of lib/ray_record.glsl: number of hits lit from the frame (low 12
 // bits), and
 GLINT_CONSTANT(uint, kRaysReusedMask, 0xfff);
-GLINT_CONSTANT(uint, kRaysStartOnScreen, 0x40000000);  // the first hit is the screen's
-GLINT_CONSTANT(uint, kRaysReplaceScreen, 0x80000000u); // the answer stands for the screen's too
+GLINT_CONSTANT(uint, kRaysStartOnScreen, 0x40000000);  // the first hit is the screen's hit
+GLINT_CONSTANT(uint, kRaysReplaceScreen, 0x80000000u); // the answer replaces the screen's too
 
 GLINT_CONSTANT(uint, kBlueNoiseSize, 64); // texels a side of the mask
 

@@ -1,4 +1,4 @@
-// Refraction as shaders/refraction and glint/transparent_layer.hpp have it.
+// Refraction, for shaders/refraction and glint/transparent_layer.hpp.
 #ifndef GLINT_SHARED_REFRACTION_H
 #define GLINT_SHARED_REFRACTION_H
 
@@ -10,9 +10,9 @@ GLINT_CONSTANT(uint, kRefractionStraight, 0); // BodyShape of glint/transparent_
 GLINT_CONSTANT(uint, kRefractionSphere, 1);
 GLINT_CONSTANT(uint, kRefractionPlane, 2);
 GLINT_CONSTANT(uint, kRefractionThin, 3);
-GLINT_CONSTANT(float, kThinWall, 0.005f); // metres: HDRP's
+GLINT_CONSTANT(float, kThinWall, 0.005f); // metres, as in HDRP
 
-// Pushed behind TraceConstants. Overrides are the settings refraction.*; below 0: the host's own.
+// Push constants after TraceConstants. Overrides are the settings refraction.*; a value below 0 keeps the host's own.
 struct RefractionConstants {
     float ior; // 0: the host's own
     float thickness;
@@ -21,20 +21,21 @@ struct RefractionConstants {
     uint2 transmittance; // four halves: a colour, and 1 if it overrides
     uint flags;          // kLayer*
     uint probeFlags;     // kProbes*
-    float strength;      // of reflections
+    float strength;      // strength of reflections
     float reflectionBorderWidth;
+    float dispersion; // 20 / Abbe number
 };
 
-GLINT_CONSTANT(uint, kLayerModelMask, 7); // one more than the kRefraction* that overrides; 0: the host's own
+GLINT_CONSTANT(uint, kLayerModelMask, 7); // 1 + the kRefraction* that overrides; 0: the host's own
 GLINT_CONSTANT(uint, kLayerProxy, 8);     // refraction.projection
 GLINT_CONSTANT(uint, kLayerReflects, 16);
-GLINT_CONSTANT(uint, kLayerScreen, 32); // sources that take part
+GLINT_CONSTANT(uint, kLayerScreen, 32); // enabled sources
 GLINT_CONSTANT(uint, kLayerProbes, 64);
 GLINT_CONSTANT(uint, kLayerSky, 128);
-GLINT_CONSTANT(uint, kLayerFallback, 256); // images that are there
+GLINT_CONSTANT(uint, kLayerFallback, 256); // bound images
 GLINT_CONSTANT(uint, kLayerCenters, 512);
 GLINT_CONSTANT(uint, kLayerCoverage, 1024);
-GLINT_CONSTANT(uint, kLayerViews, 2048); // keep what views show
+GLINT_CONSTANT(uint, kLayerViews, 2048); // store what views show
 
 GLINT_SHARED_END
 

@@ -10,20 +10,20 @@ struct RenderView {
     float4x4 worldToClip;
     float4x4 clipToWorld;
     float4x4 prevWorldToClip;
-    float2 jitterUV; ///< how far worldToClip shifts the picture; motion leaves it out
+    float2 jitterUV; ///< offset by which worldToClip shifts the image; motion excludes it
     float2 prevJitterUV;
     float3 cameraPositionWS;
-    uint orthographic; ///< 1: every ray runs along cameraForwardWS
+    uint orthographic; ///< 1: every camera ray runs along cameraForwardWS
     float3 cameraForwardWS;
     uint lightCount;
     float2 environmentRotation; ///< cos and sin of the angle about +Y
     float environmentStrength;
     uint environmentVisible; ///< 1: drawn as the background
-    float3 sunDirWS;         ///< towards the sun, unit
+    float3 sunDirWS;         ///< unit, towards the sun
     float sunCosRadius;      ///< cosine of the disc's angular radius; 2: no sun
     float4 clipPlaneWS;      ///< surfaces are drawn where dot(xyz, positionWS) + w > 0
     float3 sunRadiance;      ///< of the disc
-    uint highlights;         ///< 1: lights show in what is smooth
+    uint highlights;         ///< 1: smooth surfaces show lights' highlights
 };
 
 GLINT_SHARED_END

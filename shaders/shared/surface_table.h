@@ -1,4 +1,4 @@
-// What the triangles that rays hit look like (glint/surface_table.hpp), as shaders read it.
+// The appearance of the triangles that rays hit (glint/surface_table.hpp), for shaders.
 #ifndef GLINT_SHARED_SURFACE_TABLE_H
 #define GLINT_SHARED_SURFACE_TABLE_H
 
@@ -6,10 +6,10 @@
 
 GLINT_SHARED_BEGIN
 
-/// Floats in a buffer of the host's.
+/// Floats in one of the host's buffers.
 struct StreamRecord {
     uint2 address; ///< low and high half; 0: absent
-    uint stride;   ///< floats from vertex to vertex
+    uint stride;   ///< floats from one vertex to the next
 };
 
 struct SurfaceMeshRecord {
@@ -19,7 +19,7 @@ struct SurfaceMeshRecord {
     StreamRecord uv0;
     StreamRecord uv1;
     StreamRecord colors;
-    uint2 indices; ///< address of three a triangle
+    uint2 indices; ///< address of the indices, three for each triangle
 };
 
 struct SurfaceInstanceRecord {

@@ -1,4 +1,4 @@
-// Settings as the tracing shaders take them. Enums are the numbers of glint/settings.hpp.
+// Settings for the tracing shaders. Enums are the numbers of glint/settings.hpp.
 #ifndef GLINT_SHARED_TRACE_CONSTANTS_H
 #define GLINT_SHARED_TRACE_CONSTANTS_H
 
@@ -9,13 +9,13 @@ GLINT_SHARED_BEGIN
 struct TraceConstants {
     float maxDistance;
     float thickness;
-    float thicknessRelative; // of viewZ; 0 unless the mode is relative
+    float thicknessRelative; // fraction of viewZ; 0 unless the mode is relative
     float roughnessFactor;
-    uint maxSteps; // of the marcher that runs
+    uint maxSteps; // of the marcher in use
     uint step;
     uint selfCollisionSkip;
     uint flags;      // kTrace*
-    float threshold; // already with strength and the half step of an 8-bit F0
+    float threshold; // includes strength and the half step of an 8-bit F0
     float roughnessFadeStart;
     float maxRoughness;
     float borderWidth;
@@ -24,7 +24,6 @@ struct TraceConstants {
     uint baseSteps;
     float pixelSpacing;
     uint refinements;
-    uint2 backFaceGroups; // that prepare/back_faces needs
 };
 
 GLINT_CONSTANT(uint, kTraceSmooth, 1);
@@ -35,11 +34,11 @@ GLINT_CONSTANT(uint, kFadeDistance, 16);
 GLINT_CONSTANT(uint, kFadeIterations, 32);
 GLINT_CONSTANT(uint, kFadeFacingCamera, 64);
 GLINT_CONSTANT(uint, kFadeBackface, 128);
-GLINT_CONSTANT(uint, kTraceBackDepth, 256); // back faces say how thick each surface is
+GLINT_CONSTANT(uint, kTraceBackDepth, 256); // back faces give each surface's thickness
 
-// What classify.comp finds: how many rays there are, as the arguments of the indirect dispatches that trace them and
-// that make what they look at: without a ray, nothing. The rays' pixels follow, x in the low half and y in the high
-// half of a word.
+// Written by list.comp: the number of rays, as the arguments of the indirect dispatches that trace the rays and that
+// build their inputs. Without rays these dispatches are empty. The rays' pixels follow, x in the low half and y in the
+// high half of a word.
 struct RayListHeader {
     uint rayGroups[3];
     uint rayCount;
@@ -49,7 +48,17 @@ struct RayListHeader {
 };
 
 GLINT_CONSTANT(uint, kRaysPerGroup, 64);
-GLINT_CONSTANT(uint, kRayGroupsX, 64); // groups in a row of the dispatch: a row of all may be longer than devices take
+GLINT_CONSTANT(uint, kRayGroupsX, 64); // groups in a row of the dispatch: one row of all may exceed device limits
+
+struct RayListConstants {
+    uint2 tiles;          // of the traced image
+    uint2 pyramidGroups;  // if there are rays, else 0
+    uint2 backFaceGroups; // if there are rays, else 0
+};
+
+GLINT_CONSTANT(uint, kRayTileWidth, 8);
+GLINT_CONSTANT(uint, kRayTilePixels, 64);
+GLINT_CONSTANT(uint, kTilesPerBlock, 64); // tiles that one group of list.comp lists
 
 struct PyramidConstants {
     float thickness;
@@ -59,24 +68,27 @@ struct PyramidConstants {
 };
 
 GLINT_CONSTANT(uint, kPyramidTile, 64);     // pixels a side that one group reduces
-GLINT_CONSTANT(uint, kPyramidTileLevel, 6); // to one cell of this level
+GLINT_CONSTANT(uint, kPyramidTileLevel, 6); // into one cell of this level
 GLINT_CONSTANT(uint, kMaxPyramidLevels, 15);
 
 struct CompositeConstants {
     uint model; // CompositeModel: 0 physical, 1 lerp
     uint fresnel;
-    uint debugOutcome;
+    uint debugOutcome; // kDebug*
     float strength;
     float falloffExponent;
     uint maxSteps;
 };
+
+GLINT_CONSTANT(uint, kDebugOutcome, 1);
+GLINT_CONSTANT(uint, kDebugClipped, 2); // rays end at the frustum
 
 struct ViewConstants {
     uint view; // kView*
     uint maxSteps;
 };
 
-// Order of kViews in src/reflect/views.cpp.
+// In the order of kViewNames in src/reflect/composite/view_names.hpp.
 GLINT_CONSTANT(uint, kViewReflection, 0);
 GLINT_CONSTANT(uint, kViewWeight, 1);
 GLINT_CONSTANT(uint, kViewWeights, 2);

@@ -1,5 +1,5 @@
-// The few types that C++ and GLSL share, so that a struct is written once. Blocks use `scalar` layout: a float3 has
-// 12 bytes in both languages.
+// The types that C++ and GLSL share, so that a struct is written once. Blocks use `scalar` layout: a float3 has 12
+// bytes in both languages.
 #ifndef GLINT_SHARED_TYPES_H
 #define GLINT_SHARED_TYPES_H
 

@@ -1,8 +1,8 @@
-// The `adaptive` marcher: equal steps on screen, more of them for rays that are long there, then a binary search in the
-// step that met something. compute_ssr is the model for the settings: docs/techniques/adaptive.md.
+// The `adaptive` marcher: equal steps on screen, with more steps for rays that are long on screen, then a binary search
+// in the step that intersects. The settings follow compute_ssr: docs/techniques/adaptive.md.
 #include "trace/hit_test.glsl"
 
-/// Narrows the step from `front`, where the ray is in front of the picture, to `behind`; both move.
+/// Narrows the step between `front`, where the ray is in front of the depth buffer, and `behind`. Moves both.
 void refine(ScreenRay ray, inout float front, inout Sample behind, inout uint lookups) {
     for (uint i = 0u; i < settings.refinements; ++i) {
         Sample middle = takeSample(ray, 0.5 * (front + behind.share), lookups);
@@ -13,12 +13,12 @@ void refine(ScreenRay ray, inout float front, inout Sample behind, inout uint lo
     }
 }
 
-/// Meets the surface where the step that ends at `s` goes behind the picture; `s` moves there.
+/// Intersects the surface where the step that ends at `s` goes behind the depth buffer. Moves `s` to the hit.
 uint meetRefined(Ray r, float from, inout Sample s, inout uint lookups) {
     float front = from;
     refine(r.screen, front, s, lookups);
-    // The search ends where the ray goes behind the depth of a pixel's centre; it meets the plane through that centre
-    // anywhere in the pixel.
+    // The search ends where the ray goes behind the depth of a pixel's centre. The ray may intersect the plane through
+    // that centre anywhere in the pixel.
     float halfPixel = 0.5 / screenPixels(r.screen);
     s.share += halfPixel;
     s.rayZ = rayViewZ(r.screen, s.share);
@@ -40,7 +40,7 @@ March march(Ray r) {
     bool nearlyThickEnough = false;
     for (uint i = 1u; i <= steps; ++i) {
         result.iterations = i;
-        result.share = end * (float(i) / float(steps)); // the last is the end itself, with no rounding
+        result.share = end * (float(i) / float(steps)); // the last step is the end itself, without rounding
         if (!onScreen(ray.startPX + ray.deltaPX * result.share)) {
             result.outcome = kOutcomeOffScreen;
             return result;
@@ -54,10 +54,11 @@ March march(Ray r) {
             uint met = kInFront;
             if (isInFront)
                 met = meetRefined(r, before.share, hit, result.lookups);
-            if (met == kInFront) { // where the search ended; the step goes on
+            if (met == kInFront) { // where the search ended; the step continues
                 hit = s;
                 met = meetSurface(r, before.share, hit, result.lookups);
-                // The plane was met far from the pixel that shows it: not its surface, as far as the picture tells.
+                // The ray intersects the plane far from the pixel that shows it: as far as the depth buffer tells, not
+                // its surface.
                 vec2 apart = abs(ray.startPX + ray.deltaPX * hit.share - hit.px);
                 if (met == kMeets && max(apart.x, apart.y) > 1.0)
                     met = kPasses;
@@ -68,16 +69,12 @@ March march(Ray r) {
             isInFront = false;
         }
         if (i > settings.selfCollisionSkip || s.rayZ < s.sceneZ)
-            before = s; // what was crossed in skipped steps is met by the first that counts
+            before = s; // a surface crossed in skipped steps is hit by the first step that counts
     }
 
     if (clip && ray.screenEnd < 1.0)
         result.outcome = kOutcomeOffScreen;
-    else if (!isInFront)
-        result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
-    else if (ray.clippedNear)
-        result.outcome = kOutcomeBehindCamera;
     else
-        result.outcome = before.sceneZ >= kBackgroundZ ? kOutcomeSky : kOutcomeMaxDistance;
+        result.outcome = endedOnScreen(ray, before.sceneZ, !isInFront, nearlyThickEnough);
     return result;
 }

@@ -1,9 +1,11 @@
-// Finds the pixels that need a ray and lists them, neighbours by neighbours, so that tracing runs over full groups and
-// costs nothing where there is nothing to reflect. The other pixels get their answer here.
+// Finds the pixels that need a ray; list.comp lists them. Tracing costs nothing where nothing reflects. The other
+// pixels get their answer here.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "generate/pixel_ray.glsl"
+#include "frame/prepared.glsl"
 #include "lib/camera.glsl"
 #include "lib/fades.glsl"
 #include "lib/surface.glsl"
@@ -12,12 +14,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-}
-frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
 };
@@ -25,26 +21,18 @@ layout(push_constant, scalar) uniform PushBlock {
 #include "trace/ray_list.glsl"
 #include "trace/traced.glsl"
 
-/// kOutcomeNone where a ray is needed.
+/// Returns kOutcomeNone where a ray is needed.
 uint whyNoRay(float z, Surface here, vec2 uv) {
     if (here.reflectivity <= settings.threshold)
         return kOutcomeBelowThreshold;
     if (fadeRoughness(here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness) <= 0.0)
         return kOutcomeTooRough;
     if ((settings.flags & kFadeFacingCamera) != 0u) {
-        vec3 toSurfaceVS = viewDirection(frame.constants, viewPosition(frame.constants, uv, z));
-        if (fadeFacingCamera(dot(-toSurfaceVS, reflect(toSurfaceVS, here.normalVS))) <= 0.0)
+        PixelRay ray = generateRay(uv, z, here);
+        if (fadeFacingCamera(dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS)) <= 0.0)
             return kOutcomeFacingCamera;
     }
     return kOutcomeNone;
-}
-
-void listBegins() { // somebody needs what rays look at
-    ivec2 tiles = (ivec2(frame.constants.size) + int(kPyramidTile) - 1) / int(kPyramidTile);
-    rays.header.pyramidGroups[0] = uint(tiles.x);
-    rays.header.pyramidGroups[1] = uint(tiles.y);
-    rays.header.backFaceGroups[0] = settings.backFaceGroups.x;
-    rays.header.backFaceGroups[1] = settings.backFaceGroups.y;
 }
 
 void main() {
@@ -62,5 +50,5 @@ void main() {
         if (!needsRay)
             storeTraced(tracePX, vec3(0.0), 0.0, record);
     }
-    listRay(needsRay, tracePX);
+    needRay(needsRay);
 }

@@ -1,29 +1,31 @@
-// The colour that a ray takes from its hit: this frame's, or with screen.colorSource previous the last frame's picture,
-// which holds its own reflections, so that a mirror shows mirrors. Include after `frame`, `viewZ` and `surface`.
+// The colour of a ray's hit: this frame's colour, or with screen.colorSource previous the previous frame's. The
+// previous frame holds its own reflections, so a mirror shows mirrors.
 #ifndef GLINT_TRACE_HIT_COLOR_GLSL
 #define GLINT_TRACE_HIT_COLOR_GLSL
 
+#include "frame/prepared.glsl"
 #include "lib/camera.glsl"
+#include "lib/history.glsl"
 #include "lib/input_color.glsl"
 #include "lib/math.glsl"
 #include "lib/surface.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2D litRadiance;
-layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame's picture
-layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // and what it showed
-layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - current UV, once scaled
+layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame's colour
+layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // the previous frame's viewZ
+layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - current UV, after scaling
 
-/// Farther than this from where a surface at rest would have been, in pixels, motion says that the surface moved. Hosts
-/// leave their jitter out of motion, and that alone may make a pixel's diagonal.
+/// A surface moved if motion puts it farther than this from where a surface at rest would have been, in pixels. Hosts
+/// leave their jitter out of motion; the jitter alone may make a pixel's diagonal.
 const float kMovedPX = 1.5;
-/// A surface at rest was where it is, within this share of its distance and a quarter of a pixel; of one that moved,
-/// only its depth is known, and that roughly.
+/// A surface at rest was at its present place, within this fraction of its distance and a quarter of a pixel. Of a
+/// surface that moved only the depth is known, and only roughly.
 const float kSamePlace = 0.002;
 const float kSameDepth = 0.1;
 
 /// Where the surface of pixel `px` was in the previous frame, if that frame showed it.
 struct Before {
-    vec3 positionVS; // in the previous frame's view space, if it did not move
+    vec3 positionVS; // in the previous frame's view space, if the surface did not move
     vec3 normalVS;
     vec2 px;
     bool moved;
@@ -53,7 +55,7 @@ float samePlaceSlack(vec4 uvToView, float viewZ) {
     return kSamePlace * viewZ + 0.25 * pixelExtent(frame.constants, uvToView, viewZ).y;
 }
 
-/// Does the previous frame's texel show the surface of `before`?
+/// True if the previous frame's texel shows the surface of `before`.
 bool showedIt(Before before, ivec2 texel) {
     float z = texelFetch(prevViewZ, texel, 0).r;
     if (z >= kBackgroundZ)
@@ -68,8 +70,8 @@ bool showedIt(Before before, ivec2 texel) {
     return abs(dot(before.normalVS, between)) <= samePlaceSlack(frame.constants.prevUvToView, expectedZ);
 }
 
-/// Bilinear over those of the four texels that showed the same surface: nothing bleeds in from what stood before it.
-/// False: the previous frame did not show it.
+/// Bilinear over those of the four texels that showed the same surface, so no colour bleeds in from occluders. False if
+/// the previous frame did not show the surface.
 bool previousRadiance(ivec2 px, out vec3 radiance) {
     radiance = vec3(0.0);
     float z = texelFetch(viewZ, px, 0).r;
@@ -79,7 +81,7 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.size));
     if (!onScreen)
         return false;
-    const float kNoShare = 1.0 / 64.0; // at rest, rounding leaves a little of the neighbours
+    const float kNoShare = 1.0 / 64.0; // at rest, rounding leaves a small weight on the neighbours
     vec2 corner = floor(before.px - 0.5);
     vec2 share = before.px - 0.5 - corner;
     bool encoded = (frame.constants.flags & kHistoryGamma) != 0u;
@@ -99,10 +101,10 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     return total > 0.0;
 }
 
-/// Do pixels of the hit's surface look larger from where the ray starts than from the eye? Then single texels would be
-/// seen as stairs. A pixel of the mirror spans, on the ray, what a pixel spans at the whole way's distance; one at the
-/// hit is as wide as its own distance makes it, drawn out by its lean to the eye and foreshortened by that to the ray.
-/// For a flat mirror: a hollow one may magnify more.
+/// True if pixels of the hit's surface look larger from the ray's start than from the eye; single texels would then
+/// show as stairs. On the ray, a pixel of the mirror spans what a pixel spans at the distance of the whole path. A
+/// pixel at the hit is as wide as its own distance makes it, stretched by the surface's tilt to the eye and
+/// foreshortened by its tilt to the ray. Holds for a flat mirror: a concave one may magnify more.
 bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
     vec3 directionVS = normalize(hitVS - originVS);
     float wayOfMirror = length(originVS) + distance(originVS, hitVS);
@@ -110,8 +112,8 @@ bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
     return abs(dot(normalVS, directionVS)) > growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
 }
 
-/// What a hit at `px` shows of its light. Highlights of smooth surfaces are where the eye sees them and nowhere else;
-/// those of rough ones are wide, and show from all around.
+/// Radiance of the hit at `px` that the ray may take. The highlights of smooth surfaces are where the eye sees them and
+/// nowhere else; those of rough surfaces are wide and visible from everywhere.
 vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
     vec4 stored = texelFetch(litRadiance, px, 0);
     vec3 radiance = linearColor(stored.rgb, (frame.constants.flags & kInputGamma) != 0u);
@@ -120,13 +122,14 @@ vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
         return radiance;
     const float kSmooth = 0.2;
     const float kRough = 0.6;
-    const float kHalves = 1.0 + 1.0 / 1024.0; // both are rounded, and where there is no highlight the share is 1
+    const float kHalves = 1.0 + 1.0 / 1024.0; // both are rounded; without a highlight the ratio is 1
     float share = clamp(kHalves * sanitize(stored.a) / mean, 0.0, 1.0);
     return radiance * mix(share, 1.0, smoothstep(kSmooth, kRough, perceptualRoughness));
 }
 
-/// Of this frame, at `px`: the texel there, or where texels look large, bilinear over those of the four that show the
-/// same surface, by depth and normal. A marcher that promises one lookup (GLINT_ONE_TEXEL_A_HIT) takes the texel.
+/// This frame's radiance at `px`: one texel, or where texels look large, bilinear over those of the four texels that
+/// show the same surface, by depth and normal. A marcher that promises one lookup (GLINT_ONE_TEXEL_A_HIT) takes the
+/// texel.
 vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     ivec2 at = ivec2(px);
     Surface met = unpackSurface(texelFetch(surface, at, 0).xy);
@@ -163,15 +166,15 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
         if (same)
             sum += weight * vec4(shownRadiance(texel, met.perceptualRoughness), 1.0);
     }
-    return sum.rgb / sum.a; // the texel at `px` has a share of a quarter at least
+    return sum.rgb / sum.a; // the texel at `px` has a weight of at least a quarter
 #endif
 }
 
-/// Linear radiance, finite, of the surface that the picture shows at `px`, for a ray from `originVS` to `hitVS`.
-/// `lookups` grows by the depths of this frame that were read.
+/// Linear, finite radiance of the surface that the frame shows at `px`, for a ray from `originVS` to `hitVS`. `lookups`
+/// grows by the number of depth samples read from this frame.
 vec3 hitRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 radiance;
-    if ((frame.constants.flags & kInputHistory) != 0u && previousRadiance(ivec2(px), radiance))
+    if (hasHistory(frame.constants) && previousRadiance(ivec2(px), radiance))
         return radiance;
     return currentRadiance(px, originVS, hitVS, lookups);
 }

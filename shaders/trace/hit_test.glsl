@@ -5,6 +5,7 @@
 #ifndef GLINT_TRACE_HIT_TEST_GLSL
 #define GLINT_TRACE_HIT_TEST_GLSL
 
+#include "lib/nearness.glsl"
 #include "trace/ray_inputs.glsl"
 
 /// dot(normal at the hit, -ray) below which a surface was met from behind. A little below 0, as shading normals lean;
@@ -33,27 +34,29 @@ struct Sample {
     float sceneZ;
 };
 
-Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
+/// Where pixel `px` is nearest to the ray's place at `share`.
+Sample takeSample(ScreenRay ray, ivec2 px, float share, inout uint lookups) {
     Sample s;
     s.share = share;
-    s.px = ray.startPX + ray.deltaPX * share;
+    s.px = clamp(ray.startPX + ray.deltaPX * share, vec2(px), vec2(px) + 0.999);
     s.rayZ = rayViewZ(ray, share);
-    s.sceneZ = texelFetch(viewZ, ivec2(s.px), 0).r;
+    s.sceneZ = texelFetch(viewZ, px, 0).r;
     ++lookups;
     logSample(ray, share, s.px, s.rayZ, s.sceneZ);
     return s;
+}
+
+Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
+    return takeSample(ray, ivec2(ray.startPX + ray.deltaPX * share), share, lookups);
 }
 
 /// viewZ of the back of what the picture shows at `px`; `sceneZ` if it has none.
 float backOf(vec2 px, float sceneZ, inout uint lookups) {
     if (!isOn(kTraceBackDepth))
         return sceneZ;
-    ivec2 size = textureSize(backViewZ, 0);
-    ivec2 backPX = min(ivec2(px * frame.constants.invSize * vec2(size)), size - 1);
-    float backZ = texelFetch(backViewZ, backPX, 0).r;
+    float backZ = texelFetch(backViewZ, ivec2(px), 0).r;
     ++lookups;
-    // A back face in front of the front: something open, of which nothing is known behind.
-    return backZ < kBackgroundZ && backZ >= sceneZ * 0.999 ? max(backZ, sceneZ) : sceneZ;
+    return backZ < kBackgroundZ ? backZ : sceneZ;
 }
 
 /// viewZ to which the surface that the picture shows at `px` reaches back.
@@ -116,6 +119,44 @@ bool isEdgeOn(vec3 normalVS, vec3 surfaceVS) {
     return abs(dot(normalVS, viewDirection(frame.constants, surfaceVS))) < kEdgeOn;
 }
 
+/// Does the surface that pixel `px` shows edge-on end before its plane comes to `metZ`? It does where the next pixel, on
+/// the side where the plane goes away from the eye, shows something far behind that does not lie on the plane: beyond
+/// the rim of something round. A floor goes on there, however flat it is seen.
+bool endsAsRim(ivec2 px, vec3 normalVS, vec3 surfaceVS, float metZ, inout uint lookups) {
+    const float kStep = 0.05; // of nearness, as prepare/pyramid takes it for an edge
+    vec2 slope = nearnessSlope(frame.constants, surfaceVS, normalVS);
+    bool overX = abs(slope.x) > abs(slope.y);
+    ivec2 next = px - (overX ? ivec2(sign(slope.x), 0) : ivec2(0, sign(slope.y)));
+    float here = nearnessOf(frame.constants, -surfaceVS.z);
+    float away = overX ? abs(slope.x) : abs(slope.y);
+    float edge = kStep * abs(here);
+    bool beside = metZ <= -surfaceVS.z || nearnessOf(frame.constants, metZ) >= here - min(away, edge);
+    if (beside || !onScreen(vec2(next)))
+        return false;
+    float nextZ = texelFetch(viewZ, next, 0).r;
+    ++lookups;
+    float shown = nearnessOf(frame.constants, nextZ);
+    bool onPlane = nextZ < kBackgroundZ && abs(shown - (here - away)) <= edge;
+    return shown < here - edge && !onPlane;
+}
+
+/// How a ray ended that reached its end on screen without an answer. `behind`: its end is behind the surface at
+/// `sceneZ`; `nearlyThickEnough`: on its way, a slab of twice the thickness would have been hit. In front of the
+/// background the outcome is `sky` if the rest of the way to the vanishing point is a few pixels: rays of full length
+/// have come that far, rays that screen.maxDistance cut have not.
+uint endedOnScreen(ScreenRay ray, float sceneZ, bool behind, bool nearlyThickEnough) {
+    if (behind)
+        return nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
+    if (ray.clippedNear)
+        return kOutcomeBehindCamera;
+    const float kRest = 1.0 / 32.0; // of the picture's longer side
+    // What the line still grows if the ray goes on without end: 1/w falls to 0 linearly.
+    float toVanish = ray.endInvW / max(ray.startInvW - ray.endInvW, 1e-30);
+    float longer = max(frame.constants.size.x, frame.constants.size.y);
+    bool vanishes = toVanish * screenPixels(ray) <= kRest * longer;
+    return sceneZ >= kBackgroundZ && vanishes ? kOutcomeSky : kOutcomeMaxDistance;
+}
+
 /// Did the ray go behind something that the picture shows? What it would have met there is not known.
 bool passedBehind = false;
 
@@ -142,7 +183,11 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
         if (isEdgeOn(normalVS, surfaceVS)) {
             // The rim of something closed: its plane goes on behind it, the thing does not.
             float backZ = backOf(s.px, s.sceneZ, lookups);
-            if (backZ > s.sceneZ && rayViewZ(r.screen, share) > backZ + settings.thickness)
+            float metZ = rayViewZ(r.screen, share);
+            if (backZ > s.sceneZ && metZ > backZ + settings.thickness)
+                return kPasses;
+            float slab = settings.thickness + settings.thicknessRelative * s.sceneZ;
+            if (backZ <= s.sceneZ && endsAsRim(px, normalVS, surfaceVS, metZ - slab, lookups))
                 return kPasses;
         }
         s.share = share;

@@ -1,16 +1,17 @@
-// The `hiz` marcher: cell by cell through the depth pyramid. A cell that the ray passes in front of, or behind, is left
-// at once; one that shows a single flat surface answers for itself; any other is looked into. docs/techniques/hiz.md
+// The `hiz` marcher: walks cell by cell through the depth pyramid. The ray leaves a cell at once if it passes in front
+// of or behind the cell's surfaces. A cell that shows a single flat surface gives the hit itself. In any other cell the
+// ray descends a level. docs/techniques/hiz.md
 #include "lib/nearness.glsl"
 #include "lib/pyramid.glsl"
 #include "trace/hit_test.glsl"
 
 layout(set = 0, binding = 12) uniform usampler2D pyramid;
 
-/// Where a ray starts to look around: most leave a surface that is flat over this many pixels.
+/// The level at which a ray starts: most rays leave a surface that is flat over this many pixels.
 const int kFirstLevel = 4;
-/// Rounding of nearness and of the ray's, as a share of it.
+/// Rounding of the cell's and of the ray's nearness, as a fraction of it.
 const float kRounding = 2e-6;
-/// A flat cell answers for itself if it places the hit this exactly, in pixels along the ray.
+/// A flat cell gives the hit itself if it places the hit this exactly, in pixels along the ray.
 const float kFlatEnough = 0.75;
 
 Cell lookUp(ivec2 cell, int level) {
@@ -18,13 +19,13 @@ Cell lookUp(ivec2 cell, int level) {
     return unpackCell(texelFetch(pyramid, pyramidOffset(size, level) + cell, 0), frame.constants.invSize.x);
 }
 
-/// The line on screen, as crossings of cell borders need it.
+/// The line on screen, in the form that crossings of cell borders need.
 struct Line {
     vec2 startPX;
     vec2 deltaPX;
-    vec2 invDelta;    // of a direction in which it does not move: large
-    vec2 forward;     // 1 where it moves toward larger coordinates, else 0
-    float pixelShare; // a pixel along its longer axis, as a share of it
+    vec2 invDelta;    // large for an axis along which the line does not move
+    vec2 forward;     // 1 where the line moves toward larger coordinates, else 0
+    float pixelShare; // a pixel along the line's longer axis, as a fraction of the line
 };
 
 Line makeLine(ScreenRay ray) {
@@ -33,7 +34,7 @@ Line makeLine(ScreenRay ray) {
     return Line(ray.startPX, ray.deltaPX, invDelta, vec2(greaterThan(ray.deltaPX, vec2(0.0))), 1.0 / screenPixels(ray));
 }
 
-/// Share of the line at which it leaves the cell that spans [low, low + size) pixels, and over which axis.
+/// Fraction of the line at which it leaves the cell that spans [low, low + size) pixels, and the axis it crosses.
 float leaveCell(Line line, vec2 low, float size, out bool overX) {
     vec2 at = (low + line.forward * size - line.startPX) * line.invDelta;
     at = mix(at, vec2(1e30), greaterThan(abs(line.invDelta), vec2(1e29)));
@@ -41,7 +42,7 @@ float leaveCell(Line line, vec2 low, float size, out bool overX) {
     return min(at.x, at.y);
 }
 
-/// The pixel behind the border over which the ray leaves a cell.
+/// The pixel behind the border across which the ray leaves a cell.
 ivec2 enterNext(Line line, ivec2 cell, int level, float share, bool overX) {
     vec2 at = line.startPX + line.deltaPX * share;
     ivec2 low = cell << level;
@@ -54,19 +55,19 @@ ivec2 enterNext(Line line, ivec2 cell, int level, float share, bool overX) {
     return px;
 }
 
-/// Where the march goes on inside a cell that it has to look into.
+/// Where the march continues inside a cell that it descends into.
 struct Quarter {
-    bool found; // else the ray passes all of them
+    bool found; // false: the ray passes all quarters
     float share;
     ivec2 px;
 };
 
-/// The first quarter of `cell` that the ray does not just pass, from `share` to `last` of its line. `above` and `climb`
-/// give the ray's height over the cell's plane.
+/// The first quarter of `cell` that the ray may hit, from `share` to `last` of its line. `above` and `climb` give the
+/// ray's height over the cell's plane.
 Quarter firstQuarter(Line line, Cell cell, int level, ivec2 px, float share, float last, float above, float climb,
                      float rounding) {
     ivec2 parent = px >> level;
-    for (int i = 0; i < 3; ++i) { // a line crosses three at most
+    for (int i = 0; i < 3; ++i) { // a line crosses at most three quarters
         ivec2 child = px >> (level - 1);
         bool overX;
         float leave = leaveCell(line, vec2(child << (level - 1)), float(1 << (level - 1)), overX);
@@ -77,7 +78,7 @@ Quarter firstQuarter(Line line, Cell cell, int level, ivec2 px, float share, flo
         bool inFront = min(first, final) >= -solid.x - rounding;
         bool behind = max(above + climb * max(share - line.pixelShare, 0.0), final) < -solid.y;
         if (!inFront && !behind && solid.x <= solid.y) {
-            // Nothing is met before the ray comes to what is solid.
+            // The ray hits nothing before it reaches the solid part.
             float to = share;
             if (first > -solid.x)
                 to = clamp((-solid.x - above) / climb, share, end);
@@ -104,7 +105,7 @@ March march(Ray r) {
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
     Line line = makeLine(ray);
     float pixelShare = line.pixelShare;
-    // The ray's nearness at a share of the line.
+    // The ray's nearness at a fraction of the line.
     float start = rayNearness(frame.constants, ray, 0.0);
     float slope = rayNearness(frame.constants, ray, 1.0) - start;
     float endShare = isOn(kTraceClipToFrustum) ? ray.screenEnd : 1.0;
@@ -139,7 +140,7 @@ March march(Ray r) {
             Cell bounds = lookUp(cell, level);
             ++result.lookups;
             if (bounds.front > kEmptyCell) {
-                // How much nearer than the cell's plane the ray is: linear along the ray.
+                // How much nearer the ray is than the cell's plane: linear along the ray.
                 vec2 center = (vec2(cell) + 0.5) * float(1 << level);
                 float above = start - bounds.front - dot(bounds.slope, ray.startPX - center);
                 float climb = slope - dot(bounds.slope, ray.deltaPX);
@@ -147,7 +148,7 @@ March march(Ray r) {
                 float aboveLast = above + climb * last;
                 float rounding = kRounding * abs(start + slope * share);
                 bool inFront = min(aboveFirst, aboveLast) >= -rounding;
-                // From a pixel before, as single pixels are tested.
+                // Starts a pixel earlier, as tests of single pixels do.
                 bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
                 passedBehind = passedBehind || (behind && !inFront);
                 logCell(ray, share, cell, level, start + slope * share - aboveFirst, bounds.slab,
@@ -159,7 +160,7 @@ March march(Ray r) {
                     bool flatCell =
                         aboveFirst >= -rounding && aboveLast < -bounds.depth && bounds.depth <= kFlatEnough * fall;
                     float crosses = clamp((-0.5 * bounds.depth - above) / climb, share, last);
-                    flatCell = flatCell && onScreen(ray.startPX + ray.deltaPX * crosses); // cells reach over its end
+                    flatCell = flatCell && onScreen(ray.startPX + ray.deltaPX * crosses); // cells exceed the border
                     if (flatCell && result.iterations > settings.selfCollisionSkip) {
                         // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
                         Sample s = takeSample(ray, crosses, result.lookups);
@@ -179,18 +180,30 @@ March march(Ray r) {
                         }
                         logCellDecision(kSamplePasses);
                     } else {
-                        // The finest level that may be looked at: the cell is taken for what its bounds say.
-                        float meets = aboveFirst > 0.0 ? clamp(-above / climb, share, last) : share;
-                        vec2 meetsPX = clamp(ray.startPX + ray.deltaPX * meets, vec2(cell << level),
-                                             vec2(min((cell + 1) << level, screenSize)) - 0.01);
-                        if (result.iterations > settings.selfCollisionSkip && facesRay(normalAt(meetsPX), false, r)) {
-                            result.share = meets;
-                            result.hitPX = meetsPX;
-                            result.outcome = kOutcomeHit;
-                            logCellDecision(kSampleHit);
-                            return result;
+                        // The finest level to descend to: one pixel gives the answer for each of its quarters.
+                        Quarter quarter = firstQuarter(line, bounds, level, px, share, last, above, climb, rounding);
+                        if (quarter.found) {
+                            bool quarterOverX;
+                            ivec2 child = quarter.px >> (level - 1);
+                            float side = float(1 << (level - 1));
+                            float out_ = leaveCell(line, vec2(child) * side, side, quarterOverX);
+                            Sample s = takeSample(ray, quarter.px, min(max(out_, quarter.share), last), result.lookups);
+                            if (s.rayZ >= s.sceneZ && result.iterations > settings.selfCollisionSkip) {
+                                float from = max(quarter.share - 0.5 * pixelShare, 0.0);
+                                uint met = meetSurface(r, from, s, result.lookups);
+                                if (endsMarch(met, s, result))
+                                    return result;
+                                nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
+                            }
+                            ivec2 next = enterNext(line, child, level - 1, out_, quarterOverX);
+                            if (out_ < last && (next >> level) == cell) { // go to the cell's next quarter
+                                share = max(out_, share);
+                                px = next;
+                                continue;
+                            }
+                        } else {
+                            logCellDecision(kSamplePasses);
                         }
-                        logCellDecision(kSamplePasses);
                     }
                 }
             } else {
@@ -199,13 +212,7 @@ March march(Ray r) {
         } else {
             vec2 center = vec2(px) + 0.5;
             float at = clamp(dot(center - ray.startPX, ray.deltaPX) / dot(ray.deltaPX, ray.deltaPX), share, last);
-            Sample s;
-            s.share = at;
-            s.px = clamp(ray.startPX + ray.deltaPX * at, vec2(px), vec2(px) + 0.999);
-            s.rayZ = rayViewZ(ray, at);
-            s.sceneZ = texelFetch(viewZ, px, 0).r;
-            ++result.lookups;
-            logSample(ray, at, s.px, s.rayZ, s.sceneZ);
+            Sample s = takeSample(ray, px, at, result.lookups);
             if (s.rayZ < s.sceneZ) {
                 nearlyThickEnough = false;
             } else if (result.iterations > settings.selfCollisionSkip) {
@@ -216,7 +223,7 @@ March march(Ray r) {
             }
         }
 
-        // On to the next cell, and up, twice at most, where that lies in another cell of the level above.
+        // Go to the next cell. Go up at most two levels, where the next cell lies in another cell of the level above.
         share = last;
         if (leave >= endShare)
             break;
@@ -232,12 +239,7 @@ March march(Ray r) {
         float sceneZ = texelFetch(viewZ, ivec2(endPX), 0).r;
         ++result.lookups;
         logSample(ray, 1.0, endPX, rayViewZ(ray, 1.0), sceneZ);
-        if (rayViewZ(ray, 1.0) >= sceneZ)
-            result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
-        else if (ray.clippedNear)
-            result.outcome = kOutcomeBehindCamera;
-        else
-            result.outcome = sceneZ >= kBackgroundZ ? kOutcomeSky : kOutcomeMaxDistance;
+        result.outcome = endedOnScreen(ray, sceneZ, rayViewZ(ray, 1.0) >= sceneZ, nearlyThickEnough);
     } else {
         result.outcome = kOutcomeOffScreen;
     }

@@ -1,11 +1,11 @@
 // The `linear` marcher: one depth lookup every `step` pixels along the ray's line on screen.
 //
-// Depths are compared at the sample itself, so a plane never hits itself however grazing the ray; McGuire and Mara's
-// half-pixel intervals do (and need `selfCollisionSkip`).
-// Babylon.js' SSRRenderingPipeline is the model for the settings: docs/techniques/linear.md says what differs.
+// Depths are compared at the sample itself, so a plane never intersects itself however grazing the ray. McGuire and
+// Mara's half-pixel intervals do self-intersect, and need `selfCollisionSkip`. The settings follow Babylon.js'
+// SSRRenderingPipeline: docs/techniques/linear.md lists the differences.
 #include "trace/hit_test.glsl"
 
-/// Between two coarse samples, pixel by pixel: what is met first there. `s` moves to it.
+/// Tests pixel by pixel between two coarse samples for the first hit. Moves `s` to the hit.
 uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, inout uint lookups) {
     float pixelShare = 1.0 / pixels;
     float beforeShare = before.share;
@@ -28,7 +28,7 @@ March march(Ray r) {
     float pixels = screenPixels(ray);
     float endShare = clip ? ray.screenEnd : 1.0;
     float stepShare = float(settings.step) / pixels;
-    // Neighbours start at different fractions of a coarse step, so that a miss shows as grain and not as bands.
+    // Neighbours start at different fractions of a coarse step, so that a miss shows as grain, not as bands.
     float startOffset = settings.step > 1u ? float((r.px.x + r.px.y) & 3) * 0.25 : 0.0;
     uint needed = uint(min(ceil(endShare / stepShare + startOffset), 8192.0));
     uint iterations = min(needed, settings.maxSteps);
@@ -59,19 +59,15 @@ March march(Ray r) {
             nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
         }
         if (i > settings.selfCollisionSkip || s.rayZ < s.sceneZ)
-            before = s; // what was crossed in skipped iterations is met by the first that counts
+            before = s; // a surface crossed in skipped iterations is hit by the first that counts
     }
 
     bool endsBehind = before.rayZ >= before.sceneZ && before.share > 0.0;
     if (needed > iterations)
         result.outcome = kOutcomeOutOfSteps;
     else if (clip && ray.screenEnd < 1.0)
-        result.outcome = kOutcomeOffScreen; // as the same ray would without clipping, whatever it passed behind
-    else if (endsBehind)
-        result.outcome = nearlyThickEnough ? kOutcomeTooThick : kOutcomeHidden;
-    else if (ray.clippedNear)
-        result.outcome = kOutcomeBehindCamera;
+        result.outcome = kOutcomeOffScreen; // as the same ray without clipping, whatever it passed behind
     else
-        result.outcome = before.sceneZ >= kBackgroundZ ? kOutcomeSky : kOutcomeMaxDistance;
+        result.outcome = endedOnScreen(ray, before.sceneZ, endsBehind, nearlyThickEnough);
     return result;
 }

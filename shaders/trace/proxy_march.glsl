@@ -1,22 +1,25 @@
-// The `proxy` marcher, which does not march: the ray meets the proxy volume of the first probe that influences its
-// pixel, and the picture is looked up once, where it shows that place. As right as the volume is.
-// Unity HDRP's projection model "proxy" is the model; docs/techniques/proxy.md says what the one sample may refuse.
+// The `proxy` marcher, which does not march. The ray intersects the proxy volume of the first probe that influences its
+// pixel, and one depth sample is fetched where the frame shows the intersection. The result is as right as the volume.
+// The model is Unity HDRP's projection model "proxy"; docs/techniques/proxy.md says which hits the one sample may
+// reject.
 #define GLINT_ONE_TEXEL_A_HIT // trace/hit_color.glsl
 #include "trace/hit_test.glsl"
 
 #include "probes/probe_lists.glsl"
 
-/// What is nearer to the camera than all of the ray was not met; by this share of the ray's length a volume may be wrong.
+/// A surface nearer to the camera than all of the ray is not a hit. A volume may be wrong by this fraction of the ray's
+/// length.
 const float kVolumeSlack = 0.1;
 
-/// Where the ray is taken to end.
+/// Where the ray is assumed to end.
 struct Projection {
     uint probe;     // in the host's list; kNoProbe
     uint shape;     // kProbe*
     float distance; // metres; kBackgroundZ: infinitely far
 };
 
-/// The smallest volume's that has anything to say of the pixel. Without one, or without a proxy: infinitely far.
+/// The projection of the smallest volume that influences the pixel. Without a volume or without a proxy: infinitely
+/// far.
 Projection projectionOf(Ray r) {
     vec3 positionWS = (frame.constants.viewToWorld * vec4(r.originVS, 1.0)).xyz;
     vec3 normalWS = mat3(frame.constants.viewToWorld) * r.originNormalVS;
@@ -34,8 +37,8 @@ Projection projectionOf(Ray r) {
     return Projection(kNoProbe, kProbeNoProxy, kBackgroundZ);
 }
 
-/// What the picture shows there, as far as its one sample tells. It refuses what the ray certainly did not meet:
-/// something nearer than all of its way, and the surface that it leaves.
+/// Judges the end point by its one sample. Rejects what the ray certainly did not hit: a surface nearer than all of the
+/// ray, and the surface that the ray leaves.
 uint judge(Ray r, Sample s, bool infinite, float distance) {
     if (s.sceneZ >= kBackgroundZ)
         return kOutcomeSky;
@@ -62,7 +65,7 @@ March march(Ray r) {
     logProjection(projection.probe, projection.shape, projection.distance);
     bool infinite = projection.distance >= kBackgroundZ;
     March result = March(1.0, ray.startPX, 0u, 0u, kOutcomeNone);
-    // A direction has no length that screen.maxDistance could cut, but it may lead back past the camera.
+    // A direction has no length for screen.maxDistance to cut, but it may lead back past the camera.
     if (infinite ? r.directionVS.z >= 0.0 : ray.clippedNear && projection.distance >= ray.lengthVS) {
         result.outcome = kOutcomeBehindCamera;
         return result;
@@ -76,7 +79,7 @@ March march(Ray r) {
     vec4 endVS = infinite ? vec4(r.directionVS, 0.0) : vec4(r.originVS + r.directionVS * projection.distance, 1.0);
     vec4 endH = frame.constants.viewToPixel * endVS;
     vec2 endPX = endH.xy / endH.w;
-    if (endH.w <= 0.0 || !onScreen(endPX)) { // parallel rays never get infinitely far on screen: w is 0
+    if (endH.w <= 0.0 || !onScreen(endPX)) { // parallel rays never reach infinity on screen: w is 0
         result.outcome = kOutcomeOffScreen;
         return result;
     }
@@ -85,6 +88,6 @@ March march(Ray r) {
     logSample(ray, s.share, s.px, s.rayZ, s.sceneZ);
     result.hitPX = endPX;
     result.outcome = judge(r, s, infinite, projection.distance);
-    passedBehind = true; // nobody looked at the way: rays through the scene know better
+    passedBehind = true; // the path was not tested: rays through the scene know better
     return result;
 }

@@ -2,18 +2,13 @@
 #ifndef GLINT_TRACE_RAY_INPUTS_GLSL
 #define GLINT_TRACE_RAY_INPUTS_GLSL
 
+#include "frame/prepared.glsl"
 #include "lib/screen_ray.glsl"
 #include "lib/surface.glsl"
 #include "shared/outcome.h"
 #include "shared/trace_constants.h"
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-}
-frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
-layout(set = 0, binding = 11) uniform sampler2D backViewZ; // of any size
+layout(set = 0, binding = 11) uniform sampler2D backViewZ;
 layout(push_constant, scalar) uniform PushBlock {
     TraceConstants settings;
 #ifdef GLINT_REFRACTION
@@ -35,12 +30,12 @@ struct Ray {
     vec3 originVS;
     vec3 originNormalVS;
     vec3 directionVS; // unit
-    ivec2 px;         // where it starts
+    ivec2 px;         // the pixel where it starts
 };
 
 /// How a march ended.
 struct March {
-    float share; // of the ray's line on screen
+    float share; // fraction of the ray's line on screen
     vec2 hitPX;  // of a hit
     uint iterations;
     uint lookups; // reads of any depth image

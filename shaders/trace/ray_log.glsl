@@ -1,5 +1,5 @@
-// What a march looks at and why, for the inspector: the entry shaders of trace/log define GLINT_RAY_LOG and march one
-// ray with the very code of the frame. Without it every function here is empty. Include after `viewZ`,
+// Logs what a march samples and decides, for the inspector. The variants in trace/log define GLINT_RAY_LOG and march
+// one ray with the same code as the frame. Without GLINT_RAY_LOG every function here is empty. Include after `viewZ`,
 // Ray and March.
 #ifndef GLINT_TRACE_RAY_LOG_GLSL
 #define GLINT_TRACE_RAY_LOG_GLSL
@@ -17,7 +17,7 @@ layout(scalar, set = 0, binding = 13) buffer LogBlock {
 }
 rayLog;
 
-/// One depth read of a pixel.
+/// Logs one depth sample of a pixel.
 void logSample(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
     uint i = rayLog.header.sampleCount++;
     if (i < kMaxLoggedSamples)
@@ -25,7 +25,7 @@ void logSample(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
                                          rayZ < sceneZ ? kSampleFront : kSampleBehind);
 }
 
-/// The newest sample of this very place; kMaxLoggedSamples if it was not written.
+/// The newest sample at this exact place; kMaxLoggedSamples if it was not logged.
 uint findSample(vec2 px) {
     for (uint i = min(rayLog.header.sampleCount, kMaxLoggedSamples); i > 0u; --i)
         if (rayLog.samples[i - 1u].level == 0u && rayLog.samples[i - 1u].px == px)
@@ -33,28 +33,29 @@ uint findSample(vec2 px) {
     return kMaxLoggedSamples;
 }
 
-/// What came of it.
+/// Logs the decision about a sample.
 void logDecision(vec2 px, uint decision) {
     uint i = findSample(px);
     if (i < kMaxLoggedSamples)
         rayLog.samples[i].decision = decision;
 }
 
-/// viewZ to which the surface there reaches back.
+/// Logs the viewZ to which the surface there reaches back.
 void logSlab(vec2 px, float slabZ) {
     uint i = findSample(px);
     if (i < kMaxLoggedSamples)
         rayLog.samples[i].slabZ = slabZ;
 }
 
-/// The neighbour of a hit, asked whether it shows the same surface.
+/// Logs the neighbour of a hit, tested for the same surface.
 void logPlace(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
     logSample(ray, share, px, rayZ, sceneZ);
     if (rayLog.header.sampleCount <= kMaxLoggedSamples)
         rayLog.samples[rayLog.header.sampleCount - 1u].decision = kSamplePlaces;
 }
 
-/// One read of a cell; `nearness` of its plane where the ray enters it, `slab` as lib/pyramid.glsl has it.
+/// Logs one read of a cell. `nearness`: of the cell's plane where the ray enters the cell. `slab`: as in
+/// lib/pyramid.glsl.
 void logCell(ScreenRay ray, float share, ivec2 cell, int level, float nearness, float slab, uint decision) {
     uint i = rayLog.header.sampleCount++;
     if (i >= kMaxLoggedSamples)
@@ -67,7 +68,7 @@ void logCell(ScreenRay ray, float share, ivec2 cell, int level, float nearness, 
         LoggedSample(px, uint(level), rayViewZ(ray, share), sceneZ, slabZ, rayDistance(ray, share), decision);
 }
 
-/// What came of the newest cell.
+/// Logs the decision about the newest cell.
 void logCellDecision(uint decision) {
     if (rayLog.header.sampleCount > kMaxLoggedSamples)
         return;
@@ -84,7 +85,7 @@ float logFade(uint fade, float factor) {
     return factor;
 }
 
-/// What march proxy takes the ray to meet: a probe's number, the shape of its proxy, how far that is.
+/// Logs the projection that marcher proxy intersects: the probe's number, its proxy's shape, the distance.
 void logProjection(uint probe, uint shape, float distance) {
     rayLog.header.ray.projected = 1u;
     rayLog.header.ray.probe = probe;
@@ -92,9 +93,9 @@ void logProjection(uint probe, uint shape, float distance) {
     rayLog.header.ray.projectionDistance = distance;
 }
 
-/// How it all ended, and what that is worth.
+/// Logs how the ray ended and the weight of its answer.
 void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec4 answer) {
-    LoggedRay logged = rayLog.header.ray; // with the fades and the projection
+    LoggedRay logged = rayLog.header.ray; // already has the fades and the projection
     logged.traced = 1u;
     logged.answered = answered ? 1u : 0u;
     logged.record = packRayRecord(record);

@@ -1,4 +1,21 @@
-// One ray of the list: where it starts, the marcher's walk (`March march(Ray)`), and what its end is worth.
+// Traces one ray of the list: its start, the marcher's walk (`March march(Ray)`), and the weight of its end.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#if defined(GLINT_MARCH_ADAPTIVE)
+#include "trace/adaptive_march.glsl"
+#elif defined(GLINT_MARCH_HIZ)
+#include "trace/hiz_march.glsl"
+#elif defined(GLINT_MARCH_LINEAR)
+#include "trace/linear_march.glsl"
+#elif defined(GLINT_MARCH_PROXY)
+#include "trace/proxy_march.glsl"
+#else
+#error no marcher: one of GLINT_MARCH_*
+#endif
+
+#include "generate/pixel_ray.glsl"
 #include "lib/fades.glsl"
 #include "lib/noise.glsl"
 #include "lib/trace_pixel.glsl"
@@ -49,17 +66,16 @@ void main() {
     ivec2 px = tracePixelToFull(frame.constants, tracePX);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     Surface origin = unpackSurface(texelFetch(surface, px, 0).xy);
-    vec3 originVS = viewPosition(frame.constants, uv, texelFetch(viewZ, px, 0).r);
-    vec3 toSurfaceVS = viewDirection(frame.constants, originVS);
+    PixelRay generated = generateRay(uv, texelFetch(viewZ, px, 0).r, origin);
 
     Ray ray;
     ray.px = px;
-    ray.originVS = originVS;
+    ray.originVS = generated.originVS;
     ray.originNormalVS = origin.normalVS;
-    ray.directionVS = reflect(toSurfaceVS, origin.normalVS);
+    ray.directionVS = generated.directionVS;
     if (settings.roughnessFactor > 0.0)
         ray.directionVS = jitter(ray.directionVS, px, origin);
-    ray.screen = makeScreenRay(frame.constants, originVS, ray.directionVS, settings.maxDistance);
+    ray.screen = makeScreenRay(frame.constants, ray.originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);
 
     bool hit = isAnswered(end.outcome);
@@ -72,8 +88,8 @@ void main() {
 
     vec4 answer = vec4(0.0);
     if (hit) {
-        float VoR = dot(-toSurfaceVS, ray.directionVS);
-        answer.rgb = hitRadiance(end.hitPX, originVS, originVS + ray.directionVS * record.hitDistance, end.lookups);
+        float VoR = dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS);
+        answer.rgb = hitRadiance(end.hitPX, ray.originVS, ray.originVS + ray.directionVS * record.hitDistance, end.lookups);
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
     record.lookups = end.lookups;

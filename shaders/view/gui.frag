@@ -1,4 +1,4 @@
-// Colours the viewer's panels. Colours are as displayed and blended so: that is what Dear ImGui's are made for.
+// Colours the viewer's panels. Colours are display-encoded and blended as such, as Dear ImGui expects.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
 #extension GL_EXT_scalar_block_layout : require

@@ -1,4 +1,4 @@
-// Places a vertex of the viewer's panels: pixels from the top left to clip space.
+// Places a vertex of the viewer's panels: pixels from the top left -> clip space.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-// Programmer's mistakes. The world's fault is a Result (base/result.hpp), never an assertion.
+// Assertions for programming errors. Errors of input or environment are a Result (base/result.hpp), never an assertion.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <string>
 
 #if defined(GLINT_ASSERTS) || !defined(NDEBUG)
-/// Ends the process with the condition, the place and the values that the message carries.
+/// Ends the process with the condition, its source location and the values in the message.
 #define GLINT_ASSERT(condition, ...)                                                                                   \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \

@@ -21,7 +21,7 @@ Error systemError(const std::string& path, int number) {
     return makeError(code, "{}: {}", path, std::strerror(number));
 }
 
-/// Two writers of one file, in this process or in two, must not share a temporary name.
+/// Two concurrent writers of one file, in one process or two, must not share a temporary name.
 std::string temporaryName(const std::string& path) {
     static std::atomic<unsigned> counter = 0;
     return fmt::format("{}.{}.{}.tmp", path, getpid(), counter++);
@@ -65,7 +65,7 @@ Result<void> writeFile(const std::string& path, std::string_view bytes) {
     if (!file)
         return systemError(path, errno);
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-    // The last bytes leave the buffer on closing: a full disk may show only there.
+    // The last bytes are written on close, so a full disk may be reported only here.
     if (std::fclose(file.release()) != 0 || !written)
         return systemError(path, errno);
     return making.commit();

@@ -1,4 +1,4 @@
-// Whole files in and out. A file that this library writes is complete or not there.
+// Reads and writes whole files. A file written by this library is either complete or absent.
 #pragma once
 
 #include "base/result.hpp"
@@ -8,12 +8,12 @@
 
 namespace glint {
 
-/// The bytes of a file of at most `longest` bytes.
-/// Errors: NotFound if there is none; Io if it cannot be read; InvalidInput if it is longer.
+/// Returns the bytes of a file of at most `longest` bytes. Errors: NotFound if there is no such file; Io if it cannot
+/// be read; InvalidInput if it is longer.
 Result<std::string> readFile(const std::string& path, size_t longest);
 
-/// A file being written under a temporary name in the folder of its final one, which it takes in `commit`.
-/// Without a commit the temporary file is removed, and what was there before stays.
+/// A file written under a temporary name in the folder of its final name; `commit` renames it. Without a commit the
+/// temporary file is removed, and an existing file under the final name does not change.
 class FileInMaking {
 public:
     explicit FileInMaking(std::string path);

@@ -1,4 +1,4 @@
-// A 64-bit hash of values in order, to tell whether something is what it was: not against anybody's malice.
+// A 64-bit hash of values in order, to detect changes. Not secure against deliberate collisions.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,25 @@
 
 namespace glint {
 
-/// Fowler, Noll, Vo: FNV-1a, over words of 8 bytes for speed, with the avalanche of MurmurHash3's finalizer at the end.
+/// FNV-1a (Fowler, Noll, Vo) over words of 8 bytes for speed, ending with the avalanche of MurmurHash3's finalizer.
 class Hash {
 public:
     Hash& bytes(const void* data, size_t size) {
         const auto* at = static_cast<const unsigned char*>(data);
-        word(size); // so that neighbours cannot trade bytes
+        word(size); // so that bytes cannot move between neighbours
         for (; size >= 8; at += 8, size -= 8) {
             uint64_t value = 0;
             std::memcpy(&value, at, 8);
             word(value);
         }
         uint64_t rest = 0;
-        if (size > 0) // an empty list has no address
+        if (size > 0) // the data pointer of an empty list may be null
             std::memcpy(&rest, at, size);
         word(rest);
         return *this;
     }
     Hash& text(std::string_view value) { return bytes(value.data(), value.size()); }
-    /// A number, or a struct without padding: its bytes are what counts.
+    /// Adds a number, or a struct without padding; its bytes are hashed.
     template <class T>
     Hash& value(const T& value) {
         static_assert(std::is_trivially_copyable_v<T>);
@@ -49,7 +49,7 @@ public:
 private:
     void word(uint64_t value) {
         state_ = (state_ ^ value) * 0x100000001b3ull;
-        state_ ^= state_ >> 29; // FNV's products carry upwards only
+        state_ ^= state_ >> 29; // the products of FNV carry upwards only
     }
     uint64_t state_ = 0xcbf29ce484222325ull;
 };

@@ -1,4 +1,4 @@
-// Short forms for making and passing on errors (include/glint/error.hpp).
+// Short forms for creating and propagating errors (include/glint/error.hpp).
 #pragma once
 
 #include "glint/error.hpp"
@@ -35,7 +35,7 @@ Error makeError(ErrorCode code, fmt::format_string<Args...> format, Args&&... ar
         return std::move(GLINT_CONCAT(glintTry_, __LINE__)).error();                                                   \
     auto name = std::move(GLINT_CONCAT(glintTry_, __LINE__)).value()
 
-/// The same where there is no value to keep.
+/// As GLINT_TRY, for a result whose value is not needed.
 #define GLINT_CHECK(expression)                                                                                        \
     do {                                                                                                               \
         if (auto glintCheck = (expression); !glintCheck)                                                               \

@@ -10,7 +10,7 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Levenshtein 1966: fewest insertions, deletions and substitutions; one row of the table is kept.
+/// Levenshtein 1966: minimum number of insertions, deletions and substitutions; keeps one row of the table.
 size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> row(b.size() + 1);
     for (size_t j = 0; j <= b.size(); ++j)
@@ -59,7 +59,7 @@ std::string_view nearestText(std::string_view text, std::span<const std::string_
 }
 
 std::string_view likelyMeant(std::string_view text, std::span<const std::string_view> candidates) {
-    constexpr size_t kLongestName = 100; // longer texts are no misspelt names, and cost quadratic time
+    constexpr size_t kLongestName = 100; // longer texts are not misspelt names, and would cost quadratic time
     if (text.size() > kLongestName || candidates.empty())
         return {};
     const std::string_view nearest = nearestText(text, candidates);

@@ -1,17 +1,17 @@
-// VK_KHR_acceleration_structure: what a driver makes of triangles (bottom level) and of instances of them (top level),
-// for ray queries. Creating one allocates; Frame::build and Frame::refit fill it on the GPU.
+// VK_KHR_acceleration_structure, for ray queries: a bottom level is built from triangles, a top level from instances of
+// bottom levels. Creation only allocates; Frame::build and Frame::refit fill a structure on the GPU.
 #pragma once
 
 #include "gpu/resources.hpp"
 
 namespace glint::gpu {
 
-/// Where the triangles of one mesh lie, in buffers made with kBuildInputUsage.
+/// The triangles of one mesh, in buffers created with kBuildInputUsage.
 struct TriangleRange {
-    Buffer* positions = nullptr; ///< three floats a vertex, tightly packed
+    Buffer* positions = nullptr; ///< three floats per vertex, tightly packed
     size_t positionOffset = 0;   ///< bytes
     uint32_t vertexCount = 0;
-    Buffer* indices = nullptr; ///< uint32, counted from the first vertex; all below vertexCount
+    Buffer* indices = nullptr; ///< uint32, relative to the first vertex; all below vertexCount
     size_t indexOffset = 0;    ///< bytes
     uint32_t triangleCount = 0;
 };
@@ -20,16 +20,15 @@ constexpr VkBufferUsageFlags kBuildInputUsage = VK_BUFFER_USAGE_ACCELERATION_STR
                                                 VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
                                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
-/// Movable; destroys its Vulkan objects. Needs Context::rayQuery.
+/// Movable; destroys its Vulkan objects. Requires Context::rayQuery.
 class AccelerationStructure {
 public:
     AccelerationStructure() = default;
-    /// `deforms`: Frame::refit will be called on it; the tree is built for that.
-    /// Errors: OutOfMemory.
+    /// `deforms`: Frame::refit will be called on this structure, so that it is built as updatable. Errors: OutOfMemory.
     static Result<AccelerationStructure> bottom(Context& context, std::string name, const TriangleRange& triangles,
                                                 bool deforms);
-    /// `instances` holds `count` VkAccelerationStructureInstanceKHR, which refer to `bottoms` by address; both outlive
-    /// this. Errors: OutOfMemory.
+    /// `instances` holds `count` VkAccelerationStructureInstanceKHR, which refer to `bottoms` by address. `instances`
+    /// and `bottoms` must outlive the structure. Errors: OutOfMemory.
     static Result<AccelerationStructure> top(Context& context, std::string name, Buffer& instances, uint32_t count,
                                              std::vector<AccelerationStructure*> bottoms);
     ~AccelerationStructure() { destroy(); }
@@ -38,11 +37,11 @@ public:
 
     explicit operator bool() const { return handle_ != VK_NULL_HANDLE; }
     VkAccelerationStructureKHR handle() const { return handle_; }
-    VkDeviceAddress address() const { return address_; } ///< what an instance record refers to
-    Buffer& storage() { return storage_; }               ///< barriers go by this buffer
+    VkDeviceAddress address() const { return address_; } ///< the address that instance records contain
+    Buffer& storage() { return storage_; }               ///< the buffer that barriers refer to
     std::span<Buffer* const> inputs() const { return inputs_; }
     std::span<AccelerationStructure* const> references() const { return references_; }
-    /// Bytes that a build or refit needs besides, alignment included.
+    /// Bytes of scratch memory that a build or refit requires, alignment included.
     size_t scratchSize() const { return scratchSize_; }
 
 private:

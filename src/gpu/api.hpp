@@ -1,5 +1,5 @@
-// Every Vulkan function that Glint calls, in one table per context. Nothing is linked and nothing is global, so that
-// a host may use any loader beside us (volk, Vulkan-Hpp, its own).
+// Every Vulkan function that Glint calls, in one table per context. Nothing is linked and nothing is global, so that a
+// host may use any loader of its own (volk, Vulkan-Hpp).
 #pragma once
 
 #ifndef VK_NO_PROTOTYPES
@@ -22,25 +22,25 @@
     X(CreateShaderModule) X(DestroyShaderModule) X(CreatePipelineLayout) X(DestroyPipelineLayout)                      \
     X(CreateComputePipelines) X(CreateGraphicsPipelines) X(DestroyPipeline)                                            \
     X(CreateDescriptorSetLayout) X(DestroyDescriptorSetLayout) X(CreateDescriptorPool) X(DestroyDescriptorPool)        \
-    X(AllocateDescriptorSets) X(UpdateDescriptorSets) X(CreateQueryPool) X(DestroyQueryPool) X(GetQueryPoolResults)    \
+    X(AllocateDescriptorSets) X(UpdateDescriptorSets) X(CreateQueryPool) X(DestroyQueryPool)                           \
     X(CmdPipelineBarrier2) X(CmdBindPipeline) X(CmdBindDescriptorSets) X(CmdPushDescriptorSetKHR) X(CmdPushConstants)  \
     X(CmdDispatch) X(CmdDispatchIndirect) X(CmdBeginRendering) X(CmdEndRendering) X(CmdSetViewport) X(CmdSetScissor)   \
     X(CmdSetCullMode) X(CmdSetFrontFace)                                                                               \
     X(CmdBindIndexBuffer) X(CmdDraw) X(CmdDrawIndexed) X(CmdCopyBuffer) X(CmdCopyImage) X(CmdBlitImage)                \
     X(CmdResolveImage)                                                                                                 \
     X(CmdCopyBufferToImage) X(CmdCopyImageToBuffer) X(CmdUpdateBuffer) X(CmdFillBuffer) X(CmdClearColorImage)          \
-    X(CmdResetQueryPool) X(CmdWriteTimestamp2)
+    X(CmdResetQueryPool) X(CmdWriteTimestamp2) X(CmdCopyQueryPoolResults)
 
 /// Present only where VK_EXT_debug_utils is enabled; null otherwise.
 #define GLINT_VK_DEBUG_FUNCTIONS(X)                                                                                    \
     X(SetDebugUtilsObjectNameEXT) X(CmdBeginDebugUtilsLabelEXT) X(CmdEndDebugUtilsLabelEXT)
 
-/// Present only where ray queries are enabled (Context::rayQuery); not called otherwise.
+/// Present only where ray queries are enabled (Context::rayQuery); otherwise never called.
 #define GLINT_VK_RAY_FUNCTIONS(X)                                                                                      \
     X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR)      \
     X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR) X(GetBufferDeviceAddress)
 
-/// Present only where a window is (Context::presents); not called otherwise.
+/// Present only where the context can present to a window (Context::presents); otherwise never called.
 #define GLINT_VK_SURFACE_FUNCTIONS(X)                                                                                  \
     X(DestroySurfaceKHR) X(GetPhysicalDeviceSurfaceSupportKHR) X(GetPhysicalDeviceSurfaceCapabilitiesKHR)              \
     X(GetPhysicalDeviceSurfaceFormatsKHR)
@@ -64,8 +64,8 @@ struct Api {
 
     void loadInstance(PFN_vkGetInstanceProcAddr getInstanceProcAddr, VkInstance instance);
     void loadDevice(VkDevice device);
-    /// The first function that the device should offer but does not; null if all are there. Those of an extension that
-    /// nobody enabled are missing, too.
+    /// Returns the name of the first required function that the device does not provide; null if all are present.
+    /// Functions of an extension that was not enabled count as missing.
     const char* firstMissing() const;
     const char* firstMissingForRays() const;
     const char* firstMissingForWindows() const;

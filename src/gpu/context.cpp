@@ -31,7 +31,7 @@ Result<void*> openLoader() {
                      "no Vulkan loader (libvulkan.so.1): install libvulkan1, or start the program with scripts/glint");
 }
 
-DeviceInfo describe(const Api& api, VkPhysicalDevice device) {
+DeviceInfo describe(const Api& api, VkPhysicalDevice device, Demands demands) {
     VkPhysicalDeviceDriverProperties driver = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
     api.GetPhysicalDeviceProperties2(device, &properties);
@@ -42,7 +42,7 @@ DeviceInfo describe(const Api& api, VkPhysicalDevice device) {
     info.apiVersion = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
                                   VK_API_VERSION_PATCH(version));
     info.software = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-    info.missing = missingRequirements(api, device);
+    info.missing = missingRequirements(api, device, demands);
     info.rayQuery = version >= VK_API_VERSION_1_2 && supportsRayQuery(api, device);
     return info;
 }
@@ -56,15 +56,16 @@ std::vector<VkPhysicalDevice> physicalDevices(const Api& api, VkInstance instanc
     return devices;
 }
 
-/// A queue that draws and computes, as the whole frame runs on one.
-std::optional<uint32_t> findQueueFamily(const Api& api, VkPhysicalDevice device) {
+/// Glint uses one queue for whole frames, which include the draws of our programs.
+std::optional<uint32_t> findQueueFamily(const Api& api, VkPhysicalDevice device, Demands demands) {
     uint32_t count = 0;
     api.GetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
     api.GetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
-    constexpr VkQueueFlags kNeeded = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    const VkQueueFlags needed =
+        VK_QUEUE_COMPUTE_BIT | (demands == Demands::Programs ? VkQueueFlags(VK_QUEUE_GRAPHICS_BIT) : 0);
     for (uint32_t i = 0; i < count; ++i)
-        if ((families[i].queueFlags & kNeeded) == kNeeded)
+        if ((families[i].queueFlags & needed) == needed)
             return i;
     return std::nullopt;
 }
@@ -96,7 +97,10 @@ Result<std::unique_ptr<Context>> Context::adopt(const AdoptedDevice& host) {
     context->device_ = host.device;
     context->queueFamily_ = host.queueFamily;
     context->api_.loadInstance(host.getInstanceProcAddr, host.instance);
-    context->info_ = describe(context->api_, host.physicalDevice);
+    context->demands_ = host.demands;
+    context->info_ = describe(context->api_, host.physicalDevice, host.demands);
+    if (host.rayQuery && host.demands == Demands::Screen)
+        return invalidArgument("ray queries on a device that was made for the screen's reflections alone");
     context->rayQuery_ = host.rayQuery;
     GLINT_CHECK(context->finish());
     return context;
@@ -181,7 +185,7 @@ Result<std::vector<DeviceInfo>> Context::listDevices() {
     GLINT_CHECK(context.createInstance({}));
     std::vector<DeviceInfo> list;
     for (VkPhysicalDevice device : physicalDevices(context.api_, context.instance_))
-        list.push_back(describe(context.api_, device));
+        list.push_back(describe(context.api_, device, Demands::Programs));
     return list;
 }
 
@@ -192,7 +196,7 @@ Result<void> Context::chooseDevice(const ContextDesc& desc) {
 
     std::vector<DeviceInfo> infos;
     for (VkPhysicalDevice device : devices)
-        infos.push_back(describe(api_, device));
+        infos.push_back(describe(api_, device, desc.demands));
     std::optional<size_t> chosen;
     if (!desc.device.empty()) {
         size_t index = 0;
@@ -212,13 +216,13 @@ Result<void> Context::chooseDevice(const ContextDesc& desc) {
             return makeError(ErrorCode::NotFound, "no device '{}'; this machine has {}", desc.device, names);
         }
     } else {
-        // Hardware before software; in either group the driver's own order.
+        // Hardware devices before software devices; in each group in the driver's order.
         for (const bool software : {false, true})
             for (size_t i = 0; i < infos.size() && !chosen; ++i)
                 if (infos[i].usable() && infos[i].software == software)
                     chosen = i;
         if (!chosen)
-            chosen = 0; // and say below what it lacks
+            chosen = 0; // its missing requirements are reported below
     }
     info_ = infos[*chosen];
     physicalDevice_ = devices[*chosen];
@@ -229,19 +233,21 @@ Result<void> Context::chooseDevice(const ContextDesc& desc) {
 }
 
 Result<void> Context::createDevice(const ContextDesc& desc) {
-    const std::optional<uint32_t> family = findQueueFamily(api_, physicalDevice_);
+    const std::optional<uint32_t> family = findQueueFamily(api_, physicalDevice_, desc.demands);
     if (!family)
-        return makeError(ErrorCode::Unsupported, "{} has no queue that both draws and computes", info_.name);
+        return makeError(ErrorCode::Unsupported, "{} has no queue that {}", info_.name,
+                         desc.demands == Demands::Programs ? "both draws and computes" : "computes");
     queueFamily_ = *family;
     const float priority = 1;
     const VkDeviceQueueCreateInfo queue = {
         VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, queueFamily_, 1, &priority};
     FeatureChain features;
-    requireFeatures(&features.base.features, &features.v12, &features.v13);
+    requireFeatures(desc.demands, &features.base.features, &features.v12, &features.v13);
     VkPhysicalDeviceFeatures2 available = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
     api_.GetPhysicalDeviceFeatures2(physicalDevice_, &available);
-    features.base.features.shaderClipDistance = VK_TRUE; // our renderer's planar mirrors
-    features.base.features.samplerAnisotropy = available.features.samplerAnisotropy;
+    anisotropy_ = desc.demands == Demands::Programs && available.features.samplerAnisotropy == VK_TRUE;
+    features.base.features.samplerAnisotropy = anisotropy_ ? VK_TRUE : VK_FALSE;
+    demands_ = desc.demands;
     VkDeviceCreateInfo info = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.base};
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
@@ -268,7 +274,7 @@ Result<void> Context::createDevice(const ContextDesc& desc) {
 
 Result<void> Context::finish() {
     api_.loadDevice(device_);
-    // The device hands these out even where nobody enabled the extension; the instance does not.
+    // The device returns these functions even if the extension is not enabled; the instance does not.
     if (!api_.GetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT")) {
         api_.SetDebugUtilsObjectNameEXT = nullptr;
         api_.CmdBeginDebugUtilsLabelEXT = nullptr;
@@ -293,6 +299,9 @@ Result<void> Context::finish() {
     api_.GetPhysicalDeviceQueueFamilyProperties(physicalDevice_, &count, families.data());
     if (queueFamily_ >= count)
         return invalidArgument("queue family {} is not one of the device's {}", queueFamily_, count);
+    queueFlags_ = families[queueFamily_].queueFlags;
+    if ((queueFlags_ & VK_QUEUE_COMPUTE_BIT) == 0)
+        return invalidArgument("queue family {} does not compute", queueFamily_);
     if (families[queueFamily_].timestampValidBits > 0)
         timestampPeriodNs_ = static_cast<double>(properties.properties.limits.timestampPeriod);
 
@@ -305,7 +314,7 @@ Result<void> Context::finish() {
         scratchAlignment_ = std::max(structures.minAccelerationStructureScratchOffsetAlignment, 1u);
     }
 
-    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, allocator_);
+    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, hasTables(), allocator_);
         result != VK_SUCCESS)
         return vulkanError("creating the memory allocator", result);
 
@@ -320,7 +329,7 @@ Result<void> Context::finish() {
         info.maxLod = VK_LOD_CLAMP_NONE;
         if (kind == SamplerKind::ShadowCompare) {
             info.compareEnable = VK_TRUE;
-            info.compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; // reversed depth: lit where nothing is nearer
+            info.compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; // reversed depth: lit if no occluder is nearer
         }
         if (const VkResult result = api_.CreateSampler(device_, &info, nullptr, &samplers_[i]); result != VK_SUCCESS)
             return vulkanError("vkCreateSampler", result);
@@ -372,7 +381,7 @@ Context::~Context() {
 }
 
 AdoptedDevice Context::handles() const {
-    return {instance_, physicalDevice_, device_, queueFamily_, api_.GetInstanceProcAddr, rayQuery_};
+    return {instance_, physicalDevice_, device_, queueFamily_, api_.GetInstanceProcAddr, rayQuery_, demands_};
 }
 
 void Context::addShaders(std::span<const EmbeddedShader> shaders) {

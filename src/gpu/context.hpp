@@ -1,8 +1,9 @@
-// A Vulkan device as Glint uses it: created by our own programs, or adopted from a host. One type for both.
+// A Vulkan device as Glint uses it: created by our own programs or adopted from a host. Both use the same type.
 #pragma once
 
 #include "base/result.hpp"
 #include "gpu/api.hpp"
+#include "gpu/device_requirements.hpp"
 #include "gpu/shader.hpp"
 
 #include <cstdint>
@@ -19,37 +20,43 @@ namespace vma {
 struct VmaAllocator_T; // memory.hpp
 }
 
-/// What a physical device is and what it can do for Glint.
+/// Identity of a physical device, and its support for Glint.
 struct DeviceInfo {
     std::string name;
-    std::string driver;               ///< name and version as the driver says them
+    std::string driver;               ///< name and version as the driver reports them
     std::string apiVersion;           ///< "1.4.305"
     bool software = false;            ///< runs on the CPU
-    bool rayQuery = false;            ///< offers VK_KHR_acceleration_structure + VK_KHR_ray_query
-    std::vector<std::string> missing; ///< what Glint needs and this device lacks; empty: usable
+    bool rayQuery = false;            ///< supports VK_KHR_acceleration_structure + VK_KHR_ray_query
+    std::vector<std::string> missing; ///< requirements of Glint that the device does not meet; empty: usable
     bool usable() const { return missing.empty(); }
 };
 
 struct ContextDesc {
-    std::string device;      ///< part of a name, or an index as `glint devices` prints it; empty: the best usable one
-    bool validation = false; ///< the Khronos layer with synchronization checks; an error if it is not installed
-    bool rayQuery = true;    ///< enabled where the device offers it; false leaves it off everywhere
-    std::vector<const char*> windowExtensions; ///< of the instance, as the window system needs them; empty: no window
+    /// Part of a device name, or an index as `glint devices` prints it; empty: the best usable device.
+    std::string device;
+    /// Enables the Khronos validation layer with synchronization checks; an error if it is not installed.
+    bool validation = false;
+    bool rayQuery = true; ///< enables ray queries where the device supports them; false: never
+    /// Features to enable; less than Programs makes a device as limited as one of a library's host.
+    Demands demands = Demands::Programs;
+    /// Instance extensions that the window system requires; empty: no window.
+    std::vector<const char*> windowExtensions;
 };
 
-/// A host's device. All handles stay the host's; they must outlive the context.
+/// A host's device. The host owns all handles; they must outlive the context.
 struct AdoptedDevice {
     VkInstance instance = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
     VkDevice device = VK_NULL_HANDLE;
     uint32_t queueFamily = 0;
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
-    bool rayQuery = false; ///< the host enabled rayQueryExtensions() and RayQueryFeatures
+    bool rayQuery = false;              ///< the host enabled rayQueryExtensions() and RayQueryFeatures
+    Demands demands = Demands::Sources; ///< demands whose features the host enabled
 };
 
 enum class SamplerKind : uint8_t { LinearClamp, NearestClamp, LinearRepeat, ShadowCompare, Count };
 
-class Context {
+class Context : public std::enable_shared_from_this<Context> {
 public:
     static Result<std::unique_ptr<Context>> create(const ContextDesc& desc);
     static Result<std::unique_ptr<Context>> adopt(const AdoptedDevice& device);
@@ -57,51 +64,63 @@ public:
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    /// Every Vulkan device of this machine. Errors: NotFound when there is no Vulkan loader.
+    /// Returns every Vulkan device of this machine. Errors: NotFound if there is no Vulkan loader.
     static Result<std::vector<DeviceInfo>> listDevices();
+
+    /// True if the device is a host's. The host may drop its command buffers or submit them late, so the state of
+    /// images and buffers after one recording is not assumed in the next recording (Frame).
+    bool adopted() const { return !owned_; }
+    uint64_t nextRecording() { return ++recordings_; } ///< Returns a unique number for each command buffer's Frame.
 
     const Api& api() const { return api_; }
     const DeviceInfo& info() const { return info_; }
     VkInstance instance() const { return instance_; }
     VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
     VkDevice device() const { return device_; }
-    /// Enabled on this device: acceleration structures may be built and shaders may trace through them.
+    /// True if ray queries are enabled: acceleration structures may be built, and shaders may trace rays through them.
     bool rayQuery() const { return rayQuery_; }
-    uint32_t scratchAlignment() const { return scratchAlignment_; } ///< bytes; of builds, 1 without ray queries
+    /// True if image tables (gpu/texture_table.hpp) and buffer device addresses are enabled (Demands::Sources).
+    bool hasTables() const { return demands_ != Demands::Screen; }
+    /// Samplers may use anisotropy; false on a host's device, where it is unknown whether the feature is enabled.
+    bool anisotropy() const { return anisotropy_; }
+    /// Bytes, for acceleration structure builds; 1 without ray queries.
+    uint32_t scratchAlignment() const { return scratchAlignment_; }
     VkDeviceSize maxStorageBufferRange() const { return maxStorageBufferRange_; } ///< bytes
     uint32_t queueFamily() const { return queueFamily_; }
-    VkQueue queue() const { return queue_; } ///< of a created context; null of an adopted one
+    VkQueueFlags queueFlags() const { return queueFlags_; }
+    VkQueue queue() const { return queue_; } ///< the queue of a created context; null for an adopted one
     vma::VmaAllocator_T* allocator() const { return allocator_; }
-    double timestampPeriodNs() const { return timestampPeriodNs_; } ///< 0: the queue has no timestamps
+    double timestampPeriodNs() const { return timestampPeriodNs_; } ///< 0: the queue does not support timestamps
     VkSampler sampler(SamplerKind kind) const { return samplers_[static_cast<size_t>(kind)]; }
-    /// The handles that another library needs to adopt this device.
+    /// Returns the handles that another library needs to adopt this device.
     AdoptedDevice handles() const;
 
-    /// Makes a set of embedded shaders known; sets are static data and stay known for good. Saying it twice
-    /// does no harm.
+    /// Registers a set of embedded shaders. Sets are static data and stay registered. Registering a set again has no
+    /// effect.
     void addShaders(std::span<const EmbeddedShader> shaders);
-    /// From here on pipelines are made of these where they bear an embedded shader's name; those that are there stay as
-    /// they are. They must outlive every pipeline, and another text is another object: by it pipelines are shared.
+    /// New pipelines use these shaders in place of the embedded shaders of the same names; existing pipelines do not
+    /// change. The replacements must outlive every pipeline. Pipelines are shared by the address of the replacement, so
+    /// each new shader text requires a new object.
     void replaceShaders(ShaderReplacements replacements) { replacements_ = std::move(replacements); }
     const ShaderReplacements& replacedShaders() const { return replacements_; }
     /// Errors: NotFound, with the nearest name.
     Result<const EmbeddedShader*> findShader(std::string_view name) const;
 
-    /// Records with `recordCommands`, submits and waits: for set-up and headless work, never inside a library's record.
-    /// Only for a created context. Errors: DeviceLost.
+    /// Records with `recordCommands`, submits and waits. For set-up and headless work only, never while the library
+    /// records. Requires a created context. Errors: DeviceLost.
     Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& recordCommands);
 
-    /// Compute pipelines that somebody still has (gpu/pipeline.hpp), by what they were made from.
+    /// Compute pipelines that are still in use (gpu/pipeline.hpp), by the key that they were created from.
     std::map<std::string, std::weak_ptr<void>>& pipelines() { return pipelines_; }
 
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
-    /// Can an image of this format and usage have so many samples a pixel?
+    /// True if an image of this format and usage supports this number of samples per pixel.
     bool supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const;
     void nameObject(VkObjectType type, uint64_t handle, const char* name) const;
 
-    /// Made with ContextDesc::windowExtensions: gpu/swapchain.hpp can show pictures.
+    /// True if created with ContextDesc::windowExtensions: gpu/swapchain.hpp can present images.
     bool presents() const { return presents_; }
-    /// Validation messages so far (created contexts with validation on). Tests fail on any.
+    /// Validation messages so far (created contexts with validation enabled). Tests fail if there are any.
     const std::vector<std::string>& validationMessages() const { return validationMessages_; }
 
 private:
@@ -119,6 +138,8 @@ private:
     void* loader_ = nullptr; ///< dlopen handle, created contexts only
     bool owned_ = false;
     bool rayQuery_ = false;
+    bool anisotropy_ = false;
+    Demands demands_ = Demands::Programs;
     bool presents_ = false;
     uint32_t scratchAlignment_ = 1;
     VkDeviceSize maxStorageBufferRange_ = 0;
@@ -127,6 +148,8 @@ private:
     VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     uint32_t queueFamily_ = 0;
+    uint64_t recordings_ = 0;
+    VkQueueFlags queueFlags_ = 0;
     VkQueue queue_ = VK_NULL_HANDLE;
     VkCommandPool commandPool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
@@ -138,6 +161,17 @@ private:
     ShaderReplacements replacements_;
     std::map<std::string, std::weak_ptr<void>> pipelines_;
     std::vector<std::string> validationMessages_;
+};
+
+/// First base class of objects that a host may destroy after the glint::Context that created them: the device's
+/// samplers and allocator are kept until the last such object is destroyed. Has no effect for a context that is not
+/// shared, such as those of our programs.
+class KeepsContext {
+protected:
+    explicit KeepsContext(Context& context) : kept_(context.weak_from_this().lock()) {}
+
+private:
+    std::shared_ptr<Context> kept_;
 };
 
 } // namespace glint::gpu

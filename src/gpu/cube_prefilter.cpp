@@ -8,7 +8,7 @@
 namespace glint::gpu {
 namespace {
 
-/// Wide lobes have small faces: the budget of samples a mip stays about the same.
+/// Wide lobes are stored in small faces, so the total samples per mip stay about the same.
 uint32_t sampleCount(uint32_t mip) {
     return std::min(64u << (2 * (mip - 1)), 1024u);
 }
@@ -23,6 +23,8 @@ Result<CubePrefilter> CubePrefilter::create(Context& context) {
     CubePrefilter result;
     GLINT_TRY(copy, Pipeline::compute(context, {"prefilter/copy", 0, {}}));
     GLINT_TRY(ggx, Pipeline::compute(context, {"prefilter/ggx", sizeof(shared::PrefilterConstants), {}}));
+    GLINT_TRY(mips, MipChain::create(context, 6));
+    result.mips_ = std::move(mips);
     result.copy_ = std::move(copy);
     result.ggx_ = std::move(ggx);
     return result;
@@ -34,7 +36,7 @@ void CubePrefilter::copy(Frame& frame, Image& cube, Image& source, Image& filter
         .write("source", source)
         .write("filtered", filtered)
         .dispatch(source.width(), source.width(), 6);
-    frame.makeMips(source);
+    mips_.make(frame, source);
 }
 
 void CubePrefilter::filter(Frame& frame, Image& source, Image& filtered) const {

@@ -7,35 +7,42 @@
 namespace glint::gpu {
 namespace {
 
-/// Calls `visit(name, flag)` for each feature that Glint needs, of the structs that are given.
+/// Calls `visit(name, flag)` for each required feature of the given structs.
 template <class Visit>
-void visitFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+void visitFeatures(Demands demands, VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
                    VkPhysicalDeviceVulkan13Features* v13, Visit visit) {
+    const bool sources = demands != Demands::Screen;
+    const bool programs = demands == Demands::Programs;
     if (core) {
         visit("shaderStorageImageExtendedFormats", core->shaderStorageImageExtendedFormats);
-        visit("independentBlend", core->independentBlend);
+        if (programs) {
+            visit("independentBlend", core->independentBlend);
+            visit("shaderClipDistance", core->shaderClipDistance); // for the images of planar mirrors
+        }
     }
     if (v12) {
         visit("scalarBlockLayout", v12->scalarBlockLayout);
-        visit("descriptorIndexing", v12->descriptorIndexing);
-        visit("runtimeDescriptorArray", v12->runtimeDescriptorArray);
-        visit("shaderSampledImageArrayNonUniformIndexing", v12->shaderSampledImageArrayNonUniformIndexing);
-        visit("descriptorBindingPartiallyBound", v12->descriptorBindingPartiallyBound);
-        visit("bufferDeviceAddress", v12->bufferDeviceAddress);
+        if (sources) {
+            visit("runtimeDescriptorArray", v12->runtimeDescriptorArray);
+            visit("shaderSampledImageArrayNonUniformIndexing", v12->shaderSampledImageArrayNonUniformIndexing);
+            visit("descriptorBindingPartiallyBound", v12->descriptorBindingPartiallyBound);
+            visit("bufferDeviceAddress", v12->bufferDeviceAddress);
+        }
     }
     if (v13) {
         visit("synchronization2", v13->synchronization2);
-        visit("dynamicRendering", v13->dynamicRendering);
+        if (programs)
+            visit("dynamicRendering", v13->dynamicRendering);
     }
 }
 
-bool hasComputeBallots(const Api& api, VkPhysicalDevice device) {
+bool hasSubgroupArithmetic(const Api& api, VkPhysicalDevice device) {
     VkPhysicalDeviceSubgroupProperties subgroups = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES};
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     properties.pNext = &subgroups;
     api.GetPhysicalDeviceProperties2(device, &properties);
     return (subgroups.supportedStages & VK_SHADER_STAGE_COMPUTE_BIT) != 0 &&
-           (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_BALLOT_BIT) != 0;
+           (subgroups.supportedOperations & VK_SUBGROUP_FEATURE_ARITHMETIC_BIT) != 0;
 }
 
 } // namespace
@@ -62,9 +69,9 @@ bool supportsRayQuery(const Api& api, VkPhysicalDevice device) {
     return rays.accelerationStructure.accelerationStructure && rays.rayQuery.rayQuery;
 }
 
-void requireFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+void requireFeatures(Demands demands, VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
                      VkPhysicalDeviceVulkan13Features* v13) {
-    visitFeatures(core, v12, v13, [](const char*, VkBool32& flag) { flag = VK_TRUE; });
+    visitFeatures(demands, core, v12, v13, [](const char*, VkBool32& flag) { flag = VK_TRUE; });
 }
 
 bool hasExtension(const Api& api, VkPhysicalDevice device, const char* name) {
@@ -78,7 +85,7 @@ bool hasExtension(const Api& api, VkPhysicalDevice device, const char* name) {
     return false;
 }
 
-std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device) {
+std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device, Demands demands) {
     std::vector<std::string> missing;
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     api.GetPhysicalDeviceProperties2(device, &properties);
@@ -89,20 +96,19 @@ std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice de
             fmt::format("Vulkan 1.3 (has {}.{})", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version)));
         if (version < VK_API_VERSION_1_2)
             return missing;
-        available.v12.pNext = nullptr; // the 1.3 struct may not be asked of an older device
+        available.v12.pNext = nullptr; // a device older than 1.3 must not be queried for the 1.3 struct
     }
     api.GetPhysicalDeviceFeatures2(device, &available.base);
-    visitFeatures(&available.base.features, &available.v12, &available.v13, [&](const char* name, VkBool32& flag) {
-        if (!flag)
-            missing.emplace_back(name);
-    });
-    if (!available.base.features.shaderClipDistance) // our own renderer's alone: hosts need not have it
-        missing.emplace_back("shaderClipDistance");
+    visitFeatures(demands, &available.base.features, &available.v12, &available.v13,
+                  [&](const char* name, VkBool32& flag) {
+                      if (!flag)
+                          missing.emplace_back(name);
+                  });
     for (const char* name : requiredDeviceExtensions())
         if (!hasExtension(api, device, name))
             missing.emplace_back(name);
-    if (!hasComputeBallots(api, device))
-        missing.emplace_back("subgroup ballots in compute shaders");
+    if (!hasSubgroupArithmetic(api, device))
+        missing.emplace_back("subgroup arithmetic in compute shaders");
     return missing;
 }
 

@@ -1,5 +1,5 @@
-// What Glint asks of a Vulkan device, in one place: checked by `glint devices`, enabled when we create a device, and
-// listed for hosts in docs/embedding.md.
+// What Glint requires of a Vulkan device, in one place: Context::adopt and `glint devices` check it, our programs
+// enable it when they create a device, and docs/embedding.md lists it for hosts.
 #pragma once
 
 #include "gpu/api.hpp"
@@ -9,7 +9,7 @@
 
 namespace glint::gpu {
 
-/// A chain of feature structs. Not copyable: the structs point at each other.
+/// A chain of feature structs. Not copyable, as the structs point to each other.
 struct FeatureChain {
     VkPhysicalDeviceFeatures2 base = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
     VkPhysicalDeviceVulkan12Features v12 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES};
@@ -23,14 +23,21 @@ struct FeatureChain {
     FeatureChain& operator=(const FeatureChain&) = delete;
 };
 
-/// The device extensions that every device must offer.
+/// How much of Glint the device must support. Each value includes the requirements of the values before it.
+enum class Demands : uint8_t {
+    Screen,   ///< the library without the parts that need image tables or buffer device addresses
+    Sources,  ///< the whole library, with probes, planar mirrors and rays; compute shaders only
+    Programs, ///< our own programs, which also draw
+};
+
+/// Returns the device extensions that every device must support.
 const std::vector<const char*>& requiredDeviceExtensions();
 
-/// Switches on every feature that Glint needs in the structs that are given; null ones are skipped.
-void requireFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
+/// Enables every required feature in the given structs; null structs are skipped.
+void requireFeatures(Demands demands, VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
                      VkPhysicalDeviceVulkan13Features* v13);
 
-/// What ray queries need on top; optional. Not copyable, as above.
+/// Features that ray queries require in addition; optional. Not copyable, like FeatureChain.
 struct RayQueryFeatures {
     VkPhysicalDeviceAccelerationStructureFeaturesKHR accelerationStructure = {
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_FEATURES_KHR};
@@ -42,14 +49,14 @@ struct RayQueryFeatures {
     void require() { accelerationStructure.accelerationStructure = rayQuery.rayQuery = VK_TRUE; }
 };
 
-/// The extensions that ray queries need, besides those above.
+/// Returns the extensions that ray queries require, in addition to requiredDeviceExtensions().
 const std::vector<const char*>& rayQueryExtensions();
 
-/// Does the device offer the extensions and the features?
+/// True if the device supports the extensions and features of ray queries.
 bool supportsRayQuery(const Api& api, VkPhysicalDevice device);
 
-/// In words, what this device lacks; empty if it can run Glint.
-std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device);
+/// Returns the requirements that this device does not meet, in words; empty if it meets all.
+std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice device, Demands demands);
 
 bool hasExtension(const Api& api, VkPhysicalDevice device, const char* name);
 

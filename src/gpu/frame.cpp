@@ -1,32 +1,96 @@
-// Frame: barriers, scopes and the transfers that are no shader's work. The pass itself is in pass.cpp.
+// Frame: barriers, scopes, and transfers outside shaders. Pass is in pass.cpp.
 #include "gpu/pass.hpp"
 
 #include "base/assert.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace glint::gpu {
 
-Frame::Frame(Context& context, VkCommandBuffer commands, Timers* timers, std::vector<WrittenImage>* written)
-    : context_(context), commands_(commands), timers_(timers), written_(written) {
-    if (timers_)
+Frame::Frame(Context& context, VkCommandBuffer commands, Timers* timers, std::vector<WrittenImage>* written,
+             bool begins)
+    : context_(context), commands_(commands), timers_(timers), written_(written),
+      recording_(commands ? context.nextRecording() : 0) {
+    if (timers_ && begins)
         timers_->beginFrame(commands_);
     if (written_)
         written_->clear();
 }
 
-Frame Frame::more(Context& context, VkCommandBuffer commands, Timers& timers) {
-    Frame frame(context, commands);
-    frame.timers_ = &timers;
-    return frame;
+Frame::Frame(Context& context, VkCommandBuffer commands, Timers* timers, std::vector<WrittenImage>* written)
+    : Frame(context, commands, timers, written, true) {}
+
+Frame Frame::more(Context& context, VkCommandBuffer commands, Timers* timers) {
+    return {context, commands, timers, nullptr, false};
 }
 
 Frame Frame::rehearsal(Context& context) {
-    return Frame(context, VK_NULL_HANDLE);
+    return {context, VK_NULL_HANDLE, nullptr, nullptr, false};
+}
+
+Frame::~Frame() {
+    if (rehearsing())
+        return;
+    settle();
+    if (timers_)
+        timers_->endFrame(commands_);
+}
+
+// ---------------------------------------------------------------- what was recorded before
+
+namespace {
+
+/// The state after any earlier recordings, executed or not.
+constexpr ResourceState afterAll(VkImageLayout layout) {
+    return {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT, 0, 0, layout};
+}
+
+} // namespace
+
+/// Recording allocates nothing, so a full list stays as it is.
+void Frame::noteWritten(const std::string& pass, std::string_view binding, Image& image) {
+    if (written_ && written_->size() < written_->capacity())
+        written_->push_back({&pass, binding, &image});
+}
+
+void Frame::enter(Image& image) {
+    if (image.rest() == VK_IMAGE_LAYOUT_UNDEFINED || image.recording() == recording_)
+        return;
+    if (restingCount_ == resting_.size())
+        settle();
+    image.enterRecording(recording_);
+    image.lendAgain(afterAll(image.rest()));
+    resting_[restingCount_++] = &image;
+}
+
+void Frame::enter(Buffer& buffer) {
+    if (!context_.adopted() || buffer.recording() == recording_)
+        return;
+    buffer.enterRecording(recording_);
+    buffer.state() = afterAll(VK_IMAGE_LAYOUT_UNDEFINED);
+}
+
+/// Returns the images used so far to their resting layouts; an image that is used again is added again.
+void Frame::settle() {
+    const uint32_t count = std::exchange(restingCount_, 0);
+    for (uint32_t i = 0; i < count; ++i) {
+        Image& image = *resting_[i];
+        for (uint32_t mip = 0; mip < image.desc().mips; ++mip)
+            if (image.states()[mip].layout != image.rest())
+                use(image, mip, 1, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, image.rest()});
+        image.enterRecording(0);
+    }
+    flushBarriers();
+}
+
+void Frame::find(Image& image, VkImageLayout layout) {
+    enter(image);
+    image.lendAgain(afterAll(layout));
 }
 
 void Frame::fail(std::string message) {
-    // A rehearsal reports; while recording for real, a wrong name is a programmer's mistake.
+    // A rehearsal reports errors; in a real recording, a wrong name is a programming error.
     GLINT_ASSERT(rehearsing(), "{}", message);
     if (error_.empty())
         error_ = std::move(message);
@@ -41,6 +105,7 @@ Result<void> Frame::firstError() const {
 void Frame::use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& use) {
     if (rehearsing())
         return;
+    enter(image);
     std::vector<ResourceState>& states = image.states();
     for (uint32_t mip = firstMip; mip < firstMip + mipCount; ++mip) {
         const std::optional<Barrier> barrier = transition(states[mip], use);
@@ -56,7 +121,7 @@ void Frame::use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& u
         out.srcQueueFamilyIndex = out.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
         out.image = image.handle();
         out.subresourceRange = {image.barrierAspect(), mip, 1, 0, image.desc().layers};
-        if (imageBarrierCount_ > 0) { // neighbouring mips with the same history share one barrier
+        if (imageBarrierCount_ > 0) { // neighbouring mips with the same state share one barrier
             VkImageMemoryBarrier2& last = imageBarriers_[imageBarrierCount_ - 1];
             if (last.image == out.image && last.srcStageMask == out.srcStageMask &&
                 last.srcAccessMask == out.srcAccessMask && last.oldLayout == out.oldLayout &&
@@ -76,6 +141,7 @@ void Frame::use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& u
 void Frame::use(Buffer& buffer, const Use& use) {
     if (rehearsing())
         return;
+    enter(buffer);
     const std::optional<Barrier> barrier = transition(buffer.state(), use);
     if (!barrier)
         return;
@@ -104,10 +170,10 @@ void Frame::flushBarriers() {
     imageBarrierCount_ = bufferBarrierCount_ = 0;
 }
 
-void Frame::beginScope(const std::string& name) {
+void Frame::beginScope(const char* name) {
     if (context_.api().CmdBeginDebugUtilsLabelEXT) {
         VkDebugUtilsLabelEXT label = {VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
-        label.pLabelName = name.c_str();
+        label.pLabelName = name;
         context_.api().CmdBeginDebugUtilsLabelEXT(commands_, &label);
     }
     if (timers_)
@@ -130,6 +196,9 @@ constexpr Use kTransferWriteBuffer = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_A
 constexpr Use kTransferReadBuffer = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
 constexpr Use kTransferWriteImage = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
                                      VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true};
+/// Overwrites the whole resource.
+constexpr Use kTransferFillImage = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, true, true};
 constexpr Use kTransferReadImage = {VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
                                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
 
@@ -148,7 +217,7 @@ void Frame::update(Buffer& buffer, const void* data, size_t size, size_t offset)
     if (rehearsing())
         return;
     flushBarriers();
-    constexpr size_t kMost = 65536; // Vulkan's own bound for one command
+    constexpr size_t kMost = 65536; // Vulkan's limit per command
     for (size_t done = 0; done < size; done += kMost)
         context_.api().CmdUpdateBuffer(commands_, buffer.handle(), offset + done, std::min(size - done, kMost),
                                        static_cast<const std::byte*>(data) + done);
@@ -173,7 +242,7 @@ void Frame::refit(std::span<AccelerationStructure* const> structures, Buffer& sc
 
 void Frame::buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit) {
     while (!structures.empty()) {
-        size_t count = 0; // of those that share the scratch memory, each with a part of its own
+        size_t count = 0; // of structures that share the scratch memory, each with its own part
         for (size_t bytes = 0; count < structures.size(); ++count) {
             bytes += structures[count]->scratchSize();
             if (count > 0 && bytes > scratch.size())
@@ -208,10 +277,41 @@ void Frame::fill(Buffer& buffer, uint32_t value) {
     context_.api().CmdFillBuffer(commands_, buffer.handle(), 0, VK_WHOLE_SIZE, value);
 }
 
+void Frame::copyBytes(Buffer& source, size_t sourceOffset, Buffer& target, size_t targetOffset, size_t size) {
+    use(source, kTransferReadBuffer);
+    use(target, kTransferWriteBuffer);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    const VkBufferCopy region = {sourceOffset, targetOffset, size};
+    context_.api().CmdCopyBuffer(commands_, source.handle(), target.handle(), 1, &region);
+}
+
+void Frame::mark(Buffer& readback, uint32_t value, size_t offset) {
+    if (rehearsing())
+        return;
+    flushBarriers();
+    VkMemoryBarrier2 before = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    before.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    before.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    before.dstStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    before.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    VkMemoryBarrier2 after = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    after.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    after.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    after.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    after.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo info = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &before;
+    context_.api().CmdPipelineBarrier2(commands_, &info);
+    context_.api().CmdUpdateBuffer(commands_, readback.handle(), offset, sizeof(value), &value);
+    info.pMemoryBarriers = &after;
+    context_.api().CmdPipelineBarrier2(commands_, &info);
+}
+
 void Frame::clear(Image& image, const VkClearColorValue& value) {
-    Use clearing = kTransferWriteImage;
-    clearing.discards = true;
-    use(image, 0, image.desc().mips, clearing);
+    use(image, 0, image.desc().mips, kTransferFillImage);
     if (rehearsing())
         return;
     flushBarriers();
@@ -241,7 +341,7 @@ void Frame::copyToBuffer(Image& image, uint32_t mip, uint32_t layer, Buffer& buf
     const VkBufferImageCopy region = copyRegion(image, mip, layer, 0);
     context_.api().CmdCopyImageToBuffer(commands_, image.handle(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                                         buffer.handle(), 1, &region);
-    // The CPU reads next: make the copy visible to it.
+    // The CPU reads next, so the copy must be visible to the host.
     use(buffer, {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
     flushBarriers();
 }
@@ -261,7 +361,7 @@ void Frame::makeMips(Image& image) {
     const uint32_t layers = image.desc().layers;
     for (uint32_t mip = 1; mip < image.desc().mips; ++mip) {
         use(image, mip - 1, 1, kTransferReadImage);
-        use(image, mip, 1, kTransferWriteImage);
+        use(image, mip, 1, kTransferFillImage);
         if (rehearsing())
             continue;
         flushBarriers();
@@ -281,7 +381,7 @@ void Frame::makeMips(Image& image) {
 
 void Frame::copy(Image& source, Image& target) {
     use(source, 0, 1, kTransferReadImage);
-    use(target, 0, 1, kTransferWriteImage);
+    use(target, 0, 1, kTransferFillImage);
     if (rehearsing())
         return;
     flushBarriers();
@@ -295,7 +395,7 @@ void Frame::copy(Image& source, Image& target) {
 
 void Frame::convert(Image& source, Image& target) {
     use(source, 0, 1, kTransferReadImage);
-    use(target, 0, 1, kTransferWriteImage);
+    use(target, 0, 1, kTransferFillImage);
     if (rehearsing())
         return;
     flushBarriers();
@@ -310,7 +410,7 @@ void Frame::convert(Image& source, Image& target) {
 
 void Frame::resolve(Image& source, Image& target) {
     use(source, 0, 1, kTransferReadImage);
-    use(target, 0, 1, kTransferWriteImage);
+    use(target, 0, 1, kTransferFillImage);
     if (rehearsing())
         return;
     flushBarriers();

@@ -1,8 +1,8 @@
 #include "gpu/memory.hpp"
 
-// VMA defines global functions and classes. Both must stay in this file: a host's own VMA would otherwise answer our
-// calls, or collide with ours at link time. So its functions are static and its classes in our namespace; what it
-// includes has to be included before.
+// VMA defines global functions and classes. Both must stay in this file: otherwise a host's own VMA could serve our
+// calls, or collide with ours at link time. So VMA's functions are static and its classes are in our namespace, and the
+// headers that VMA includes must be included before it.
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -35,12 +35,12 @@ namespace glint::gpu::vma {
 namespace glint::gpu {
 
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         vma::VmaAllocator_T*& allocator) {
+                         bool addresses, vma::VmaAllocator_T*& allocator) {
     vma::VmaVulkanFunctions functions = {};
     functions.vkGetInstanceProcAddr = api.GetInstanceProcAddr;
     functions.vkGetDeviceProcAddr = api.GetDeviceProcAddr;
     vma::VmaAllocatorCreateInfo info = {};
-    info.flags = vma::VMA_ALLOCATOR_CREATE_BUFFER_DEVICE_ADDRESS_BIT;
+    info.flags = addresses ? vma::VMA_ALLOCATOR_CREATE_BUFFER_DEVICE_ADDRESS_BIT : 0;
     info.physicalDevice = physicalDevice;
     info.device = device;
     info.instance = instance;
@@ -54,7 +54,7 @@ void destroyAllocator(vma::VmaAllocator_T* allocator) {
 }
 
 size_t allocatedBytes(vma::VmaAllocator_T* allocator) {
-    vma::VmaBudget budgets[VK_MAX_MEMORY_HEAPS] = {}; // heaps that the device does not have stay 0
+    vma::VmaBudget budgets[VK_MAX_MEMORY_HEAPS] = {}; // stays 0 for heaps that the device does not have
     vma::vmaGetHeapBudgets(allocator, budgets);
     size_t sum = 0;
     for (const vma::VmaBudget& budget : budgets)

@@ -1,5 +1,5 @@
-// Device memory: images and buffers with memory bound, from VMA. VMA itself is seen by memory.cpp alone, for a host
-// that links Glint may have a VMA of its own, of another version or set up in another way.
+// Device memory: images and buffers with bound memory, allocated by VMA. Only memory.cpp includes VMA, as a host that
+// links Glint may have its own VMA of another version or configuration.
 #pragma once
 
 #include "gpu/api.hpp"
@@ -7,18 +7,19 @@
 
 namespace glint::gpu {
 
-/// Memory may be reached by device address, as acceleration structures and the vertices of ray hits are.
+/// `addresses`: allows buffer device addresses, which acceleration structures and the vertices of ray hits need;
+/// requires the feature bufferDeviceAddress.
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         vma::VmaAllocator_T*& allocator);
+                         bool addresses, vma::VmaAllocator_T*& allocator);
 void destroyAllocator(vma::VmaAllocator_T* allocator);
-/// Bytes of all images and buffers that are alive, of every kind of memory, mapped or not.
+/// Returns the bytes of all existing images and buffers, in all kinds of memory, mapped or not.
 size_t allocatedBytes(vma::VmaAllocator_T* allocator);
 
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,
                      vma::VmaAllocation_T*& allocation);
 void destroyImage(vma::VmaAllocator_T* allocator, VkImage image, vma::VmaAllocation_T* allocation);
 
-/// `mapped` is null for a buffer of the device.
+/// `mapped` is set to null for a buffer in device memory.
 VkResult createBuffer(vma::VmaAllocator_T* allocator, const VkBufferCreateInfo& info, BufferHome home, VkBuffer& buffer,
                       vma::VmaAllocation_T*& allocation, void*& mapped);
 void destroyBuffer(vma::VmaAllocator_T* allocator, VkBuffer buffer, vma::VmaAllocation_T* allocation);

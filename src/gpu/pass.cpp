@@ -24,7 +24,7 @@ std::string bindingNames(const Pipeline& pipeline) {
     return joinText(names, ", ");
 }
 
-/// May this format be filtered on every device that runs Glint? (Vulkan 1.3, "Required Format Support")
+/// True if every device that runs Glint can filter this format (Vulkan 1.3, "Required Format Support").
 bool filterable(VkFormat format) {
     switch (format) {
     case VK_FORMAT_R32_SFLOAT:
@@ -117,14 +117,37 @@ void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes)
 
 Pass& Pass::read(std::string_view name, Image& image, SamplerKind sampler) {
     if (const ShaderBinding* binding = find(name, true, false, ResourceKind::Image)) {
-        frame_.use(
-            image, 0, image.desc().mips,
-            {shaderStages(pipeline_), VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-        if (sampler == SamplerKind::LinearClamp && !filterable(image.desc().format))
-            sampler = SamplerKind::NearestClamp;
-        bindImage(*binding, image.view(), VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, frame_.context_.sampler(sampler));
+        const VkDescriptorImageInfo info = sampled(image, sampler);
+        bindImage(*binding, info.imageView, info.imageLayout, info.sampler);
     }
     return *this;
+}
+
+Pass& Pass::read(std::string_view name, std::span<Image* const> images, SamplerKind sampler) {
+    const ShaderBinding* binding = find(name, true, false, ResourceKind::Image);
+    if (!binding)
+        return *this;
+    if (binding->count != images.size() || arrayImages_ + images.size() > kMaxArrayImages) {
+        frame_.fail(fmt::format("{}: '{}' is an array of {} images, but {} are bound; all arrays may have {}",
+                                pipeline_.name(), name, binding->count, images.size(), kMaxArrayImages));
+        return *this;
+    }
+    for (size_t i = 0; i < images.size(); ++i)
+        arrayInfos_[arrayImages_ + i] = sampled(*images[i], sampler);
+    bindImage(*binding, VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED, VK_NULL_HANDLE);
+    writes_[bound_ - 1].descriptorCount = binding->count;
+    writes_[bound_ - 1].dstArrayElement = 0;
+    arrayImages_ += binding->count;
+    return *this;
+}
+
+/// Records the use as a sampled image and returns the descriptor.
+VkDescriptorImageInfo Pass::sampled(Image& image, SamplerKind sampler) {
+    constexpr VkImageLayout kLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    frame_.use(image, 0, image.desc().mips, {shaderStages(pipeline_), VK_ACCESS_2_SHADER_SAMPLED_READ_BIT, kLayout});
+    if (sampler == SamplerKind::LinearClamp && !filterable(image.desc().format))
+        sampler = SamplerKind::NearestClamp;
+    return {frame_.context_.sampler(sampler), image.view(), kLayout};
 }
 
 Pass& Pass::read(std::string_view name, Buffer& buffer) {
@@ -156,8 +179,7 @@ Pass& Pass::write(std::string_view name, Image& image, uint32_t mip, bool keep) 
             image, mip, 1,
             {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true, !keep});
         bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
-        if (frame_.written_)
-            frame_.written_->push_back({&pipeline_.name(), binding->name, &image});
+        frame_.noteWritten(pipeline_.name(), binding->name, image);
     }
     return *this;
 }
@@ -174,8 +196,7 @@ Pass& Pass::readWrite(std::string_view name, Image& image, uint32_t mip) {
                    {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
                     VK_IMAGE_LAYOUT_GENERAL, true});
         bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
-        if (frame_.written_)
-            frame_.written_->push_back({&pipeline_.name(), binding->name, &image});
+        frame_.noteWritten(pipeline_.name(), binding->name, image);
     }
     return *this;
 }
@@ -215,7 +236,7 @@ Pass& Pass::pushBytes(const void* data, size_t size) {
 Pass& Pass::color(Image& image, const VkClearColorValue* clear, uint32_t mip) {
     VkAccessFlags2 access = VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT;
     if (!clear)
-        access |= VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT; // blending and loading read
+        access |= VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT; // blending and loading read the attachment
     frame_.use(image, mip, 1,
                {VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT, access, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, true,
                 clear != nullptr});
@@ -227,8 +248,7 @@ Pass& Pass::color(Image& image, const VkClearColorValue* clear, uint32_t mip) {
     attachment.info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     if (clear)
         attachment.info.clearValue.color = *clear;
-    if (frame_.written_)
-        frame_.written_->push_back({&pipeline_.name(), image.desc().name, &image});
+    frame_.noteWritten(pipeline_.name(), image.desc().name, image);
     return *this;
 }
 
@@ -276,12 +296,15 @@ bool Pass::begin() {
         return false;
 
     frame_.flushBarriers();
-    frame_.beginScope(pipeline_.name());
+    frame_.beginScope(pipeline_.name().c_str());
     const Api& api = frame_.context_.api();
     const VkCommandBuffer commands = frame_.commands_;
     api.CmdBindPipeline(commands, pipeline_.bindPoint(), pipeline_.handle());
-    for (uint32_t i = 0; i < bound_; ++i) { // only now: a pass may be copied while it is put together
-        writes_[i].pImageInfo = &imageInfos_[i];
+    // Only now, as a pass may be copied while its expression is evaluated.
+    for (uint32_t i = 0, inArrays = 0; i < bound_; ++i) {
+        const bool isArray = writes_[i].descriptorCount > 1;
+        writes_[i].pImageInfo = isArray ? &arrayInfos_[inArrays] : &imageInfos_[i];
+        inArrays += isArray ? writes_[i].descriptorCount : 0;
         writes_[i].pBufferInfo = &bufferInfos_[i];
         if (writes_[i].descriptorType == VK_DESCRIPTOR_TYPE_ACCELERATION_STRUCTURE_KHR) {
             sceneWrite_.accelerationStructureCount = 1;
@@ -362,7 +385,7 @@ Draws& Draws::cull(VkCullModeFlags mode, bool mirrored) {
 }
 
 Draws& Draws::viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
-    // A negative height turns Vulkan's downward clip space upward, so matrices keep +Y up.
+    // A negative height flips Vulkan's clip space, so that +Y is up in matrices.
     const VkViewport viewport = {static_cast<float>(x),
                                  static_cast<float>(y + height),
                                  static_cast<float>(width),

@@ -2,9 +2,9 @@
 //
 //   frame.pass(linear_).read("viewZ", z).write("radianceWeight", out).push(constants).dispatch(width, height);
 //
-// Images and buffers are matched by name with the shader's own declarations. Barriers follow from what was read and
-// written (gpu/sync.hpp); the debug label, the GPU timer and the list of written images come by themselves.
-// There is no graph: nothing is reordered, dropped or kept for later, and recording allocates nothing.
+// Images and buffers are matched by name with the shader's declarations. Barriers follow from the reads and writes
+// (gpu/sync.hpp). The debug label, the GPU timer and the list of written images are automatic. There is no graph:
+// passes are not reordered, dropped or deferred, and recording allocates nothing.
 #pragma once
 
 #include "gpu/acceleration_structure.hpp"
@@ -18,7 +18,7 @@ namespace glint::gpu {
 
 class Frame;
 
-/// What a raster pass records between begin and end of rendering.
+/// Records draw commands between begin and end of rendering of a raster pass.
 class Draws {
 public:
     Draws(const Api& api, VkCommandBuffer commands, const Pipeline& pipeline)
@@ -28,10 +28,11 @@ public:
     Draws& push(const T& constants) {
         return pushBytes(&constants, sizeof(T));
     }
-    /// Counter-clockwise is glTF's front; `mirrored` flips it for transforms with a negative determinant.
+    /// Counter-clockwise triangles are front faces, as in glTF; `mirrored` reverses that, for transforms with a
+    /// negative determinant.
     Draws& cull(VkCullModeFlags mode, bool mirrored = false);
-    Draws& scissor(uint32_t x, uint32_t y, uint32_t width, uint32_t height);  ///< pixels; nothing outside is drawn
-    Draws& viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height); ///< pixels; +Y of the clip space is up
+    Draws& scissor(uint32_t x, uint32_t y, uint32_t width, uint32_t height);  ///< pixels; nothing is drawn outside
+    Draws& viewport(uint32_t x, uint32_t y, uint32_t width, uint32_t height); ///< pixels; +Y of clip space is up
     void draw(uint32_t vertexCount, uint32_t instanceCount = 1, uint32_t firstVertex = 0, uint32_t firstInstance = 0);
     void drawIndexed(uint32_t indexCount, uint32_t firstIndex = 0, int32_t vertexOffset = 0, uint32_t instanceCount = 1,
                      uint32_t firstInstance = 0);
@@ -46,25 +47,27 @@ private:
 
 class Pass {
 public:
-    /// A sampled image (all mips), through `sampler`; integer and 32-bit float images, which Vulkan need not filter,
-    /// are read with nearest filtering instead of linear.
+    /// Binds a sampled image (all mips) with `sampler`. Integer and 32-bit float images, which Vulkan need not filter,
+    /// use nearest filtering instead of linear.
     Pass& read(std::string_view name, Image& image, SamplerKind sampler = SamplerKind::LinearClamp);
-    /// A uniform buffer or a readonly storage buffer.
+    /// Binds an array of sampled images; the count must equal the shader's array length.
+    Pass& read(std::string_view name, std::span<Image* const> images, SamplerKind sampler = SamplerKind::LinearClamp);
+    /// Binds a uniform buffer or a readonly storage buffer.
     Pass& read(std::string_view name, Buffer& buffer);
-    /// The scene that the shader's ray queries go through, and all that it refers to.
+    /// Binds the top level that the shader's ray queries trace, and makes every structure it refers to readable.
     Pass& read(std::string_view name, AccelerationStructure& top);
-    /// A writeonly storage image, one mip of it; its old content is thrown away unless `keep`.
+    /// Binds one mip of a writeonly storage image; its old content is discarded unless `keep`.
     Pass& write(std::string_view name, Image& image, uint32_t mip = 0, bool keep = false);
     Pass& write(std::string_view name, Buffer& buffer);
-    /// A storage image or buffer that the shader both reads and writes.
+    /// Binds a storage image or buffer that the shader both reads and writes.
     Pass& readWrite(std::string_view name, Image& image, uint32_t mip = 0);
     Pass& readWrite(std::string_view name, Buffer& buffer);
 
-    bool rehearsing() const; ///< only checked, never run
+    bool rehearsing() const; ///< True if the pass is only checked, never executed.
 
-    /// A texture table (gpu/texture_table.hpp) as set 1.
+    /// Binds a texture table (gpu/texture_table.hpp) as set 1.
     Pass& table(VkDescriptorSet set);
-    /// 32-bit indices for Draws::drawIndexed, made with INDEX_BUFFER usage.
+    /// Binds 32-bit indices for Draws::drawIndexed; the buffer needs INDEX_BUFFER usage.
     Pass& indices(Buffer& buffer);
 
     template <class T>
@@ -73,19 +76,19 @@ public:
         return pushBytes(&constants, sizeof(T));
     }
 
-    /// Colour attachments in the order of the shader's outputs. Without `clear` the content is kept.
+    /// Adds a colour attachment, in the order of the shader's outputs. Without `clear` its content is kept.
     Pass& color(Image& image, const VkClearColorValue* clear = nullptr, uint32_t mip = 0);
-    /// The mean of the last colour attachment's samples goes here too, at the end of the pass.
+    /// At the end of the pass, resolves the last colour attachment's samples to their mean in `image`.
     Pass& resolve(Image& image);
-    Pass& depth(Image& image, bool clear, bool writes = true); ///< cleared to 0: infinitely far
-    /// Shows one layer of an array image as the depth attachment.
+    Pass& depth(Image& image, bool clear, bool writes = true); ///< the clear value is 0: infinitely far
+    /// Uses one layer of an array image as the depth attachment.
     Pass& depthView(Image& image, VkImageView layerView, bool clear);
 
-    /// One thread for each of width * height * depth elements: rounded up to whole groups.
+    /// Dispatches one thread for each of width * height * depth elements, rounded up to whole workgroups.
     void dispatch(uint32_t width, uint32_t height = 1, uint32_t depth = 1);
-    /// As many groups as the three words at `offset` of `arguments` say when the pass runs.
+    /// Dispatches the group counts that are stored as three words at `offset` of `arguments` when the pass executes.
     void dispatchIndirect(Buffer& arguments, size_t offset = 0);
-    /// Draws what `record(Draws&)` draws over the attachments' whole area.
+    /// Calls `record(Draws&)` for draws over the attachments' whole area.
     template <class Record>
     void draw(Record&& record) {
         if (Draws draws = beginDraws(); ready_) {
@@ -116,12 +119,16 @@ private:
 
     Frame& frame_;
     const Pipeline& pipeline_;
+    VkDescriptorImageInfo sampled(Image& image, SamplerKind sampler);
+
     std::array<VkDescriptorImageInfo, kMaxBindings> imageInfos_;
+    std::array<VkDescriptorImageInfo, kMaxArrayImages> arrayInfos_;
+    uint32_t arrayImages_ = 0;
     std::array<VkDescriptorBufferInfo, kMaxBindings> bufferInfos_;
     std::array<VkWriteDescriptorSet, kMaxBindings> writes_;
     VkWriteDescriptorSetAccelerationStructureKHR sceneWrite_ = {
         VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET_ACCELERATION_STRUCTURE_KHR};
-    VkAccelerationStructureKHR scene_ = VK_NULL_HANDLE; ///< a pass has one
+    VkAccelerationStructureKHR scene_ = VK_NULL_HANDLE; ///< at most one per pass
     uint32_t bound_ = 0;
     uint32_t boundMask_ = 0; ///< by index into pipeline_.bindings()
     std::array<std::byte, 128> pushed_;
@@ -134,60 +141,82 @@ private:
     bool ready_ = false;
 };
 
-/// An image that a pass wrote, for debug views: "trace/linear:radianceWeight".
+/// An image written by a pass, for debug views: "trace/linear:radianceWeight".
 struct WrittenImage {
     const std::string* pass = nullptr;
     std::string_view binding;
     Image* image = nullptr;
 };
 
-/// One frame's recording into one command buffer.
+/// Records one frame into one command buffer. A host may drop its command buffers, so on a host's device a Frame
+/// assumes nothing of earlier recordings but their order on the queue: the first use of an image or buffer waits for
+/// all earlier commands and expects the image in its resting layout, and the end of the Frame returns the image to that
+/// layout (Image::rest).
 class Frame {
 public:
+    /// `written` takes the images that passes write, as many as it has capacity for.
     Frame(Context& context, VkCommandBuffer commands, Timers* timers = nullptr,
           std::vector<WrittenImage>* written = nullptr);
-    /// More of a frame whose timers were begun before, in the same command buffer.
-    static Frame more(Context& context, VkCommandBuffer commands, Timers& timers);
-    /// Records nothing, but checks every name, kind and push size on the way: a library rehearses each frame that it
-    /// may have to record when it is created, so that recording cannot fail. `firstError` tells.
+    ~Frame();
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+    /// Continues a frame whose timers have begun, in the same command buffer.
+    static Frame more(Context& context, VkCommandBuffer commands, Timers* timers);
+    /// Records nothing, but checks every name, binding kind and push size. When a library is created, it rehearses each
+    /// frame that it may record later, so that recording cannot fail. `firstError` returns the first error.
     static Frame rehearsal(Context& context);
 
     Pass pass(const Pipeline& pipeline) { return Pass(*this, pipeline); }
 
-    /// Copies `size` bytes, a multiple of 4, into the command buffer and from there to `offset` of a buffer made with
-    /// TRANSFER_DST; up to 65536 a command. For what changes each frame: nothing else has to be kept until it ran.
+    /// Copies `size` bytes, a multiple of 4, into the command buffer and from there to `offset` of a buffer with
+    /// TRANSFER_DST usage; at most 65536 per command. For data that change each frame: `data` need not stay valid until
+    /// execution.
     void update(Buffer& buffer, const void* data, size_t size, size_t offset = 0);
-    /// The whole of an upload buffer to the start of one made with TRANSFER_DST.
+    /// Copies a whole upload buffer to the start of a buffer with TRANSFER_DST usage.
     void upload(Buffer& staging, Buffer& target);
-    /// Builds acceleration structures from their inputs, as many at once as `scratch` has room for; it has at least the
-    /// largest scratchSize(). They may not refer to each other.
+    /// Builds acceleration structures from their inputs, as many in parallel as `scratch` has room for; `scratch` must
+    /// hold at least the largest scratchSize(). The structures must not refer to each other.
     void build(std::span<AccelerationStructure* const> structures, Buffer& scratch);
-    /// Fits such as were made to be updated to their inputs' new content, the trees staying as they are.
+    /// Refits updatable structures to the new content of their inputs; the trees keep their topology.
     void refit(std::span<AccelerationStructure* const> structures, Buffer& scratch);
-    /// A label and a GPU timer around what is not a pass.
+    /// Puts a label and a GPU timer around commands that are not a pass.
     template <class Record>
-    void scope(const std::string& name, Record&& record) {
+    void scope(const char* name, Record&& record) {
         if (!rehearsing())
             beginScope(name);
         record();
         if (!rehearsing())
             endScope();
     }
+    /// Records passes without timers of their own. A scope around them has a timer, and timers do not nest.
+    template <class Record>
+    void untimed(Record&& record) {
+        Timers* const timers = std::exchange(timers_, nullptr);
+        record();
+        timers_ = timers;
+    }
     void fill(Buffer& buffer, uint32_t value);
+    /// Copies `size` bytes, a multiple of 4, from one buffer to another.
+    void copyBytes(Buffer& source, size_t sourceOffset, Buffer& target, size_t targetOffset, size_t size);
+    /// Writes `value` at `offset` of a readback buffer when all commands recorded before are complete.
+    void mark(Buffer& readback, uint32_t value, size_t offset);
     void clear(Image& image, const VkClearColorValue& value);
-    /// Brings the image into a state that others expect: a host's, or the next tool's.
+    /// Transitions the image to the state that its next user expects: a host or another tool.
     void hand(Image& image, const Use& use);
     void hand(Buffer& buffer, const Use& use);
+    /// For this once, a resting image is in layout `layout`, and others may have written to it: for a host's own passes
+    /// between ours.
+    void find(Image& image, VkImageLayout layout);
     void copyToBuffer(Image& image, uint32_t mip, uint32_t layer, Buffer& buffer);
     void copyFromBuffer(Buffer& buffer, size_t offset, Image& image, uint32_t mip, uint32_t layer);
-    /// Makes the rest of the mip chain from level 0 by box filtering (linear formats and sRGB alike).
+    /// Makes mips 1 and up from level 0 by box filtering; for linear and sRGB formats.
     void makeMips(Image& image);
     void copy(Image& source, Image& target);
-    /// The same between formats, both of one size; colours are converted, as from RGBA to BGRA.
+    /// Copies between formats; both images have the same size. Colours are converted, for example from RGBA to BGRA.
     void convert(Image& source, Image& target);
-    /// The mean of a colour image's samples, into an image with one sample a pixel.
+    /// Resolves a colour image to the mean of its samples, into an image with one sample per pixel.
     void resolve(Image& source, Image& target);
-    /// Into a readback buffer of the same size, visible to the CPU once the GPU is done.
+    /// Copies to a readback buffer of the same size, which the CPU can read once the GPU has finished.
     void copyBuffer(Buffer& source, Buffer& readback);
 
     Context& context() { return context_; }
@@ -198,12 +227,18 @@ public:
 private:
     friend class Pass;
 
+    Frame(Context& context, VkCommandBuffer commands, Timers* timers, std::vector<WrittenImage>* written, bool begins);
+
+    void noteWritten(const std::string& pass, std::string_view binding, Image& image);
+    void enter(Image& image);
+    void enter(Buffer& buffer);
+    void settle();
     void use(Image& image, uint32_t firstMip, uint32_t mipCount, const Use& use);
     void use(Buffer& buffer, const Use& use);
     void buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit);
     void flushBarriers();
     void fail(std::string message);
-    void beginScope(const std::string& name);
+    void beginScope(const char* name);
     void endScope();
 
     Context& context_;
@@ -214,6 +249,9 @@ private:
     std::array<VkBufferMemoryBarrier2, 24> bufferBarriers_;
     uint32_t imageBarrierCount_ = 0;
     uint32_t bufferBarrierCount_ = 0;
+    uint64_t recording_;
+    std::array<Image*, 64> resting_; ///< used images that have a resting layout
+    uint32_t restingCount_ = 0;
     std::string error_;
 };
 

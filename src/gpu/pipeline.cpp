@@ -18,7 +18,7 @@ VkDescriptorType descriptorType(BindingKind kind) {
     return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
 
-/// A shader module that lives as long as the pipeline is being made.
+/// A shader module that exists only while the pipeline is created.
 class Module {
 public:
     Module(Context& context, const EmbeddedShader& shader) : context_(context) {
@@ -39,7 +39,7 @@ private:
     VkResult result_ = VK_SUCCESS;
 };
 
-/// The arrays behind a VkSpecializationInfo.
+/// The arrays that a VkSpecializationInfo points to.
 struct Specialization {
     std::vector<VkSpecializationMapEntry> entries;
     std::vector<uint32_t> values;
@@ -56,8 +56,8 @@ struct Specialization {
     Specialization& operator=(const Specialization&) = delete;
 };
 
-/// What tells compute pipelines of one context apart; empty for those that cannot be shared, as a table's layout is
-/// known by its handle alone, which the next table may get.
+/// Key that distinguishes compute pipelines of one context. Empty for pipelines that cannot be shared: a table's layout
+/// is known only by its handle, which a later table may receive again.
 std::string cacheKey(const EmbeddedShader& shader, const ComputeDesc& desc) {
     if (desc.tableLayout)
         return {};
@@ -79,7 +79,7 @@ Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> s
         shaderPushSize = std::max(shaderPushSize, shader->pushConstantSize);
         for (const ShaderBinding& binding : shader->bindings) {
             if (binding.set != 0)
-                continue; // a table's
+                continue; // belongs to the texture table
             const auto same = std::find_if(bindings.begin(), bindings.end(), [&](const ShaderBinding& known) {
                 return known.binding == binding.binding || known.name == binding.name;
             });
@@ -98,7 +98,7 @@ Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> s
 
     std::vector<VkDescriptorSetLayoutBinding> layoutBindings;
     for (const ShaderBinding& binding : bindings)
-        layoutBindings.push_back({binding.binding, descriptorType(binding.kind), 1, stages, nullptr});
+        layoutBindings.push_back({binding.binding, descriptorType(binding.kind), binding.count, stages, nullptr});
     VkDescriptorSetLayoutCreateInfo setInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     setInfo.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
     setInfo.bindingCount = static_cast<uint32_t>(layoutBindings.size());
@@ -172,7 +172,7 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
     Made& pipeline = *whole.made_;
     pipeline.context = &context;
     pipeline.name = desc.fragmentShader.empty() ? desc.vertexShader : desc.fragmentShader;
-    pipeline.name.resize(pipeline.name.rfind('.')); // the pass is "render/surface", whatever its stages
+    pipeline.name.resize(pipeline.name.rfind('.')); // the pass is "render/surface", whichever stages it has
     pipeline.bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     pipeline.stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 

@@ -1,4 +1,4 @@
-// Pipelines, made from an embedded shader's own reflection: layouts are derived, never written by hand.
+// Pipelines. Their layouts are derived from the reflection of the embedded shader, never written by hand.
 #pragma once
 
 #include "gpu/context.hpp"
@@ -9,17 +9,19 @@
 
 namespace glint::gpu {
 
-/// Most bindings that one pass may have; descriptors are pushed from a fixed array of this size.
+/// Maximum bindings per pass; descriptors are pushed from a fixed array of this size.
 constexpr uint32_t kMaxBindings = 28;
+/// Maximum images in all arrays of a pass together.
+constexpr uint32_t kMaxArrayImages = 16;
 
 struct SpecConstant {
     uint32_t id = 0;
-    uint32_t value = 0; ///< bits of an int, uint, bool or float
+    uint32_t value = 0; ///< the bits of an int, uint, bool or float
 };
 
 struct ComputeDesc {
-    std::string_view shader; ///< its path under shaders/: "trace/linear"
-    size_t pushSize = 0;     ///< sizeof the struct that will be pushed; checked against the shader's block
+    std::string_view shader; ///< path under shaders/: "trace/linear"
+    size_t pushSize = 0;     ///< sizeof the pushed struct; checked against the shader's block
     std::vector<SpecConstant> constants;
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shader uses a TextureTable
 };
@@ -33,19 +35,19 @@ struct RasterDesc {
     std::vector<SpecConstant> constants; ///< for both stages
     std::vector<VkFormat> colorFormats;
     VkFormat depthFormat = VK_FORMAT_UNDEFINED;
-    uint32_t samples = 1; ///< a pixel, of every attachment
+    uint32_t samples = 1; ///< samples per pixel, of every attachment
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     VkCompareOp depthCompare = VK_COMPARE_OP_GREATER_OR_EQUAL; ///< reversed depth
     bool depthWrite = true;
     float depthBiasConstant = 0;
     float depthBiasSlope = 0;
-    Blend blend = Blend::None;                          ///< of every colour attachment
+    Blend blend = Blend::None;                          ///< for every colour attachment
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shaders use a TextureTable
 };
 
-/// Cull mode and front face are dynamic (Draws::cull). Movable. Compute pipelines of one description, but those with
-/// a texture table, are made once a context, and live as long as one of those who asked for them: making a library's
-/// frame anew, as for another size, compiles nothing while the old one is there.
+/// Cull mode and front face are dynamic (Draws::cull). Movable. Compute pipelines of the same description, except those
+/// with a texture table, are created once per context and destroyed with their last user. So when a library's frame is
+/// rebuilt, as for another size, nothing is compiled while the old frame exists.
 class Pipeline {
 public:
     static Result<Pipeline> compute(Context& context, const ComputeDesc& desc);
@@ -62,7 +64,7 @@ public:
     std::span<const ShaderBinding> bindings() const { return it().bindings; } ///< set 0 only, both stages merged
 
 private:
-    /// What it is, with its Vulkan objects.
+    /// The Vulkan objects and the description of a pipeline.
     struct Made {
         Context* context = nullptr;
         std::string name;
@@ -84,7 +86,7 @@ private:
     };
     const Made& it() const;
 
-    std::shared_ptr<Made> made_; ///< null: none yet
+    std::shared_ptr<Made> made_; ///< null: not created
 };
 
 } // namespace glint::gpu

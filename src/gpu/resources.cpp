@@ -19,12 +19,12 @@ bool hasStencil(VkFormat format) {
            format == VK_FORMAT_D16_UNORM_S8_UINT;
 }
 
+} // namespace
+
 bool isDepth(VkFormat format) {
     return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM || format == VK_FORMAT_X8_D24_UNORM_PACK32 ||
            hasStencil(format);
 }
-
-} // namespace
 
 VkImageAspectFlags Image::aspect() const {
     return isDepth(desc_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
@@ -39,6 +39,9 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
     image.context_ = &context;
     image.desc_ = desc;
     image.states_.resize(desc.mips);
+    if (context.adopted())
+        image.rest_ = (desc.usage & VK_IMAGE_USAGE_SAMPLED_BIT) != 0 ? VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL
+                                                                     : VK_IMAGE_LAYOUT_GENERAL;
 
     VkImageCreateInfo info = {VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.flags = desc.shape == ImageShape::Cube ? VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT : 0;
@@ -68,7 +71,7 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
         return result == VK_SUCCESS;
     };
     bool made = makeView(viewType(desc.shape), 0, desc.mips, image.view_);
-    // Storage images and attachments take one mip; a cube is stored to as an array of its six faces.
+    // Views for storage images and attachments have one mip; storage views of a cube are arrays of its six faces.
     const bool single = desc.mips == 1 && desc.shape != ImageShape::Cube;
     if (!single) {
         image.mipViews_.resize(desc.mips, VK_NULL_HANDLE);
@@ -113,6 +116,8 @@ void Image::swap(Image& other) {
     std::swap(view_, other.view_);
     std::swap(mipViews_, other.mipViews_);
     std::swap(states_, other.states_);
+    std::swap(rest_, other.rest_);
+    std::swap(recording_, other.recording_);
 }
 
 Result<Buffer> Buffer::create(Context& context, const BufferDesc& desc) {
@@ -149,6 +154,7 @@ void Buffer::swap(Buffer& other) {
     std::swap(allocation_, other.allocation_);
     std::swap(mapped_, other.mapped_);
     std::swap(state_, other.state_);
+    std::swap(recording_, other.recording_);
 }
 
 } // namespace glint::gpu

@@ -1,5 +1,5 @@
-// A compiled shader inside the program, with the bindings that its SPIR-V declares. Made at build time by
-// src/gpu/embed/shader_pack.cpp; the shader is the truth about its bindings, C++ only matches names against it.
+// A compiled shader embedded in the program, with the bindings that its SPIR-V declares. Generated at build time by
+// src/gpu/embed/shader_pack.cpp. The shader defines its bindings; C++ only matches their names.
 #pragma once
 
 #include <cstdint>
@@ -23,13 +23,13 @@ struct ShaderBinding {
 };
 
 struct EmbeddedShader {
-    std::string_view name; ///< "trace/linear", "render/gbuffer.vert"
+    std::string_view name; ///< "trace/linear", "render/surface.vert"
     std::span<const uint32_t> words;
     std::span<const ShaderBinding> bindings;
     uint32_t localSize[3] = {1, 1, 1};
     uint32_t pushConstantSize = 0; ///< bytes
 
-    /// Traces rays through acceleration structures: a pipeline of it exists only where Context::rayQuery.
+    /// True if the shader traces rays through acceleration structures: its pipelines require Context::rayQuery.
     bool usesRayQuery() const {
         for (const ShaderBinding& binding : bindings)
             if (binding.kind == BindingKind::AccelerationStructure)
@@ -38,10 +38,10 @@ struct EmbeddedShader {
     }
 };
 
-/// What stands in for embedded shaders, by their names.
+/// Replacements for embedded shaders, by name.
 using ShaderReplacements = std::map<std::string, const EmbeddedShader*, std::less<>>;
 
-/// The sets that this program embeds; see glint_embed_shaders in cmake/GlintShaders.cmake.
+/// The shader sets that this program embeds; see glint_embed_shaders in cmake/GlintShaders.cmake.
 namespace shaders {
 std::span<const EmbeddedShader> reflect();
 std::span<const EmbeddedShader> render();

@@ -8,7 +8,7 @@
 namespace glint::gpu {
 namespace {
 
-constexpr uint64_t kLongestWait = 1'000'000'000; ///< ns: a window that nobody sees may never be refreshed
+constexpr uint64_t kLongestWait = 1'000'000'000; ///< ns; a window that is not visible may never refresh
 
 Error failed(const char* what, VkResult result) {
     const ErrorCode code = result == VK_ERROR_DEVICE_LOST            ? ErrorCode::DeviceLost
@@ -17,8 +17,8 @@ Error failed(const char* what, VkResult result) {
     return makeError(code, "{} failed with VkResult {}", what, static_cast<int>(result));
 }
 
-/// Colours come encoded as a screen of sRGB wants them: what would encode them once more, or take them for others, is
-/// no use.
+/// The colours are already sRGB-encoded: formats that would encode them again, or interpret them differently, are
+/// rejected.
 std::optional<VkSurfaceFormatKHR> chooseFormat(const std::vector<VkSurfaceFormatKHR>& formats) {
     for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
         for (const VkSurfaceFormatKHR& format : formats)
@@ -27,7 +27,7 @@ std::optional<VkSurfaceFormatKHR> chooseFormat(const std::vector<VkSurfaceFormat
     return std::nullopt;
 }
 
-/// Whether pictures can be copied into the window. A surface that is lost already says so when it is presented to.
+/// True if images can be copied into the window. A lost surface passes: presenting to it reports the loss.
 bool takesCopies(const Context& context, VkSurfaceKHR surface) {
     VkSurfaceCapabilitiesKHR capabilities = {};
     const VkResult result =
@@ -35,7 +35,8 @@ bool takesCopies(const Context& context, VkSurfaceKHR surface) {
     return result != VK_SUCCESS || (capabilities.supportedUsageFlags & VK_IMAGE_USAGE_TRANSFER_DST_BIT) != 0;
 }
 
-/// As an image that has just been acquired: its content is nobody's, and the semaphore was waited for everywhere.
+/// State of an image that has just been acquired: its content is undefined, and all stages have waited for the
+/// semaphore.
 ResourceState justAcquired() {
     ResourceState state;
     state.writeStages = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -89,7 +90,7 @@ Swapchain::~Swapchain() {
 
 void Swapchain::release() {
     const Api& api = context_.api();
-    api.QueueWaitIdle(context_.queue()); // presentations hold semaphores, and no fence tells when they let go
+    api.QueueWaitIdle(context_.queue()); // presentations use semaphores, and no fence signals when that use ends
     images_.clear();
     for (VkSemaphore semaphore : copied_)
         api.DestroySemaphore(context_.device(), semaphore, nullptr);
@@ -107,7 +108,7 @@ Result<Presented> Swapchain::make(uint32_t width, uint32_t height) {
         return Presented::SurfaceLost;
     if (result != VK_SUCCESS)
         return failed("asking for the window's size", result);
-    const bool free = surface.currentExtent.width == UINT32_MAX; // the picture decides, as on Wayland
+    const bool free = surface.currentExtent.width == UINT32_MAX; // the size of `picture` decides, as on Wayland
     const VkExtent2D extent = free ? VkExtent2D{width, height} : surface.currentExtent;
     if (extent.width != width || extent.height != height || width == 0 || height == 0)
         return Presented::NotShown;
@@ -126,7 +127,7 @@ Result<Presented> Swapchain::make(uint32_t width, uint32_t height) {
     info.compositeAlpha = (surface.supportedCompositeAlpha & VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR) != 0
                               ? VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR
                               : VK_COMPOSITE_ALPHA_INHERIT_BIT_KHR;
-    info.presentMode = VK_PRESENT_MODE_FIFO_KHR; // every device has it, and nothing tears
+    info.presentMode = VK_PRESENT_MODE_FIFO_KHR; // supported by every device, without tearing
     info.clipped = VK_TRUE;
     result = api.CreateSwapchainKHR(context_.device(), &info, nullptr, &swapchain_);
     if (result == VK_ERROR_SURFACE_LOST_KHR)
@@ -187,7 +188,7 @@ Result<Presented> Swapchain::present(Image& picture) {
     return result == VK_ERROR_OUT_OF_DATE_KHR ? Presented::NotShown : Presented::Shown;
 }
 
-/// Untimed on purpose: figures of the frame leave out its last copy.
+/// Not timed, so that the frame's times exclude this last copy.
 Result<void> Swapchain::copy(Image& picture, uint32_t index) {
     const Api& api = context_.api();
     api.ResetCommandPool(context_.device(), pool_, 0);

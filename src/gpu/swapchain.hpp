@@ -1,5 +1,5 @@
-// Pictures on their way into a window. The window itself belongs to whoever made it; here is only what Vulkan knows of
-// it: a surface, and the images that it shows.
+// Presents images to a window. The window is owned by its creator; this class holds its Vulkan part: a surface and the
+// images that it shows.
 #pragma once
 
 #include "gpu/resources.hpp"
@@ -8,26 +8,25 @@
 
 namespace glint::gpu {
 
-/// What became of a picture that was to be shown.
+/// Result of presenting an image.
 enum class Presented : uint8_t {
     Shown,
-    NotShown,    ///< the window has no area (it is minimized) or is just changing its size; nothing to do
-    SurfaceLost, ///< the window system took the surface away: make another one, and another Swapchain
+    NotShown,    ///< the window has no area (it is minimized) or is changing its size; no action needed
+    SurfaceLost, ///< the window system has removed the surface: create another surface and another Swapchain
 };
 
 class Swapchain {
 public:
-    /// `surface` belongs to the swapchain from here on, also where there is an error. `context` presents and outlives
-    /// it. Errors: Unsupported where the device cannot show pictures there.
+    /// The swapchain takes ownership of `surface`, also on error. `context` must be able to present (Context::presents)
+    /// and must outlive the swapchain. Errors: Unsupported if the device cannot present to the surface.
     static Result<std::unique_ptr<Swapchain>> create(Context& context, VkSurfaceKHR surface);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
     Swapchain& operator=(const Swapchain&) = delete;
 
-    /// Copies `picture` (RGBA8_UNORM with TRANSFER_SRC usage) into the window and waits until that is done, at most for
-    /// the display's next refresh and a second. Images are made anew whenever the picture's size changes; a picture
-    /// whose size is not the window's is not shown.
-    /// Errors: DeviceLost, OutOfMemory.
+    /// Copies `picture` (RGBA8_UNORM with TRANSFER_SRC usage) into the window and waits until the copy is done, at most
+    /// until the display's next refresh plus a second. The swapchain's images are recreated when the picture's size
+    /// changes; a picture whose size differs from the window's is not shown. Errors: DeviceLost, OutOfMemory.
     Result<Presented> present(Image& picture);
 
 private:
@@ -41,7 +40,8 @@ private:
     VkSurfaceFormatKHR format_ = {};
     VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
     std::vector<Image> images_;
-    std::vector<VkSemaphore> copied_; ///< one an image: the presentation may still hold it when the next one starts
+    /// One per image, as a presentation may still use its semaphore when the next one starts.
+    std::vector<VkSemaphore> copied_;
     VkSemaphore acquired_ = VK_NULL_HANDLE;
     VkCommandPool pool_ = VK_NULL_HANDLE;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;

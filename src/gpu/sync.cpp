@@ -12,8 +12,8 @@ std::optional<Barrier> transition(ResourceState& state, const Use& use) {
             state.readAccess |= use.access;
             return std::nullopt;
         }
-        // Stages and access are each a set, so a new reader is made visible to the whole product of both: the next
-        // test of `alreadyVisible` may then trust every combination.
+        // Stages and accesses are stored as two sets, so the write is made visible to every combination of both: later
+        // tests of `alreadyVisible` may then trust every combination.
         state.readStages |= use.stages;
         state.readAccess |= use.access;
         return Barrier{state.writeStages, state.writeAccess, state.readStages,
@@ -22,7 +22,7 @@ std::optional<Barrier> transition(ResourceState& state, const Use& use) {
 
     std::optional<Barrier> barrier;
     if (changesLayout || state.writeStages != 0 || state.readStages != 0) {
-        // Readers need no availability operation, only to be waited for: their access bits stay out of srcAccess.
+        // Readers need only an execution dependency, no availability operation: their access bits are not in srcAccess.
         barrier = Barrier{state.writeStages | state.readStages,
                           state.writeAccess,
                           use.stages,
@@ -37,7 +37,7 @@ std::optional<Barrier> transition(ResourceState& state, const Use& use) {
         state.readStages = 0;
         state.readAccess = 0;
     } else {
-        // The transition was the write; it is available already, later readers only have to be ordered behind it.
+        // The layout transition was the write. It is already available; later readers only have to be ordered after it.
         state.writeAccess = 0;
         state.readStages = use.stages;
         state.readAccess = use.access;

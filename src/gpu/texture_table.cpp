@@ -6,8 +6,6 @@ namespace glint::gpu {
 namespace {
 
 Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
-    VkPhysicalDeviceFeatures2 features = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
-    context.api().GetPhysicalDeviceFeatures2(context.physicalDevice(), &features);
     VkSamplerCreateInfo info = {VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = desc.magFilter;
     info.minFilter = desc.minFilter;
@@ -16,10 +14,9 @@ Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
     info.addressModeV = desc.wrapV;
     info.addressModeW = VK_SAMPLER_ADDRESS_MODE_REPEAT;
     info.maxLod = desc.mips ? VK_LOD_CLAMP_NONE : 0;
-    if (features.features.samplerAnisotropy && desc.mips && desc.minFilter == VK_FILTER_LINEAR &&
-        desc.magFilter == VK_FILTER_LINEAR) {
+    if (context.anisotropy() && desc.mips && desc.minFilter == VK_FILTER_LINEAR && desc.magFilter == VK_FILTER_LINEAR) {
         info.anisotropyEnable = VK_TRUE;
-        info.maxAnisotropy = 8; // floors are seen at grazing angles; beyond 8 no difference shows
+        info.maxAnisotropy = 8; // floors are seen at grazing angles; beyond 8, no difference is visible
     }
     VkSampler sampler = VK_NULL_HANDLE;
     if (context.api().CreateSampler(context.device(), &info, nullptr, &sampler) != VK_SUCCESS)
@@ -31,7 +28,7 @@ Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
 } // namespace
 
 Result<TextureTable> TextureTable::create(Context& context, std::span<const Entry> entries) {
-    TextureTable owner; // of the samplers, until the table is there
+    TextureTable owner; // owns the samplers until the table is complete
     owner.context_ = &context;
     std::vector<std::pair<SamplerDesc, VkSampler>>& samplers = owner.samplers_;
     std::vector<VkDescriptorImageInfo> infos;
@@ -50,6 +47,11 @@ Result<TextureTable> TextureTable::create(Context& context, std::span<const Entr
 }
 
 Result<TextureTable> TextureTable::create(Context& context, std::span<const VkDescriptorImageInfo> entries) {
+    if (!context.hasTables())
+        return makeError(ErrorCode::Unsupported,
+                         "probes, planar mirrors and surfaces of rays need tables of images, which are not enabled on "
+                         "{}: adopt the device with DeviceDemands::Sources",
+                         context.info().name);
     TextureTable table;
     table.context_ = &context;
     table.entries_.assign(entries.begin(), entries.end());

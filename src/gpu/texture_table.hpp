@@ -1,4 +1,4 @@
-// One big array of textures as set 1, binding 0 ("bindless"): materials name their textures by index.
+// One large array of textures as set 1, binding 0 ("bindless"): materials refer to textures by index.
 #pragma once
 
 #include "gpu/resources.hpp"
@@ -9,7 +9,7 @@ struct SamplerDesc {
     VkFilter magFilter = VK_FILTER_LINEAR;
     VkFilter minFilter = VK_FILTER_LINEAR;
     VkSamplerMipmapMode mipMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
-    bool mips = true; ///< false: always level 0
+    bool mips = true; ///< false: level 0 only
     VkSamplerAddressMode wrapU = VK_SAMPLER_ADDRESS_MODE_REPEAT;
     VkSamplerAddressMode wrapV = VK_SAMPLER_ADDRESS_MODE_REPEAT;
     bool operator==(const SamplerDesc&) const = default;
@@ -18,14 +18,14 @@ struct SamplerDesc {
 class TextureTable {
 public:
     TextureTable() = default;
-    /// Images stay the caller's, which must bring them into SHADER_READ_ONLY_OPTIMAL before use. `entries` pairs an
+    /// The caller owns the images and must transition them to SHADER_READ_ONLY_OPTIMAL before use. An entry pairs an
     /// image with its sampler; shaders declare `layout(set = 1, binding = 0) uniform sampler2D textures[];`.
     struct Entry {
         const Image* image = nullptr;
         SamplerDesc sampler;
     };
     static Result<TextureTable> create(Context& context, std::span<const Entry> entries);
-    /// The same of a host's views and samplers, which must outlive the table.
+    /// As above, for a host's views and samplers, which must outlive the table.
     static Result<TextureTable> create(Context& context, std::span<const VkDescriptorImageInfo> entries);
     ~TextureTable() { destroy(); }
     TextureTable(TextureTable&& other) noexcept { swap(other); }
@@ -43,7 +43,7 @@ private:
     VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
     VkDescriptorPool pool_ = VK_NULL_HANDLE;
     VkDescriptorSet set_ = VK_NULL_HANDLE;
-    std::vector<std::pair<SamplerDesc, VkSampler>> samplers_; ///< made here
+    std::vector<std::pair<SamplerDesc, VkSampler>> samplers_; ///< created by the table
     std::vector<VkDescriptorImageInfo> entries_;
 };
 

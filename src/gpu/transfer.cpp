@@ -83,7 +83,7 @@ size_t bytesPerTexel(VkFormat format) {
 
 Result<Buffer> uploadBuffer(Context& context, std::string name, std::span<const std::byte> content,
                             VkBufferUsageFlags usage) {
-    // An empty buffer cannot exist; a shader that is told "0 elements" never reads the spare one.
+    // An empty buffer cannot be created; a shader that receives "0 elements" never reads the spare one.
     const size_t size = std::max<size_t>(content.size(), 16);
     GLINT_TRY(staging,
               Buffer::create(context, {name + "/staging", size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, BufferHome::Upload}));
@@ -95,7 +95,7 @@ Result<Buffer> uploadBuffer(Context& context, std::string name, std::span<const 
         const VkBufferCopy region = {0, 0, size};
         context.api().CmdCopyBuffer(commands, staging.handle(), buffer.handle(), 1, &region);
     }));
-    // submitAndWait has waited, but later submissions still need the copy made visible: the tracker knows it as a
+    // submitAndWait has waited, but later submissions still need the copy made visible: the state records it as a
     // write.
     buffer.state().writeStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
     buffer.state().writeAccess = VK_ACCESS_2_TRANSFER_WRITE_BIT;

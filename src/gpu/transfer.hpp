@@ -1,11 +1,11 @@
-// Moving data between the CPU and the GPU, waiting for it: set-up, tests and headless work only.
+// Copies data between CPU and GPU and waits for completion: for set-up, tests and headless work only.
 #pragma once
 
 #include "gpu/pass.hpp"
 
 namespace glint::gpu {
 
-/// A device buffer with this content; usage TRANSFER_DST is added.
+/// Creates a device buffer with this content; adds usage TRANSFER_DST.
 Result<Buffer> uploadBuffer(Context& context, std::string name, std::span<const std::byte> content,
                             VkBufferUsageFlags usage);
 
@@ -15,20 +15,20 @@ Result<Buffer> uploadBuffer(Context& context, std::string name, const std::vecto
     return uploadBuffer(context, std::move(name), std::as_bytes(std::span(content)), usage);
 }
 
-/// Fills mip 0 of every layer (tightly packed, layer after layer) and makes the other mips from it by box filtering;
-/// leaves the image ready for sampling. The image needs TRANSFER_DST, and TRANSFER_SRC if it has mips.
+/// Fills mip 0 of every layer (tightly packed, layer after layer), makes the other mips by box filtering, and leaves
+/// the image ready for sampling. The image needs TRANSFER_DST usage, and TRANSFER_SRC if it has mips.
 Result<void> uploadImage(Context& context, Image& image, std::span<const std::byte> content);
 
-/// One mip of one layer, tightly packed. The image needs TRANSFER_SRC.
+/// Returns one mip of one layer, tightly packed. The image needs TRANSFER_SRC usage.
 Result<std::vector<std::byte>> downloadImage(Context& context, Image& image, uint32_t mip = 0, uint32_t layer = 0);
 
-/// The whole buffer. It needs TRANSFER_SRC.
+/// Returns the whole buffer, which needs TRANSFER_SRC usage.
 Result<std::vector<std::byte>> downloadBuffer(Context& context, Buffer& buffer);
 
 size_t bytesPerTexel(VkFormat format);
 
-/// downloadImage as RGBA floats, whatever the (uncompressed) format; missing channels are 0, missing alpha 1. Integer
-/// formats give their integers.
+/// As downloadImage, converted to RGBA floats from any uncompressed format. Missing colour channels are 0, a missing
+/// alpha is 1. Integer formats yield their integer values.
 Result<std::vector<float>> downloadImageAsFloats(Context& context, Image& image, uint32_t mip = 0, uint32_t layer = 0);
 
 } // namespace glint::gpu

@@ -23,7 +23,7 @@ double texelAlpha(const scene::Image& image, const scene::Sampler& sampler, int6
 }
 
 double sampleAlpha(const scene::Image& image, const scene::Sampler& sampler, const glm::dvec2& uv) {
-    constexpr double kFarthest = 1e6; // repeats; beyond, texel numbers mean nothing any more
+    constexpr double kFarthest = 1e6; // repeats; beyond this, texel indices are meaningless
     const glm::dvec2 texel = glm::clamp(uv, -kFarthest, kFarthest) * glm::dvec2(image.width, image.height);
     if (sampler.magFilter == scene::Filter::Nearest)
         return texelAlpha(image, sampler, static_cast<int64_t>(std::floor(texel.x)),

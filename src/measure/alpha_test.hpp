@@ -1,4 +1,4 @@
-// The alpha test of masked surfaces, on the CPU: which points of a triangle are holes.
+// The alpha test of masked surfaces on the CPU: determines which points of a triangle are holes.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -7,19 +7,20 @@
 
 namespace glint::measure {
 
-/// Where on a geometry: a triangle's first index, and the weights of its second and third corner.
+/// A point of a geometry: a triangle's first index, and the weights of its second and third corner.
 struct TrianglePoint {
-    size_t firstIndex = 0; ///< into Geometry::indices
+    size_t firstIndex = 0; ///< index into Geometry::indices
     double u = 0;
     double v = 0;
 };
 
-/// Base alpha, texture times factor times vertex colour, as the raster pass reads it at mip 0 (bilinear, or nearest
-/// where the sampler says so). Missing textures, coordinates and colours count as the raster pass counts them.
+/// Returns the base alpha, texture times factor times vertex colour, as the raster pass reads it at mip 0 (bilinear, or
+/// nearest if the sampler requests it). Missing textures, coordinates and colours have the same defaults as in the
+/// raster pass.
 double baseAlpha(const scene::Scene& scene, const scene::Material& material, const scene::Geometry& geometry,
                  const TrianglePoint& point);
 
-/// Does the raster pass discard this point?
+/// True if the raster pass discards this point.
 bool isHole(const scene::Scene& scene, const scene::Material& material, const scene::Geometry& geometry,
             const TrianglePoint& point);
 

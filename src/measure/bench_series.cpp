@@ -24,13 +24,13 @@ double countingMs(const render::FrameTimes& times) {
 
 class Series {
 public:
-    Series(std::vector<render::JobSession>& sessions, const SeriesPlan& plan, FloorPass& floor, SharePass& share)
+    Series(std::vector<render::ReflectionSession>& sessions, const SeriesPlan& plan, FloorPass& floor, SharePass& share)
         : sessions_(sessions), plan_(plan), floor_(floor), share_(share), figures_(sessions.size()),
           walls_(sessions.size()) {}
 
     Result<std::vector<SeriesFigures>> run() {
-        std::vector<bool> drawnForEffect; // does the host draw anything for the effect alone?
-        for (render::JobSession& session : sessions_) {
+        std::vector<bool> drawnForEffect; // true if the host draws anything for the effect alone
+        for (render::ReflectionSession& session : sessions_) {
             GLINT_CHECK(session.resize(plan_.width, plan_.height));
             GLINT_TRY(first, session.renderFrame(0, framePlan(true, true))); // uploads, tables, the G-buffer
             EffectTimes times;
@@ -84,7 +84,7 @@ private:
         return {};
     }
 
-    std::vector<render::JobSession>& sessions_;
+    std::vector<render::ReflectionSession>& sessions_;
     const SeriesPlan& plan_;
     FloorPass& floor_;
     SharePass& share_;
@@ -95,7 +95,7 @@ private:
 
 } // namespace
 
-Result<std::vector<SeriesFigures>> runSeries(gpu::Context& context, std::vector<render::JobSession>& sessions,
+Result<std::vector<SeriesFigures>> runSeries(gpu::Context& context, std::vector<render::ReflectionSession>& sessions,
                                              const SeriesPlan& plan) {
     GLINT_TRY(floor, FloorPass::create(context, plan.width, plan.height));
     GLINT_TRY(share, SharePass::create(context));

@@ -1,5 +1,5 @@
-// One point of a benchmark: several settings on one picture size, timed in turn so that what slows the machine down
-// meets all of them alike.
+// One point of a benchmark: times several settings at one image size, in turn, so that a slowdown of the machine
+// affects all of them alike.
 #pragma once
 
 #include "measure/effect_times.hpp"
@@ -14,23 +14,25 @@ constexpr uint32_t kLeastFrames = 3;
 struct SeriesPlan {
     uint32_t width = 0; ///< pixels
     uint32_t height = 0;
-    std::optional<float> share; ///< of the surfaces that become mirrors (SharePass); none: the scene's own materials
-    uint32_t warmUp = 10;       ///< frames of each settings that are not counted
-    uint32_t frames = 30;       ///< that are; >= 1
-    double budgetSeconds = 0;   ///< fewer frames (kLeastFrames at least) when they take longer; 0: no limit
-    bool redraw = false;        ///< draw the whole frame each time; false: the G-buffer once, then the effect alone
+    /// Fraction of the surfaces that become mirrors (SharePass); none: the scene's own materials.
+    std::optional<float> share;
+    uint32_t warmUp = 10;     ///< frames per settings that are not counted
+    uint32_t frames = 30;     ///< frames per settings that are counted; >= 1
+    double budgetSeconds = 0; ///< reduces the frames (to kLeastFrames at least) if they take longer; 0: no limit
+    bool redraw = false;      ///< draw the whole frame each time; false: draw the G-buffer once, then only the effect
 };
 
 struct SeriesFigures {
-    EffectTimes times; ///< by timestamps
-    Spread wallMs;     ///< effect on minus off, by submitting and waiting; what counting took is left out
+    EffectTimes times; ///< from timestamps
+    /// Time with the effect minus time without it, by submitting and waiting; excludes the cost of counting.
+    Spread wallMs;
     render::RenderStats stats;
 };
 
-/// Times each session's settings, frame by frame in turn: with the effect, without it. Resizes the sessions.
+/// Times the settings of each session, frame by frame in turn, with and without the effect. Resizes the sessions.
 /// `sessions`  of the same scene, one for each settings, with RenderJob::statistics
 /// Errors: OutOfMemory, DeviceLost.
-Result<std::vector<SeriesFigures>> runSeries(gpu::Context& context, std::vector<render::JobSession>& sessions,
+Result<std::vector<SeriesFigures>> runSeries(gpu::Context& context, std::vector<render::ReflectionSession>& sessions,
                                              const SeriesPlan& plan);
 
 } // namespace glint::measure

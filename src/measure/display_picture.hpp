@@ -1,4 +1,4 @@
-// A picture as a screen shows it: what the metrics of differences between images take.
+// An image as displayed: the input of image difference metrics.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace glint::measure {
 
-/// Refers to pixels that someone else keeps.
+/// Does not own the pixels.
 struct DisplayPicture {
     uint32_t width = 0;
     uint32_t height = 0;

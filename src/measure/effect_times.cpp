@@ -11,7 +11,7 @@ namespace {
 using Times = std::vector<std::pair<std::string, double>>;
 using Samples = std::vector<std::pair<std::string, std::vector<double>>>;
 
-/// One sample a name and frame: a pass may run several times in a frame.
+/// Adds one sample per name and frame: a pass may run several times in a frame.
 void addSums(Samples& samples, const Times& passes) {
     Times sums;
     for (const auto& [name, milliseconds] : passes) {

@@ -1,4 +1,4 @@
-// Times of the reflections over many frames: each pass, their sum, and the floor that the sum is a multiple of.
+// Times of the reflections over many frames: each pass, their sum, and the floor that the sum is compared with.
 #pragma once
 
 #include "render/run_job.hpp"
@@ -8,7 +8,7 @@
 
 namespace glint::measure {
 
-/// Of many measurements, in milliseconds.
+/// Statistics of many measurements, in milliseconds.
 struct Spread {
     double median = 0;
     double p95 = 0; ///< 95th percentile
@@ -21,24 +21,24 @@ struct PassSpread {
     Spread ms;
 };
 
-/// What the passes of `passes` are together, without counting (composite/statistics) and tables made once.
+/// Returns the sum of `passes`, without counting (composite/statistics) and tables that are made once.
 double effectSum(const std::vector<std::pair<std::string, double>>& passes);
 
-/// Gathers frames whose plan has a FloorPass among its passes.
+/// Collects frames whose plan contains a FloorPass.
 class EffectTimes {
 public:
     void add(const render::FrameTimes& times);
-    /// A frame without the effect: its floor counts too, as a pass so short needs more samples.
+    /// Adds a frame without the effect. Its floor is counted too, as such a short pass needs more samples.
     void addFloor(const render::FrameTimes& times);
-    /// A frame that was drawn: takes what the host draws for the reflections alone (back-face depth), which counts too.
+    /// Adds a frame that was drawn. The host's work for the reflections alone (back-face depth) is counted too.
     void addDrawn(const render::FrameTimes& times);
     size_t frames() const { return totals_.size(); }
-    std::vector<PassSpread> passes() const; ///< in the order in which they run
+    std::vector<PassSpread> passes() const; ///< in execution order
     Spread total() const;
     Spread floor() const { return Spread::of(floors_); }
-    /// Median of the effect over median of the floor; 0 without a floor.
+    /// Returns the median of the effect divided by the median of the floor; 0 without a floor.
     double floorMultiple() const;
-    double hostMs() const; ///< medians of what addDrawn took; part of `total`
+    double hostMs() const; ///< sum of the medians of the host's passes from addDrawn; part of `total`
 
 private:
     std::vector<std::pair<std::string, std::vector<double>>> passes_;

@@ -79,7 +79,7 @@ Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& 
                 ++bounces;
                 origin = hit->positionWS;
                 direction = glm::normalize(glm::reflect(direction, hit->normalWS));
-                // Past the mirror itself, by what single precision leaves unsure at this distance.
+                // Starts behind the mirror itself, by the uncertainty of single precision at this distance.
                 minDistance = 1e-4 * (1 + 0.1 * hit->distance);
             }
             picture.radiance.push_back(radiance);

@@ -1,5 +1,5 @@
-// The exact picture of a scene in which everything seen is emission and every mirror perfect: then every right program
-// must draw the same, whatever its light model (docs/truth.md).
+// The exact picture of a scene in which every visible surface is emission or a perfect mirror: every correct renderer
+// must produce it, whatever its light model (docs/truth.md).
 #pragma once
 
 #include "measure/ray_oracle.hpp"
@@ -13,23 +13,23 @@ struct ExactPicture {
     uint32_t width = 0;
     uint32_t height = 0;
     std::vector<glm::vec3> radiance;       ///< linear, at pixel centres
-    std::vector<glm::vec3> withoutMirrors; ///< the same with black mirrors
-    std::vector<uint8_t> bounces;          ///< mirrors met before the end of the path; 0: no mirror
+    std::vector<glm::vec3> withoutMirrors; ///< as `radiance`, with black mirrors
+    std::vector<uint8_t> bounces;          ///< mirrors hit before the end of the path; 0: no mirror
 };
 
-/// `worldToClip` is the renderer's own (reversed depth), so that pixel centres and the near plane mean the same. Black
-/// background.
-/// Errors: InvalidInput names the first material that is neither pure emission nor a perfect mirror.
+/// `worldToClip` is the renderer's own matrix (reversed depth), so that pixel centres and the near plane agree. The
+/// background is black. Errors: InvalidInput names the first material that is neither pure emission nor a perfect
+/// mirror.
 Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& pose, const glm::mat4& worldToClip,
                                   uint32_t width, uint32_t height, uint32_t maxBounces = 16);
 
-/// How far a picture is from the exact one, over the pixels that mirrors change in it.
+/// The error of an image against the exact one, over the pixels that mirrors change in it.
 struct MirrorError {
-    uint64_t mirrorPixels = 0;    ///< mirrors change them
-    uint64_t wrongPixels = 0;     ///< of these; a channel of the sRGB value is off by more than 24/255
-    uint64_t oneBouncePixels = 0; ///< of mirrorPixels: one bounce shows all
+    uint64_t mirrorPixels = 0;    ///< pixels that mirrors change
+    uint64_t wrongPixels = 0;     ///< of mirrorPixels: a channel of the sRGB value is off by more than 24/255
+    uint64_t oneBouncePixels = 0; ///< of mirrorPixels: one bounce reaches the end of the path
     uint64_t oneBounceWrong = 0;
-    /// By the bounces that a path takes to its end, from one on.
+    /// By the number of bounces of a path, from one on.
     struct ByBounces {
         uint64_t pixels = 0;
         uint64_t wrong = 0;
@@ -39,7 +39,7 @@ struct MirrorError {
     double oneBounceShare() const { return oneBouncePixels ? double(oneBounceWrong) / double(oneBouncePixels) : 0; }
 };
 
-/// `rgba`: linear radiance, four floats a pixel, of the exact picture's size.
+/// `rgba`: linear radiance, four floats per pixel, of the exact picture's size.
 MirrorError compareMirrors(const ExactPicture& exact, std::span<const float> rgba);
 
 } // namespace glint::measure

@@ -1,5 +1,5 @@
-// LDR-FLIP in the order of the paper: what the eye resolves, how far the colours are apart, where edges and points come
-// or go, and the two together. Every filter is a sum of separable ones, so rows are filtered before columns.
+// LDR-FLIP in the order of the paper: the eye's resolution, the distance of colours, edges and points that appear or
+// disappear, and their combination. Every filter is a sum of separable ones, so rows are filtered before columns.
 #include "measure/flip.hpp"
 
 #include "base/assert.hpp"
@@ -74,7 +74,7 @@ double labCurve(double t) {
     return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3 * kDelta * kDelta) + 4.0 / 29;
 }
 
-/// L*a*b* with chroma scaled by lightness: the Hunt effect, dark colours look less colourful.
+/// L*a*b* with chroma scaled by lightness (Hunt effect): dark colours appear less colourful.
 // Andersson et al. 2020, section 4.1
 glm::dvec3 huntLab(const glm::dvec3& linearRgb) {
     const glm::dvec3 relative = whiteRelative().fromRgb * linearRgb;
@@ -86,14 +86,14 @@ glm::dvec3 huntLab(const glm::dvec3& linearRgb) {
 
 // ---------------------------------------------------------------- filters
 
-/// One weight vector a tap, so that several filters of one radius run at once.
+/// One weight vector per tap, so that several filters of one radius run at once.
 template <class Weight>
 struct Taps {
     int radius = 0;
     std::vector<Weight> weights; ///< 2 * radius + 1
 };
 
-/// Combines neighbours along one axis; the outermost pixels go on beyond the border.
+/// Combines neighbours along one axis; border pixels are repeated beyond the border.
 template <class Out, class In, class Weight, class Combine>
 std::vector<Out> filterAlong(bool rows, int width, int height, const std::vector<In>& in, const Taps<Weight>& taps,
                              const Combine& combine) {
@@ -116,7 +116,7 @@ std::vector<Out> filterAlong(bool rows, int width, int height, const std::vector
 /// Contrast sensitivity: the eye as low-pass filters, one for lightness and wider ones for the opponent colours.
 struct EyeFilter {
     Taps<glm::dvec4> taps;      ///< lightness, red-green, and the two Gaussians of blue-yellow; each sums to 1
-    double blueYellowFirst = 1; ///< share of the first of the two
+    double blueYellowFirst = 1; ///< weight of the first of the two
 };
 
 // Andersson et al. 2020, section 4.1 and its table of constants (after Johnson and Fairchild 2003): the Fourier
@@ -139,7 +139,7 @@ EyeFilter eyeFilter(double pixelsPerDegree) {
     }
     for (glm::dvec4& weight : filter.taps.weights)
         weight /= sums;
-    // The filter in the plane is normalised as a whole; a Gaussian there sums to the square of its sum on the line.
+    // The 2D filter is normalised as a whole; the sum of a 2D Gaussian is the square of its 1D sum.
     const double first = kFirstA * std::sqrt(kPi / kB[2]) * sums[2] * sums[2];
     const double second = kSecondA * std::sqrt(kPi / kB[3]) * sums[3] * sums[3];
     filter.blueYellowFirst = first / (first + second);
@@ -149,7 +149,7 @@ EyeFilter eyeFilter(double pixelsPerDegree) {
 /// Edge and point detectors: a Gaussian with its first and second derivative.
 // Andersson et al. 2020, section 4.2. The positive weights of a derivative sum to 1, the negative ones to -1.
 Taps<glm::dvec3> featureTaps(double pixelsPerDegree) {
-    constexpr double kFeatureWidth = 0.082; // degrees from peak to trough, as the eye has it (DeValois and DeValois)
+    constexpr double kFeatureWidth = 0.082; // degrees from peak to trough in human vision (DeValois and DeValois)
     const double sigma = 0.5 * kFeatureWidth * pixelsPerDegree;
     Taps<glm::dvec3> taps;
     taps.radius = static_cast<int>(std::ceil(3 * sigma));
@@ -218,8 +218,8 @@ double hyab(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// [0, 1].
-// Andersson et al. 2020, section 4.1: the error to the power 0.7; what is below 0.4 of the largest one that
-// sRGB has (pure green against pure blue) takes [0, 0.95], large errors share the rest.
+// Andersson et al. 2020, section 4.1: the error to the power 0.7. Errors below 0.4 of sRGB's largest error (pure green
+// against pure blue) map to [0, 0.95], larger errors to the rest.
 double colorDifference(const glm::dvec3& a, const glm::dvec3& b) {
     constexpr double kExponent = 0.7, kBendFrom = 0.4, kBendTo = 0.95;
     static const double largest = std::pow(hyab(huntLab({0, 1, 0}), huntLab({0, 0, 1})), kExponent);
@@ -231,7 +231,7 @@ double colorDifference(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 /// [0, 1].
-// Andersson et al. 2020, section 4.2; sqrt 2 is the longest gradient there is.
+// Andersson et al. 2020, section 4.2; sqrt 2 is the longest possible gradient.
 double featureDifference(double edgeA, double edgeB, double pointA, double pointB) {
     const double larger = std::max(std::abs(edgeA - edgeB), std::abs(pointA - pointB));
     return std::min(std::sqrt(larger / std::numbers::sqrt2), 1.0);
@@ -256,7 +256,7 @@ FlipMap flip(const DisplayPicture& reference, const DisplayPicture& test, double
     map.height = reference.height;
     double sum = 0;
     for (size_t i = 0; i < reference.pixels(); ++i) {
-        // Andersson et al. 2020, section 4.3: features raise the error of colours, never make one.
+        // Andersson et al. 2020, section 4.3: features increase colour errors and never cause one alone.
         const double feature = featureDifference(a.edge[i], b.edge[i], a.point[i], b.point[i]);
         const double error = std::pow(colorDifference(a.lab[i], b.lab[i]), 1 - feature);
         map.error.push_back(static_cast<float>(error));
@@ -267,7 +267,7 @@ FlipMap flip(const DisplayPicture& reference, const DisplayPicture& test, double
 }
 
 std::vector<uint8_t> errorColors(std::span<const float> error) {
-    // Magma (van der Walt and Smith 2015, CC0) at every eighth, straight between; lightness rises evenly.
+    // Magma (van der Walt and Smith 2015, CC0) at every eighth, linear in between; lightness increases evenly.
     static constexpr std::array<std::array<float, 3>, 9> kMagma = {{{0, 0, 4},
                                                                     {29, 17, 71},
                                                                     {81, 18, 124},

@@ -1,4 +1,4 @@
-// The floor of what an effect can cost on a device: one pass that reads the G-buffer's channels and writes a picture.
+// Measures the minimum cost of an effect on a device: one pass that reads the G-buffer's channels and writes an image.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -8,11 +8,11 @@ namespace glint::measure {
 
 class FloorPass {
 public:
-    static constexpr const char* kName = "measure/floor"; ///< of the pass, in pass times
+    static constexpr const char* kName = "measure/floor"; ///< name of the pass in pass times
 
-    /// `context` must know gpu::shaders::render(). Errors: OutOfMemory, Unsupported.
+    /// Requires that `context` has gpu::shaders::render() registered. Errors: OutOfMemory, Unsupported.
     static Result<FloorPass> create(gpu::Context& context, uint32_t width, uint32_t height);
-    /// Records nothing for a G-buffer with several samples a pixel, which no single read can stand for.
+    /// Records nothing for a multisampled G-buffer, whose cost a single read does not represent.
     void record(gpu::Frame& frame, render::GBuffer& gbuffer);
 
 private:

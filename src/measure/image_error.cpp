@@ -24,7 +24,7 @@ double meanError(std::span<const float> reference, std::span<const float> test, 
         const bool alpha = i % 4 == 3;
         if (alpha || (!mask.empty() && mask[i / 4] == 0))
             continue;
-        // std::clamp keeps NaN: the mean shall show it.
+        // std::clamp keeps NaN, so that the mean becomes NaN.
         sum += errorOf(std::clamp<double>(reference[i], 0, brightest), std::clamp<double>(test[i], 0, brightest));
         ++colors;
     }
@@ -51,7 +51,7 @@ DisplayDifference displayDifference(const DisplayPicture& reference, const Displ
     GLINT_ASSERT(reference.pixels() > 0 && reference.rgb.size() == 3 * reference.pixels() &&
                      test.rgb.size() == reference.rgb.size(),
                  "{} and {} bytes for {} pixels", reference.rgb.size(), test.rgb.size(), reference.pixels());
-    const auto allowed = static_cast<int>(std::floor(tolerance * 255 + 1e-6)); // 5 / 255.0 * 255 shall allow 5
+    const auto allowed = static_cast<int>(std::floor(tolerance * 255 + 1e-6)); // 5 / 255.0 * 255 must allow 5
     DisplayDifference difference;
     for (size_t i = 0; i < reference.rgb.size(); i += 3) {
         int largest = 0;

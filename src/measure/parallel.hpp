@@ -1,4 +1,4 @@
-// Rows of a picture, shared out among the machine's cores.
+// Distributes the rows of an image over the machine's cores.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace glint::measure {
 
-/// Calls `work(row)` for each row in [0, rows), from several threads at once; returns when all is done. Work on
+/// Calls `work(row)` for each row in [0, rows), from several threads at once, and returns when all are done. Work on
 /// different rows must not touch the same data, and must not throw.
 template <class Work>
 void forEachRow(uint32_t rows, const Work& work) {

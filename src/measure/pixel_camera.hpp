@@ -1,11 +1,11 @@
-// Between pixels and world space in double precision, for figures that must not hang on rounding.
+// Converts between pixels and world space in double precision, for figures that must not depend on rounding.
 #pragma once
 
 #include "render/view.hpp"
 
 namespace glint::measure {
 
-/// From the eye (or, orthographic, the near plane) through a point of the picture.
+/// A ray from the eye (or, orthographic, from the near plane) through a point of the image.
 struct PixelRay {
     glm::dvec3 originWS = glm::dvec3(0);           ///< on the near plane
     glm::dvec3 directionWS = glm::dvec3(0, 0, -1); ///< unit
@@ -31,11 +31,11 @@ public:
         return {origin, glm::normalize(unproject(px, 0.5) - origin)};
     }
     double viewZ(const glm::dvec3& positionWS) const { return glm::dot(positionWS - eyeWS_, forwardWS_); }
-    /// The point of a ray that is `viewZ` metres away along the view axis.
+    /// Returns the point of a ray at distance `viewZ`, in metres along the view axis.
     glm::dvec3 position(const PixelRay& ray, double viewZ) const {
         return ray.originWS + ray.directionWS * ((viewZ - nearZ_) / glm::dot(ray.directionWS, forwardWS_));
     }
-    /// Pixels of a point in front of the near plane.
+    /// Returns the pixel coordinates of a point in front of the near plane.
     glm::dvec2 project(const glm::dvec3& positionWS) const {
         const glm::dvec4 clip = worldToClip_ * glm::dvec4(positionWS, 1);
         return glm::dvec2(clip.x / clip.w * 0.5 + 0.5, 0.5 - clip.y / clip.w * 0.5) * glm::dvec2(width_, height_);

@@ -8,7 +8,7 @@
 namespace glint::measure {
 namespace {
 
-/// What one back end's scene was found to be hit by, for the next to be held against.
+/// The hits of one back end's scene, which the next back end's hits are compared with.
 struct Hits {
     std::vector<ListedHit> camera, bounce, changed;
 };
@@ -59,7 +59,7 @@ public:
         GLINT_TRY(pass, RayListPass::create(context_, backend));
         Hits hits;
         GLINT_CHECK(trace(pass, rays, cameraRays_, plan_.repeats, figures.camera, hits.camera));
-        if (!known_) // the first back end's hits say where both back ends' bounces start: the rays are the same
+        if (!known_) // the first back end's hits are the origins of the bounce rays of both: the rays are the same
             bounceRays_ = bounceRays(scene_, cameraRays_, hits.camera);
         GLINT_CHECK(trace(pass, rays, bounceRays_, plan_.repeats, figures.bounce, hits.bounce));
         GLINT_CHECK(change(rays, figures));
@@ -112,7 +112,7 @@ private:
         return {};
     }
 
-    /// Each kind by itself, so that neither hides in the other's time.
+    /// Each kind of change is measured alone, so that neither is hidden in the other's time.
     Result<void> change(RayScene& rays, RayBackendFigures& figures) {
         UpdateSamples moves, deforms;
         for (uint32_t i = 1; i <= plan_.repeats; ++i) {

@@ -1,5 +1,5 @@
-// What rays cost on a scene of so many triangles: building, moving, deforming and tracing, with each back end that the
-// device has, on the same rays; and whether the back ends found the same hits.
+// Measures the cost of rays on a scene with a given number of triangles: building, moving, deforming and tracing, with
+// each back end of the device, on the same rays. Also compares the hits of the back ends.
 #pragma once
 
 #include "glint/context.hpp"
@@ -12,39 +12,39 @@
 namespace glint::measure {
 
 struct RayBenchPlan {
-    uint64_t triangles = 0; ///< of the meshes, about; >= 100
-    uint32_t rays = 0;      ///< of each list, about; >= 64
-    uint32_t repeats = 5;   ///< of each measurement but building; >= 1
+    uint64_t triangles = 0; ///< of the meshes, approximately; >= 100
+    uint32_t rays = 0;      ///< per list, approximately; >= 64
+    uint32_t repeats = 5;   ///< of each measurement except building; >= 1
 };
 
-/// A change of the scene, from the host's call until the GPU is done. Medians, in milliseconds.
+/// The cost of a scene change, from the host's call until the GPU has finished. Medians, in milliseconds.
 struct RayUpdateTimes {
     double cpuMs = 0;  ///< the call, and recording
     double wallMs = 0; ///< submitting and waiting
-    double gpuMs = 0;  ///< by timestamps; 0: not known, as with Bvh
+    double gpuMs = 0;  ///< from timestamps; 0: unknown, as with Bvh
 };
 
 struct RayTraceTimes {
     uint64_t rays = 0;
     uint64_t met = 0;
-    Spread gpuMs;  ///< by timestamps; 0 without them
+    Spread gpuMs;  ///< from timestamps; 0 without them
     Spread wallMs; ///< submitting and waiting
-    /// Rays whose hits differ from those of the back end before. None: there was none to compare with.
+    /// Rays whose hits differ from those of the previous back end. None: there is no previous back end.
     std::optional<uint64_t> differ;
 };
 
 struct RayBackendFigures {
     RayBackend backend = RayBackend::Bvh;
-    std::string refused;   ///< why there is no such scene here; all but createMs is 0 then
-    double createMs = 0;   ///< CPU: RayScene::create, also where it refused in the end
-    RayUpdateTimes build;  ///< recording and running what create left to do; cpuMs is the recording's
-    size_t bytes = 0;      ///< of device memory, staging freed
-    size_t mostBytes = 0;  ///< with staging memory
-    RayUpdateTimes move;   ///< setInstances: all but one of them moved
-    RayUpdateTimes deform; ///< deform: one of the meshes
-    RayTraceTimes camera;  ///< side by side
-    RayTraceTimes bounce;  ///< in any direction, from where the camera's rays met the scene
-    RayTraceTimes changed; ///< the camera's, after moving and deforming: traced once
+    std::string refused;   ///< why the scene could not be created; all figures except createMs are 0 then
+    double createMs = 0;   ///< CPU time of RayScene::create, also if it failed
+    RayUpdateTimes build;  ///< recording and executing the rest of the build; cpuMs is the time of recording
+    size_t bytes = 0;      ///< device memory after staging memory is freed
+    size_t mostBytes = 0;  ///< device memory including staging memory
+    RayUpdateTimes move;   ///< setInstances: all instances but one moved
+    RayUpdateTimes deform; ///< deform: one mesh
+    RayTraceTimes camera;  ///< coherent rays, side by side
+    RayTraceTimes bounce;  ///< rays in random directions, from the hits of the camera's rays
+    RayTraceTimes changed; ///< the camera's rays after moving and deforming: traced once
 };
 
 struct RayBenchFigures {
@@ -56,11 +56,11 @@ struct RayBenchFigures {
     std::vector<RayBackendFigures> backends; ///< Query, if the device has ray queries, and Bvh
 
     uint64_t differing() const; ///< rays of all lists whose hits differ
-    uint64_t compared() const;  ///< of so many
+    uint64_t compared() const;  ///< number of compared rays
 };
 
-/// `context` must have been created, not adopted; `library` must stand on the same device.
-/// Errors: OutOfMemory, DeviceLost. A back end that refuses the scene is no error.
+/// `context` must have been created, not adopted; `library` must use the same device. Errors: OutOfMemory, DeviceLost.
+/// A back end that rejects the scene is not an error.
 Result<RayBenchFigures> measureRays(gpu::Context& context, Context& library, const RayBenchPlan& plan);
 
 } // namespace glint::measure

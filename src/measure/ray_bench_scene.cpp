@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kTerrainHalf = 20; // metres
 
-/// Two triangles a cell; with `poles` without those that collapse in the first and the last row.
+/// Two triangles per cell; with `poles`, without those that collapse in the first and last rows.
 std::vector<uint32_t> gridIndices(uint32_t columns, uint32_t rows, bool poles) {
     std::vector<uint32_t> indices;
     indices.reserve(size_t{6} * columns * rows);
@@ -36,7 +36,7 @@ glm::vec3 terrainVertex(uint32_t column, uint32_t row, uint32_t cells) {
     return {x, hills + 0.05f * std::sin(17 * x + 11 * z), z};
 }
 
-/// In [0, 1), the same on every machine: fractions of multiples spread points evenly.
+/// In [0, 1), identical on every machine: fractional parts of multiples spread points evenly.
 float spread(uint32_t number, uint32_t axis) {
     constexpr double kSteps[] = {0.8191725134, 0.6710436067, 0.5497004779, 0.7548776662};
     double whole = 0;
@@ -69,7 +69,7 @@ RayBenchScene::RayBenchScene(uint64_t triangles) {
 }
 
 glm::vec3 RayBenchScene::ballVertex(uint32_t mesh, uint32_t column, uint32_t row, float phase) const {
-    // The first and the last column are the same points bit for bit, and so are all of a pole: no cracks.
+    // The first and last columns are the same points bit for bit, and so are all points of a pole: no cracks.
     const float turn = static_cast<float>(column % (2 * ballRows_)) / static_cast<float>(2 * ballRows_);
     const float longitude = glm::two_pi<float>() * turn;
     const float latitude = glm::pi<float>() * (static_cast<float>(row) / static_cast<float>(ballRows_) - 0.5f);

@@ -1,4 +1,4 @@
-// A scene by code for timing rays, with as many triangles as one likes: a terrain, and a heap of dented balls on it.
+// A procedural scene with any number of triangles, for timing rays: a terrain, and a heap of dented balls on it.
 #pragma once
 
 #include "glint/ray_scene.hpp"
@@ -14,23 +14,24 @@ namespace glint::measure {
 class RayBenchScene {
 public:
     static constexpr uint32_t kBallMeshes = 4;
-    static constexpr uint32_t kBalls = 24;       ///< instances of them; one more is the terrain
+    static constexpr uint32_t kBalls = 24;       ///< ball instances; the terrain is one more instance
     static constexpr uint32_t kDeformedMesh = 1; ///< the first ball mesh
 
-    /// About `triangles` of them in its meshes: half in the terrain, an eighth in each ball mesh. At least 100.
+    /// The meshes have about `triangles` triangles: half in the terrain, an eighth in each ball mesh. `triangles` must
+    /// be at least 100.
     explicit RayBenchScene(uint64_t triangles);
 
-    uint64_t triangles() const; ///< of the meshes: what is built
-    uint64_t placed() const;    ///< of the instances: what rays see
+    uint64_t triangles() const; ///< of the meshes, as built
+    uint64_t placed() const;    ///< of the instances, as seen by rays
     uint64_t deformedTriangles() const { return meshes_[kDeformedMesh].indices.size() / 3; }
 
-    std::vector<RayMesh> meshes() const; ///< views of what the scene owns
-    /// With the balls moved and turned by `phase`, a number of any size; 0: where they are at first.
+    std::vector<RayMesh> meshes() const; ///< refer to data owned by the scene
+    /// Returns the instances with the balls moved and rotated by `phase`, any number; 0: initial positions.
     std::vector<RayInstance> instances(float phase) const;
-    /// Vertices of kDeformedMesh with its dents moved by `phase`; 0: as in meshes().
+    /// Returns the vertices of kDeformedMesh with its dents moved by `phase`; 0: as in meshes().
     std::vector<glm::vec3> deformed(float phase) const;
 
-    /// Vertices of a triangle in the world, as the scene is at first.
+    /// Returns the world-space vertices of a triangle in the initial scene.
     std::array<glm::vec3, 3> triangleWS(uint32_t instance, uint32_t primitive) const;
 
 private:
@@ -43,7 +44,7 @@ private:
     glm::vec3 ballVertex(uint32_t mesh, uint32_t column, uint32_t row, float phase) const;
     static uint32_t meshOf(uint32_t instance);
 
-    uint32_t ballRows_ = 0; ///< twice as many columns
+    uint32_t ballRows_ = 0; ///< columns are twice as many
     std::vector<Mesh> meshes_;
 };
 

@@ -14,7 +14,7 @@ constexpr double kRightShare = 0.01; ///< of the ray's length, in 3D
 
 struct Verdict {
     HitClass hitClass = HitClass::NoRay;
-    float errorPX = 0; ///< of hits whose truth is visible
+    float errorPX = 0; ///< of hits whose true hit is visible
 };
 
 struct ReportedRay {
@@ -34,7 +34,7 @@ bool wasTraced(uint32_t outcome) {
     return outcome != shared::kOutcomeNone && outcome < shared::kOutcomeBelowThreshold;
 }
 
-/// Is the surface that the picture shows at `px` the truth's, by distance in space?
+/// True if the visible surface at `px` is near the true hit, by distance in space.
 bool nearInSpace(const PixelCamera& camera, const GBufferPicture& gbuffer, const RayTruth& truth,
                  const glm::dvec2& px) {
     const auto x = std::min(static_cast<uint32_t>(px.x), camera.width() - 1);
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    /// The smallest value that at least this share of all values does not exceed; 0 without values.
+    /// Returns the smallest value that at least this fraction of all values does not exceed; 0 without values.
     template <class T>
     static T percentile(std::vector<T>& values, double share) {
         if (values.empty())

@@ -10,13 +10,14 @@ namespace glint::measure {
 namespace {
 
 constexpr uint32_t kTile = 8;         // pixels
-constexpr float kBounceStart = 1e-3f; // metres: clear of the triangle that the ray leaves
+constexpr float kBounceStart = 1e-3f; // metres: clear of the triangle that the ray starts on
 
 float unitNumber(std::mt19937& random) {
-    return static_cast<float>(random() >> 8) * 0x1p-24f; // the standard's own distributions differ between libraries
+    // The distributions of the standard library differ between implementations.
+    return static_cast<float>(random() >> 8) * 0x1p-24f;
 }
 
-/// Around a unit normal. Malley's method: a point of the unit sphere on top of the normal.
+/// Malley's method around a unit normal: a point of the unit sphere plus the normal.
 glm::vec3 cosineDirection(const glm::vec3& normal, std::mt19937& random) {
     const float z = 1 - 2 * unitNumber(random);
     const float angle = glm::two_pi<float>() * unitNumber(random);
@@ -33,7 +34,7 @@ std::vector<ListedRay> cameraRays(uint32_t count) {
     const glm::vec3 forward = glm::normalize(glm::vec3(0, 1, 0) - origin);
     const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0, 1, 0)));
     const glm::vec3 up = glm::cross(right, forward);
-    constexpr float kHalfHeight = 0.5f; // of the picture, a metre away
+    constexpr float kHalfHeight = 0.5f; // of the image, at a distance of one metre
     std::vector<ListedRay> rays;
     rays.reserve(size_t{tiles} * tiles * kTile * kTile);
     for (uint32_t i = 0; i < tiles * tiles * kTile * kTile; ++i) {
@@ -60,7 +61,7 @@ std::vector<ListedRay> bounceRays(const RayBenchScene& scene, std::span<const Li
     bounces.reserve(rays.size());
     std::mt19937 random(42);
     for (size_t i = 0; i < rays.size() && !met.empty(); ++i) {
-        const size_t from = met[i * met.size() / rays.size()]; // some hits twice, in place of the misses
+        const size_t from = met[i * met.size() / rays.size()]; // some hits are used twice, in place of the misses
         const ListedRay& ray = rays[from];
         const auto corners = scene.triangleWS(hits[from].instance, hits[from].primitive);
         glm::vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
@@ -78,7 +79,7 @@ std::vector<ListedRay> bounceRays(const RayBenchScene& scene, std::span<const Li
 uint64_t differingHits(std::span<const ListedRay> rays, std::span<const ListedHit> a, std::span<const ListedHit> b) {
     uint64_t differ = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
-        // Mesa's lavapipe loses four bits of the origin on the way into an instance's space.
+        // Mesa's lavapipe loses four bits of the origin in the transform to an instance's space.
         const float lost = 0x1p-20f * glm::length(rays[i].originWS);
         const bool same = a[i].met() == b[i].met() &&
                           (!a[i].met() || std::abs(a[i].distance - b[i].distance) <= 1e-4f * a[i].distance + lost);

@@ -1,5 +1,4 @@
-// Rays that are timed by the list, and their hits: those of a camera, which go side by side, and those that leave a
-// surface in any direction.
+// Lists of rays to time, and their hits: coherent camera rays, and rays that leave a surface in random directions.
 #pragma once
 
 #include "measure/ray_bench_scene.hpp"
@@ -12,7 +11,7 @@
 
 namespace glint::measure {
 
-/// As lib/ray.glsl has it, in scalar layout.
+/// As in lib/ray.glsl, in scalar layout.
 struct ListedRay {
     glm::vec3 originWS = glm::vec3(0);
     float tMin = 0;
@@ -22,7 +21,7 @@ struct ListedRay {
     uint32_t flags = shared::kRayCullBackFaces;
 };
 
-/// As lib/ray.glsl has it, in scalar layout.
+/// As in lib/ray.glsl, in scalar layout.
 struct ListedHit {
     float distance = 0;
     uint32_t instance = shared::kNoInstance;
@@ -32,15 +31,16 @@ struct ListedHit {
     bool met() const { return instance != shared::kNoInstance; }
 };
 
-/// Of a square picture of the scene, about `count` pixels in tiles of 8 x 8, a work group each.
+/// Returns the rays of a square image of the scene: about `count` pixels in tiles of 8 x 8, one workgroup each.
 std::vector<ListedRay> cameraRays(uint32_t count);
 
-/// As many rays as there are in `rays`, on from where those met the scene of phase 0: diffuse, by the cosine to the
-/// triangle's normal. In the order of the hits, as a renderer has them; empty where nothing was met.
+/// Returns as many rays as `rays`, starting where those hit the scene of phase 0. Directions are cosine-distributed
+/// around the triangle's normal. In the order of the hits, as in a renderer; empty where nothing was hit.
 std::vector<ListedRay> bounceRays(const RayBenchScene& scene, std::span<const ListedRay> rays,
                                   std::span<const ListedHit> hits);
 
-/// Hits against misses, or distances more than 1e-4 apart, and what a driver may lose of the origin besides.
+/// Counts rays where one back end hits and the other misses, or where distances differ by more than 1e-4 plus the
+/// precision that a driver may lose at the origin.
 uint64_t differingHits(std::span<const ListedRay> rays, std::span<const ListedHit> a, std::span<const ListedHit> b);
 
 } // namespace glint::measure

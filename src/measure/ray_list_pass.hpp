@@ -1,4 +1,4 @@
-// Traces a list of rays through a RayScene, each for its nearest hit, and says how long that took by two clocks.
+// Traces a list of rays through a RayScene for their nearest hits, and measures the time by two clocks.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -8,17 +8,17 @@
 namespace glint::measure {
 
 struct ListTimes {
-    double gpuMs = 0;  ///< by timestamps; 0 without them
+    double gpuMs = 0;  ///< from timestamps; 0 without them
     double wallMs = 0; ///< submitting and waiting
 };
 
 class RayListPass {
 public:
-    /// For scenes of this back end, Query or Bvh. `context` must know gpu::shaders::render(). Errors: OutOfMemory,
-    /// Unsupported.
+    /// For scenes of this back end, Query or Bvh. Requires that `context` has gpu::shaders::render() registered.
+    /// Errors: OutOfMemory, Unsupported.
     static Result<RayListPass> create(gpu::Context& context, RayBackend backend);
 
-    Result<void> setRays(const std::vector<ListedRay>& rays); ///< not empty. Errors: OutOfMemory, DeviceLost
+    Result<void> setRays(const std::vector<ListedRay>& rays); ///< must not be empty. Errors: OutOfMemory, DeviceLost
     Result<ListTimes> trace(RayScene& scene);                 ///< Errors: DeviceLost
     Result<std::vector<ListedHit>> hits();                    ///< of the last trace. Errors: OutOfMemory, DeviceLost
 

@@ -22,7 +22,7 @@ struct Part {
     const scene::DrawItem* item = nullptr;
     const scene::Material* material = nullptr;
     glm::dmat3 normalToWorld = glm::dmat3(1);
-    bool mirrored = false; ///< the transform turns triangles inside out
+    bool mirrored = false; ///< the transform reverses the triangles' winding
 
     glm::dvec3 vertexWS(uint32_t vertex) const {
         return glm::dvec3(glm::dmat4(item->localToWorld) * glm::dvec4(item->geometry->positions[vertex], 1));
@@ -34,7 +34,7 @@ struct Part {
     }
 };
 
-/// Embree asks for each hit that it finds on the way: is there a surface at all?
+/// Embree's filter callback, called for each hit along the ray: rejects hits that the raster pass does not draw.
 void passWhatIsNotDrawn(const RTCFilterFunctionNArguments* arguments) {
     const Part& part = *static_cast<const Part*>(arguments->geometryUserPtr);
     const scene::Geometry& geometry = *part.item->geometry;
@@ -59,7 +59,7 @@ struct RayOracle::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     scene::Material defaultMaterial;
-    std::vector<Part> parts; ///< by Embree's geometry id; never moved, Embree points into it
+    std::vector<Part> parts; ///< by Embree's geometry id; never moved, as Embree refers to its elements
 
     ~State() {
         if (scene)

@@ -1,4 +1,4 @@
-// First hits of rays on a posed scene, by Embree: independent of everything that Glint draws and traces, so that both
+// Traces first hits of rays on a posed scene with Embree. Independent of all that Glint draws and traces, so that both
 // can be measured against it (docs/truth.md).
 #pragma once
 
@@ -14,25 +14,26 @@ namespace glint::measure {
 
 struct OracleHit {
     double distance = 0; ///< metres along the ray
-    int material = -1;   ///< glTF material, -1: the default one
+    int material = -1;   ///< glTF material index, -1: the default material
     glm::dvec3 positionWS = glm::dvec3(0);
     glm::dvec3 normalWS = glm::dvec3(0);          ///< interpolated as the raster pass does, unit
-    glm::dvec3 geometricNormalWS = glm::dvec3(0); ///< the triangle's own, unit, towards where the ray came from
+    glm::dvec3 geometricNormalWS = glm::dvec3(0); ///< normal of the triangle, unit, towards the ray origin
     bool frontFace = true;
 };
 
-/// Triangles of opaque and masked surfaces; blended and light-transmitting ones, lines and points are left out. Back
-/// faces of single-sided materials and the holes of masked ones (alpha_test.hpp) are passed through, as the raster pass
-/// leaves them out.
+/// Contains triangles of opaque and masked surfaces; blended and transmissive surfaces, lines and points are left out.
+/// Rays pass through back faces of single-sided materials and the holes of masked ones (alpha_test.hpp), which the
+/// raster pass does not draw either.
 class RayOracle {
 public:
-    /// Refers to `pose` and `scene`, which must outlive it. Errors: Unsupported if Embree has no device.
+    /// Refers to `pose` and `scene`, which must outlive the oracle. Errors: Unsupported if Embree has no device.
     static Result<RayOracle> create(const scene::Scene& scene, const scene::Pose& pose);
     ~RayOracle();
     RayOracle(RayOracle&&) noexcept;
     RayOracle& operator=(RayOracle&&) noexcept;
 
-    /// Nearest hit farther than `minDistance` metres; the distance is refined in double precision. Any thread may ask.
+    /// Returns the nearest hit farther than `minDistance` metres; its distance is refined in double precision.
+    /// Thread-safe.
     std::optional<OracleHit> trace(const glm::dvec3& originWS, const glm::dvec3& directionWS, double minDistance) const;
 
 private:

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kOwnDepth = 0.01; ///< of viewZ
 
-/// How much the viewZ of the plane through `positionWS` changes over one pixel, at pixel position `px`; 0 where the
-/// camera sees the plane edge-on within that pixel, as no depth belongs to it there.
+/// Returns the change of viewZ over one pixel at `px`, of the plane through `positionWS`. Returns 0 if the camera sees
+/// the plane edge-on within that pixel, as it has no depth there.
 double depthSlope(const PixelCamera& camera, const glm::dvec3& positionWS, const glm::dvec3& normalWS,
                   const glm::dvec2& px) {
     const double here = camera.viewZ(positionWS);

@@ -1,4 +1,5 @@
-// Makes a chosen share of a G-buffer's surfaces mirrors, for timing against the share of the picture that reflects.
+// Turns a fraction of a G-buffer's surfaces into mirrors, to time an effect against the fraction of the image that
+// reflects.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -8,10 +9,10 @@ namespace glint::measure {
 
 class SharePass {
 public:
-    /// `context` must know gpu::shaders::render(). Errors: OutOfMemory, Unsupported.
+    /// Requires that `context` has gpu::shaders::render() registered. Errors: OutOfMemory, Unsupported.
     static Result<SharePass> create(gpu::Context& context);
-    /// Writes GBuffer::material: mirrors (F0 0.9, roughness 0) in tiles that are `share` ([0, 1]) of the surfaces'
-    /// pixels, nothing that reflects elsewhere. The G-buffer must have one sample a pixel.
+    /// Writes GBuffer::material: mirrors (F0 0.9, roughness 0) in tiles that cover the fraction `share` ([0, 1]) of the
+    /// surfaces' pixels; other pixels do not reflect. The G-buffer must have one sample per pixel.
     void record(gpu::Frame& frame, render::GBuffer& gbuffer, float share);
 
 private:

@@ -1,4 +1,4 @@
-// Commands run by themselves, with the clock that also means something where a device's timestamps do not.
+// Submits commands on their own and measures wall time, which is also valid where a device's timestamps are not.
 #pragma once
 
 #include "gpu/context.hpp"
@@ -6,8 +6,8 @@
 namespace glint::measure {
 
 struct SubmitTimes {
-    double recordMs = 0; ///< the CPU's: writing the commands
-    double wallMs = 0;   ///< submitting them and waiting until they have run
+    double recordMs = 0; ///< CPU time of recording the commands
+    double wallMs = 0;   ///< submitting the commands and waiting for their completion
 };
 
 /// Errors: DeviceLost.

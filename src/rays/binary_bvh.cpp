@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kMostBins = 16;
 
-constexpr uint32_t kWorthAThread = 20000; ///< primitives: some ten milliseconds of work
+constexpr uint32_t kWorthAThread = 20000; ///< primitives: about ten milliseconds of work
 constexpr uint32_t kThreadedDepth = 5;    ///< at most 2^5 threads at once
 
 struct Reference {
@@ -24,10 +24,10 @@ struct Reference {
 struct Split {
     float cost = std::numeric_limits<float>::infinity(); ///< area times primitives, summed over both sides
     int axis = -1;
-    uint32_t bin = 0; ///< first one on the right side
+    uint32_t bin = 0; ///< the first bin on the right side
 };
 
-/// Places of centroids along an axis.
+/// Bins of centroids along an axis.
 struct BinScale {
     float low = 0;
     float perUnit = 0;
@@ -38,7 +38,7 @@ struct BinScale {
         : low(centroids.low[axis]), bins(std::min(kMostBins, 2 * count)) {
         perUnit = static_cast<float>(bins) / (centroids.high[axis] - centroids.low[axis]);
     }
-    /// No for extents of 0, and those so small that the scale overflows.
+    /// False for extents of 0, and for extents so small that the scale overflows.
     bool usable() const { return perUnit > 0 && std::isfinite(perUnit); }
     uint32_t binOf(const Reference& reference, int axis) const {
         const float place = (reference.bounds.center()[axis] - low) * perUnit;
@@ -67,15 +67,16 @@ public:
 private:
     struct Subtree {
         uint32_t root;
-        uint32_t nodes; ///< where the 2 * count - 2 others go
+        uint32_t nodes; ///< first of the 2 * count - 2 other nodes
         uint32_t first;
         uint32_t count;
-        uint32_t maxHeight; ///< at most so many splits deep
+        uint32_t maxHeight; ///< maximum depth of splits
     };
 
     std::span<Reference> part(uint32_t first, uint32_t count) { return std::span(references_).subspan(first, count); }
 
-    /// Subtrees own their nodes and references, so large ones are built side by side; the result is the same.
+    /// Subtrees have separate nodes and references, so large ones are built in parallel; the result does not depend on
+    /// it.
     void fill(const Subtree& tree, uint32_t depth) {
         Bounds bounds;
         Bounds centroids;
@@ -93,7 +94,7 @@ private:
         const Subtree right = {node.left + 1, node.left + 2 * onLeft, tree.first + onLeft, tree.count - onLeft,
                                tree.maxHeight - 1};
         if (tree.count >= kWorthAThread && depth < kThreadedDepth) {
-            // Deferred where the system has no thread to give.
+            // Deferred if the system cannot start a thread.
             auto other = std::async(std::launch::async | std::launch::deferred, [&] { fill(left, depth + 1); });
             fill(right, depth + 1);
             other.get();
@@ -104,9 +105,9 @@ private:
         node.height = 1 + std::max(bvh_.nodes[left.root].height, bvh_.nodes[right.root].height);
     }
 
-    /// Returns the number on the left.
+    /// Returns the number of primitives on the left.
     uint32_t sortIntoSides(uint32_t first, uint32_t count, const Bounds& centroids, uint32_t maxHeight) {
-        // Halving by number needs this many levels: with no more left, nothing else is allowed.
+        // Halving by count needs this many levels. If no more are left, halving is the only choice.
         if (count == 2 || static_cast<uint32_t>(std::bit_width(count - 1)) >= maxHeight)
             return halve(first, count, centroids);
         const Split split = bestSplit(first, count, centroids);
@@ -160,7 +161,7 @@ private:
         return best;
     }
 
-    /// At the median along the longest axis.
+    /// Splits at the median along the longest axis.
     uint32_t halve(uint32_t first, uint32_t count, const Bounds& centroids) {
         const glm::vec3 size = centroids.high - centroids.low;
         const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);

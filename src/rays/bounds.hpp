@@ -8,7 +8,7 @@
 namespace glint::rays {
 
 struct Bounds {
-    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity()); ///< empty: any point is outside
+    glm::vec3 low = glm::vec3(std::numeric_limits<float>::infinity()); ///< empty: every point is outside
     glm::vec3 high = glm::vec3(-std::numeric_limits<float>::infinity());
 
     bool empty() const { return !(low.x <= high.x); }
@@ -20,7 +20,8 @@ struct Bounds {
         low = glm::min(low, other.low);
         high = glm::max(high, other.high);
     }
-    /// Half the surface, 0 for an empty box: the chance that a long random ray comes through grows with it.
+    /// Half the surface area, 0 for an empty box. The probability that a long random ray intersects the box is
+    /// proportional to it.
     float halfArea() const {
         if (empty())
             return 0;

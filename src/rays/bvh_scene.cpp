@@ -7,10 +7,10 @@
 namespace glint::rays {
 namespace {
 
-/// A fitted top level whose cost has grown by this factor is built anew.
+/// A refitted top level is rebuilt once its cost has grown by this factor.
 constexpr double kWornOut = 1.3;
 
-/// An empty buffer cannot exist; nobody reads the spare element.
+/// An empty buffer cannot be created; the spare element is never read.
 template <class T>
 size_t bytesFor(size_t count) {
     return std::max<size_t>(count, 1) * sizeof(T);
@@ -20,7 +20,7 @@ shared::BvhTriangle packTriangle(const glm::vec3& a, const glm::vec3& b, const g
     const glm::dvec3 normal = glm::cross(glm::dvec3(b) - glm::dvec3(a), glm::dvec3(c) - glm::dvec3(a));
     const glm::dvec3 size = glm::abs(normal);
     const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-    const glm::vec3 scaled(normal / normal[axis]); // 0 / 0 where the triangle has no area
+    const glm::vec3 scaled(normal / normal[axis]); // 0 / 0 if the triangle has no area
     return {{glm::vec4(a, std::bit_cast<float>(number | static_cast<uint32_t>(axis) << shared::kBvhNormalAxisShift)),
              glm::vec4(b, scaled[axis == 0 ? 1 : 0]), glm::vec4(c, scaled[axis == 2 ? 1 : 2])}};
 }
@@ -75,10 +75,10 @@ Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshe
     };
     const size_t triangleBytes = bytesFor<shared::BvhTriangle>(triangleCount);
     const size_t instanceBytes = bytesFor<shared::BvhInstance>(maxInstances);
-    GLINT_CHECK(checkSize(triangleBytes)); // before the trees are built: that is what takes time
+    GLINT_CHECK(checkSize(triangleBytes)); // checked before the trees are built, which takes the time
     GLINT_CHECK(checkSize(instanceBytes));
 
-    // The top level comes first; a node has at least two children, so it has no more nodes than instances.
+    // The top level comes first. A node has at least two children, so there are no more nodes than instances.
     size_t nodeCount = std::max(maxInstances, 1u);
     for (Part& part : scene.parts_) {
         part.tree = buildWideBvh(boxesOf(part), shared::kBvhPrimitivesPerSlot, shared::kBvhMeshLevels);
@@ -126,7 +126,11 @@ void BvhScene::fitMesh(uint32_t index) {
     Part& part = parts_[index];
     refit(part.tree, boxesOf(part));
     part.bounds = part.tree.bounds.front();
-    part.deformed = anyDeformed_ = true;
+    if (deformedUpload_.isDone())
+        for (Part& other : parts_)
+            other.deformed = false;
+    part.deformed = true;
+    deformedUpload_.ask();
     fitTop();
 }
 
@@ -164,19 +168,29 @@ void BvhScene::fitTop() {
     topRecords_.clear();
     for (const uint32_t primitive : top_.order)
         topRecords_.push_back(records[primitive]);
-    topChanged_ = true;
+    topUpload_.ask();
 }
 
-void BvhScene::record(gpu::Frame& frame) {
-    if (staged_) {
+bool BvhScene::pending(const gpu::Progress& progress) {
+    const bool upload = upload_.isNeeded(progress);
+    const bool deformed = deformedUpload_.isNeeded(progress);
+    return topUpload_.isNeeded(progress) || upload || deformed;
+}
+
+void BvhScene::record(gpu::Frame& frame, const gpu::Progress& progress) {
+    // In this order: the GPU may finish recordings meanwhile, and an upload that is repeated must be followed by the
+    // changes made after it.
+    const bool deformed = deformedUpload_.isNeeded(progress);
+    const bool top = topUpload_.isNeeded(progress);
+    if (upload_.isNeeded(progress)) {
         frame.scope("rays/build", [&] {
             frame.upload(nodeStaging_, nodes_);
             frame.upload(triangleStaging_, triangles_);
         });
-        staged_ = false;
+        upload_.recorded(progress);
     }
     frame.scope("rays/update", [&] {
-        if (anyDeformed_) {
+        if (deformed) {
             std::vector<shared::BvhNode> nodes;
             std::vector<shared::BvhTriangle> triangles;
             for (Part& part : parts_) {
@@ -190,20 +204,20 @@ void BvhScene::record(gpu::Frame& frame) {
                              part.firstNode * sizeof(shared::BvhNode));
                 frame.update(triangles_, triangles.data(), triangles.size() * sizeof(shared::BvhTriangle),
                              part.firstTriangle * sizeof(shared::BvhTriangle));
-                part.deformed = false;
             }
+            deformedUpload_.recorded(progress);
         }
-        if (topChanged_) {
+        if (top) {
             frame.update(nodes_, top_.nodes.data(), top_.nodes.size() * sizeof(shared::BvhNode));
             if (!topRecords_.empty())
                 frame.update(instanceRecords_, topRecords_.data(), topRecords_.size() * sizeof(shared::BvhInstance));
+            topUpload_.recorded(progress);
         }
     });
-    anyDeformed_ = topChanged_ = false;
 }
 
-void BvhScene::releaseStaging() {
-    if (staged_)
+void BvhScene::releaseStaging(const gpu::Progress& progress) {
+    if (upload_.isNeeded(progress))
         return;
     nodeStaging_ = {};
     triangleStaging_ = {};

@@ -1,8 +1,9 @@
-// Back end `bvh`: Glint's own hierarchy of two levels, built on the CPU, in three storage buffers that
+// Back end `bvh`: Glint's own two-level hierarchy, built on the CPU and stored in three storage buffers that
 // shaders/rays/bvh.glsl traverses.
 #pragma once
 
 #include "gpu/pass.hpp"
+#include "gpu/progress.hpp"
 #include "rays/instance.hpp"
 #include "rays/mesh.hpp"
 #include "rays/wide_bvh.hpp"
@@ -11,26 +12,26 @@ namespace glint::rays {
 
 class BvhScene {
 public:
-    /// Errors: OutOfMemory; Unsupported for buffers larger than the device lets a shader see.
+    /// Errors: OutOfMemory; Unsupported for buffers larger than the device's storage buffer range.
     static Result<BvhScene> create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances);
 
-    /// Checked by the caller: at most maxInstances, every mesh there.
+    /// Requires, checked by the caller: at most maxInstances, and every mesh exists.
     void setInstances(std::span<const RayInstance> instances);
     Mesh& mesh(uint32_t index) { return parts_[index].mesh; }
-    /// After the mesh's vertices were moved.
+    /// Call after the mesh's vertices were moved.
     void fitMesh(uint32_t index);
 
-    bool pending() const { return staged_ || topChanged_ || anyDeformed_; }
-    void record(gpu::Frame& frame);
-    void releaseStaging();
+    bool pending(const gpu::Progress& progress);
+    void record(gpu::Frame& frame, const gpu::Progress& progress);
+    void releaseStaging(const gpu::Progress& progress);
     void bind(gpu::Pass& pass);
 
 private:
     struct Part {
-        // Once uploaded, these three are kept of meshes that deform only.
+        // After the upload, these three are kept only for meshes that deform.
         Mesh mesh;
         WideBvh tree;
-        std::vector<uint32_t> kept; ///< by primitive of the tree: the triangle's number
+        std::vector<uint32_t> kept; ///< by primitive of the tree: the number of the triangle
         Bounds bounds;
         uint32_t firstNode = 0;
         uint32_t firstTriangle = 0;
@@ -46,12 +47,12 @@ private:
     uint32_t maxInstances_ = 0;
     std::vector<RayInstance> instances_;
     WideBvh top_;
-    std::vector<uint32_t> topInstances_; ///< by primitive of the top: its place in the host's list
-    double topCost_ = 0;                 ///< when it was built
+    std::vector<uint32_t> topInstances_; ///< by primitive of the top level: the index in the host's list
+    double topCost_ = 0;                 ///< cost when the top level was built
     std::vector<shared::BvhInstance> topRecords_;
-    bool topChanged_ = false;
-    bool anyDeformed_ = false;
-    bool staged_ = true; ///< the first record has not been
+    gpu::Standing topUpload_;
+    gpu::Standing deformedUpload_ = gpu::Standing(false); ///< of the parts with `deformed`
+    gpu::Standing upload_;                                ///< of all other data, from the staging buffers
     gpu::Buffer nodeStaging_, triangleStaging_;
     gpu::Buffer nodes_, triangles_, instanceRecords_;
 };

@@ -14,7 +14,7 @@ std::optional<Placement> placementOf(const RayInstance& instance) {
     const glm::dmat3 inverse = glm::inverse(linear);
     const glm::dvec3 translation(matrix[3]);
     const auto fits = [](const glm::dvec3& v) {
-        return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(static_cast<double>(kFarthest)))); // no for NaN
+        return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(static_cast<double>(kFarthest)))); // false for NaN
     };
     for (int i = 0; i < 3; ++i)
         if (!fits(linear[i]) || !fits(inverse[i]))
@@ -34,7 +34,7 @@ Bounds boundsWS(const Placement& placement, const Bounds& local) {
         low = glm::min(low, position);
         high = glm::max(high, position);
     }
-    // A few roundings of the largest number on the way there and back.
+    // The margin is a few rounding errors of the largest coordinate, for the transform there and back.
     const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high));
     const double slack = std::max({farthest.x, farthest.y, farthest.z}) * 0x1p-20;
     Bounds bounds;

@@ -1,4 +1,4 @@
-// A host's instance as both back ends take it.
+// A host's instance in the form that both back ends use.
 #pragma once
 
 #include "base/result.hpp"
@@ -13,13 +13,14 @@ namespace glint::rays {
 
 struct Placement {
     glm::dmat4x3 localToWorld;
-    glm::dmat3 worldToLocal; ///< of directions; positions are first counted from the local origin
+    glm::dmat3 worldToLocal; ///< for directions; positions first have the local origin subtracted
 };
 
-/// Nothing for a transform that is not finite or cannot be inverted: such an instance is met by no ray.
+/// Returns no value for a transform that is not finite or not invertible: no ray intersects such an instance.
 std::optional<Placement> placementOf(const RayInstance& instance);
 
-/// The box of the transformed box, a little larger: rays are moved into the instance's space in single precision.
+/// Returns the bounds of the transformed box, slightly enlarged, as rays are transformed into the instance's space in
+/// single precision.
 Bounds boundsWS(const Placement& placement, const Bounds& local);
 
 } // namespace glint::rays

@@ -1,4 +1,4 @@
-// A host's mesh as both back ends take it: checked, packed, and without what no ray may meet.
+// A host's mesh in the form that both back ends use: checked, packed, and without triangles that no ray may intersect.
 #pragma once
 
 #include "base/result.hpp"
@@ -9,10 +9,10 @@
 
 namespace glint::rays {
 
-/// Positions farther out than this, and NaN, are nowhere: squared distances still fit a float.
+/// Positions beyond this distance, and NaN, are invalid. Squared distances up to it fit a float.
 constexpr float kFarthest = 1e18f;
 
-/// In a mesh: every device with ray queries takes so many (Vulkan 1.3, "Required Limits").
+/// Maximum triangles per mesh, which every device with ray queries supports (Vulkan 1.3, "Required Limits").
 constexpr size_t kMostTriangles = (size_t{1} << 29) - 1;
 
 struct Mesh {
@@ -21,16 +21,16 @@ struct Mesh {
     bool deforms = false;
 };
 
-/// A triangle that was left out keeps its number and has three times the same vertex.
+/// A triangle that was left out keeps its number and has the same vertex three times.
 inline bool isLeftOut(const glm::uvec3& triangle) {
     return triangle.x == triangle.y && triangle.y == triangle.z;
 }
 
-/// Errors: InvalidArgument, with `number`, for an index out of range, a number of indices that is no multiple of three,
+/// Errors: InvalidArgument, with `number`, for an index out of range, an index count that is not a multiple of three,
 /// or missing positions.
 Result<Mesh> readMesh(const RayMesh& mesh, uint32_t number);
 
-/// Takes over new positions; one that is nowhere keeps its old place.
+/// Copies new positions into the mesh; a vertex whose new position is invalid keeps its old one.
 void moveVertices(Mesh& mesh, const float* positions, uint32_t vertexStride);
 
 Bounds boundsOf(const Mesh& mesh, const glm::uvec3& triangle);

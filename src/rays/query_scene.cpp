@@ -7,7 +7,7 @@
 namespace glint::rays {
 namespace {
 
-/// Bytes of scratch memory for meshes that are built side by side; a large mesh alone may need more.
+/// Bytes of scratch memory for meshes that are built in parallel; a single large mesh may need more.
 constexpr size_t kScratchForMany = size_t{32} << 20;
 
 VkAccelerationStructureInstanceKHR recordOf(const RayInstance& instance, const Placement& placement,
@@ -17,8 +17,8 @@ VkAccelerationStructureInstanceKHR recordOf(const RayInstance& instance, const P
         for (int column = 0; column < 4; ++column)
             record.transform.matrix[row][column] = static_cast<float>(placement.localToWorld[column][row]);
     record.mask = instance.mask;
-    // Facing is told in the mesh's own space, whatever the transform. Unflipped, the front is where the vertices run
-    // clockwise in left-handed coordinates: counter-clockwise in ours.
+    // Facing is determined in the mesh's own space, whatever the transform. Unflipped, the front has clockwise vertices
+    // in left-handed coordinates: counter-clockwise in ours.
     VkGeometryInstanceFlagsKHR flags =
         instance.opaque ? VK_GEOMETRY_INSTANCE_FORCE_OPAQUE_BIT_KHR : VK_GEOMETRY_INSTANCE_FORCE_NO_OPAQUE_BIT_KHR;
     if (instance.doubleSided)
@@ -64,7 +64,7 @@ Result<std::unique_ptr<QueryScene>> QueryScene::create(gpu::Context& context, st
     size_t firstTriangle = 0;
     size_t scratchBytes = 0;
     size_t largest = 0;
-    scene->parts_.reserve(meshes.size()); // the top level points at the structures in here
+    scene->parts_.reserve(meshes.size()); // the top level points to the structures in this vector
     for (size_t i = 0; i < meshes.size(); ++i) {
         Part& part = scene->parts_.emplace_back();
         part.mesh = std::move(meshes[i]);
@@ -109,40 +109,59 @@ void QueryScene::setInstances(std::span<const RayInstance> instances) {
         if (const auto placement = placementOf(instances[i]); placement && part.structure)
             records_[i] = recordOf(instances[i], *placement, part.structure.address());
     }
-    topChanged_ = true;
+    topUpload_.ask();
 }
 
 void QueryScene::fitMesh(uint32_t index) {
+    if (deformedUpload_.isDone())
+        for (Part& part : parts_)
+            part.deformed = false;
     parts_[index].deformed = static_cast<bool>(parts_[index].structure);
-    anyDeformed_ = true;
+    deformedUpload_.ask();
 }
 
-void QueryScene::record(gpu::Frame& frame) {
-    if (staged_)
+bool QueryScene::pending(const gpu::Progress& progress) {
+    const bool upload = upload_.isNeeded(progress);
+    const bool deformed = deformedUpload_.isNeeded(progress);
+    return topUpload_.isNeeded(progress) || upload || deformed;
+}
+
+void QueryScene::record(gpu::Frame& frame, const gpu::Progress& progress) {
+    // In this order: the GPU may finish recordings meanwhile, and an upload that is repeated must be followed by the
+    // changes made after it.
+    const bool deformed = deformedUpload_.isNeeded(progress);
+    const bool top = topUpload_.isNeeded(progress);
+    if (upload_.isNeeded(progress)) {
         frame.scope("rays/build", [&] {
             frame.upload(positionStaging_, positions_);
             frame.upload(indexStaging_, indices_);
             frame.build(top_.references(), scratch_);
         });
+        upload_.recorded(progress);
+    }
     frame.scope("rays/update", [&] {
-        for (Part& part : parts_)
-            if (part.deformed)
+        if (deformed) {
+            std::vector<gpu::AccelerationStructure*> structures;
+            for (Part& part : parts_) {
+                if (!part.deformed)
+                    continue;
+                structures.push_back(&part.structure);
                 frame.update(positions_, part.mesh.positions.data(), part.mesh.positions.size() * sizeof(glm::vec3),
                              part.firstVertex * sizeof(glm::vec3));
-        std::vector<gpu::AccelerationStructure*> deformed;
-        for (Part& part : parts_)
-            if (std::exchange(part.deformed, false))
-                deformed.push_back(&part.structure);
-        frame.refit(deformed, scratch_);
-        if (topChanged_)
+            }
+            frame.refit(structures, scratch_);
+            deformedUpload_.recorded(progress);
+        }
+        if (top) {
             frame.update(instances_, records_.data(), records_.size() * sizeof(records_.front()));
-        frame.build(std::array{&top_}, scratch_); // its boxes are those of the meshes, too
+            topUpload_.recorded(progress);
+        }
+        frame.build(std::array{&top_}, scratch_); // its boxes depend on the meshes' boxes
     });
-    staged_ = anyDeformed_ = topChanged_ = false;
 }
 
-void QueryScene::releaseStaging() {
-    if (staged_)
+void QueryScene::releaseStaging(const gpu::Progress& progress) {
+    if (upload_.isNeeded(progress))
         return;
     positionStaging_ = {};
     indexStaging_ = {};

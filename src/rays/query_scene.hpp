@@ -1,7 +1,8 @@
-// Back end `query`: the driver's acceleration structures, one bottom level a mesh, for shaders/rays/query.glsl.
+// Back end `query`: the driver's acceleration structures, one bottom level per mesh, for shaders/rays/query.glsl.
 #pragma once
 
 #include "gpu/pass.hpp"
+#include "gpu/progress.hpp"
 #include "rays/instance.hpp"
 #include "rays/mesh.hpp"
 
@@ -13,32 +14,32 @@ public:
     static Result<std::unique_ptr<QueryScene>> create(gpu::Context& context, std::vector<Mesh> meshes,
                                                       uint32_t maxInstances);
 
-    /// Checked by the caller: at most maxInstances, every mesh there.
+    /// Requires, checked by the caller: at most maxInstances, and every mesh exists.
     void setInstances(std::span<const RayInstance> instances);
     Mesh& mesh(uint32_t index) { return parts_[index].mesh; }
-    /// After the mesh's vertices were moved.
+    /// Call after the mesh's vertices were moved.
     void fitMesh(uint32_t index);
 
-    bool pending() const { return staged_ || topChanged_ || anyDeformed_; }
-    void record(gpu::Frame& frame);
-    void releaseStaging();
+    bool pending(const gpu::Progress& progress);
+    void record(gpu::Frame& frame, const gpu::Progress& progress);
+    void releaseStaging(const gpu::Progress& progress);
     void bind(gpu::Pass& pass) { pass.read("scene", top_); }
 
 private:
     QueryScene() = default;
 
     struct Part {
-        Mesh mesh; ///< positions are kept of meshes that deform only
+        Mesh mesh; ///< positions are kept only for meshes that deform
         size_t firstVertex = 0;
-        gpu::AccelerationStructure structure; ///< none for a mesh without triangles
+        gpu::AccelerationStructure structure; ///< empty for a mesh without triangles
         bool deformed = false;
     };
 
     std::vector<Part> parts_;
-    std::vector<VkAccelerationStructureInstanceKHR> records_; ///< maxInstances of them; inactive ones behind
-    bool topChanged_ = false;
-    bool anyDeformed_ = false;
-    bool staged_ = true; ///< the first record has not been
+    std::vector<VkAccelerationStructureInstanceKHR> records_; ///< maxInstances records; the inactive ones last
+    gpu::Standing topUpload_;
+    gpu::Standing deformedUpload_ = gpu::Standing(false); ///< of the parts with `deformed`
+    gpu::Standing upload_;                                ///< of all other data, from the staging buffers
     gpu::Buffer positionStaging_, indexStaging_;
     gpu::Buffer positions_, indices_, instances_;
     gpu::Buffer scratch_;

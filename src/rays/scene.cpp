@@ -1,6 +1,7 @@
 #include "rays/scene.hpp"
 
 #include "base/assert.hpp"
+#include "rays/instance.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,7 +9,8 @@
 namespace glint::rays {
 namespace {
 
-/// Every device with ray queries takes so many (Vulkan 1.3, "Required Limits"), and the hierarchy's levels hold them.
+/// Every device with ray queries supports this many (Vulkan 1.3, "Required Limits"), and the hierarchy's levels can
+/// hold them.
 constexpr uint32_t kMostInstances = (1u << 24) - 1;
 static_assert(uint64_t{kMostInstances} <= uint64_t{1} << 3 * shared::kBvhTopLevels);
 
@@ -16,7 +18,21 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+Bounds boundsOf(const std::vector<glm::vec3>& points) {
+    Bounds bounds;
+    for (const glm::vec3& point : points)
+        bounds.add(point);
+    return bounds;
+}
+
 } // namespace
+
+Bounds Scene::instanceBounds(uint32_t instance) const {
+    const RayInstance& placed = instances_[instance];
+    const Bounds& local = meshBounds_[placed.mesh];
+    const std::optional<Placement> placement = placementOf(placed);
+    return placement && !local.empty() ? boundsWS(*placement, local) : Bounds();
+}
 
 Result<void> Scene::check(std::span<const RayInstance> instances) const {
     if (instances.size() > maxInstances_)
@@ -44,6 +60,7 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
     for (uint32_t i = 0; i < desc.meshes.size(); ++i) {
         GLINT_TRY(mesh, readMesh(desc.meshes[i], i));
         scene->deformable_.push_back(mesh.deforms ? static_cast<uint32_t>(mesh.positions.size()) : 0);
+        scene->meshBounds_.push_back(boundsOf(mesh.positions));
         meshes.push_back(std::move(mesh));
     }
     GLINT_CHECK(scene->check(desc.instances));
@@ -56,6 +73,8 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
     }
     GLINT_TRY(timers, gpu::Timers::create(context));
     scene->timers_ = std::move(timers);
+    GLINT_TRY(progress, gpu::Progress::create(context, "rays/progress"));
+    scene->progress_ = std::move(progress);
     GLINT_CHECK(scene->setInstances(desc.instances));
     scene->times_.cpuBuildMs = millisecondsSince(start);
     scene->times_.cpuUpdateMs = 0;
@@ -65,7 +84,7 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
 Result<void> Scene::setInstances(std::span<const RayInstance> instances) {
     const auto start = std::chrono::steady_clock::now();
     GLINT_CHECK(check(instances));
-    instanceCount_ = static_cast<uint32_t>(instances.size());
+    instances_.assign(instances.begin(), instances.end());
     std::visit([&](auto& backend) { backend->setInstances(instances); }, scene_);
     times_.cpuUpdateMs = millisecondsSince(start);
     return {};
@@ -81,6 +100,7 @@ Result<void> Scene::deform(uint32_t mesh, const float* positions, uint32_t verte
     std::visit(
         [&](auto& backend) {
             moveVertices(backend->mesh(mesh), positions, vertexStride);
+            meshBounds_[mesh] = boundsOf(backend->mesh(mesh).positions);
             backend->fitMesh(mesh);
         },
         scene_);
@@ -91,17 +111,19 @@ Result<void> Scene::deform(uint32_t mesh, const float* positions, uint32_t verte
 void Scene::record(VkCommandBuffer commands) {
     std::visit(
         [&](auto& backend) {
-            if (!backend->pending())
+            if (!backend->pending(progress_))
                 return;
+            progress_.begin();
             gpu::Frame frame(context_, commands, timers_.get());
-            backend->record(frame);
+            backend->record(frame, progress_);
+            progress_.end(frame);
             recorded_ = true;
         },
         scene_);
 }
 
 void Scene::releaseStaging() {
-    std::visit([](auto& backend) { backend->releaseStaging(); }, scene_);
+    std::visit([&](auto& backend) { backend->releaseStaging(progress_); }, scene_);
 }
 
 RaySceneTimes Scene::times() {

@@ -35,9 +35,9 @@ void setByte(glm::uvec4& words, uint32_t word, uint32_t slot, uint32_t value) {
     words[static_cast<int>(word + slot / 4)] |= value << (8 * (slot % 4));
 }
 
-/// Exponent of the finest power of two of which 255 cells cover `size` from `low`, and the cells of all slots on this
-/// axis: rounded outward, so that what is decoded contains what was given. In double precision, where low + cell * n is
-/// exact enough to be compared.
+/// The grid of one axis: the exponent of the finest power of two of which 255 cells cover `size` from `low`, and the
+/// cells of all slots. Cells are rounded outward, so that decoded boxes contain the given ones. In double precision,
+/// where low + cell * n is exact enough for comparison.
 class AxisGrid {
 public:
     AxisGrid(double low, double high) : low_(low) {
@@ -66,7 +66,7 @@ private:
     int exponent_ = 0;
 };
 
-/// Writes the node's grid and its children's boxes; the rest of the node stays.
+/// Writes the node's grid and its children's boxes; other members do not change.
 void quantize(shared::BvhNode& node, const SlotBounds& slots, const Bounds& whole) {
     const glm::vec3 low = whole.empty() ? glm::vec3(0) : whole.low;
     const glm::vec3 high = whole.empty() ? glm::vec3(0) : whole.high;
@@ -79,7 +79,7 @@ void quantize(shared::BvhNode& node, const SlotBounds& slots, const Bounds& whol
         node.words[0].w |= grid.biasedExponent() << (8 * axis);
         for (uint32_t slot = 0; slot < kSlots; ++slot) {
             const bool used = metaOf(node, slot) != 0 && !slots[slot].empty();
-            // An unused slot is turned inside out: its box is hardly ever met, and holds nothing if it is.
+            // An unused slot has an inverted box: a ray hardly ever intersects it, and it contains nothing.
             const uint32_t first = used ? grid.floorCell(static_cast<double>(slots[slot].low[axis])) : 255;
             const uint32_t last = used ? grid.ceilCell(static_cast<double>(slots[slot].high[axis])) : 0;
             constexpr std::array<std::array<uint32_t, 2>, 3> kLow = {{{2, 0}, {2, 2}, {3, 0}}};
@@ -90,8 +90,8 @@ void quantize(shared::BvhNode& node, const SlotBounds& slots, const Bounds& whol
     }
 }
 
-/// Which child goes to which slot: each to the corner it lies in, the most decided first.
-/// Ylitie, Karras and Laine 2017, section 3.2, which solves the same assignment by auction.
+/// Assigns each child to a slot by the corner that the child lies in, the most decided child first. Ylitie, Karras and
+/// Laine 2017, section 3.2, solve the same assignment by auction.
 std::array<int, kSlots> assignSlots(std::span<const Bounds> children, const glm::vec3& center) {
     std::array<int, kSlots> childAt;
     childAt.fill(-1);
@@ -119,13 +119,13 @@ std::array<int, kSlots> assignSlots(std::span<const Bounds> children, const glm:
     return childAt;
 }
 
-/// The least cost of turning a binary subtree into at most i wide ones, for i up to 7, by dynamic programming from the
+/// Least cost of turning a binary subtree into at most i wide ones, for i up to 7, by dynamic programming from the
 /// leaves up. Ylitie, Karras and Laine 2017, section 3.1.
 class CollapseCosts {
 public:
     CollapseCosts(const BinaryBvh& binary, uint32_t maxLeaf) : binary_(binary), maxLeaf_(maxLeaf) {
         costs_.resize(binary.nodes.size());
-        for (size_t n = binary.nodes.size(); n-- > 0;) { // children come after their parents
+        for (size_t n = binary.nodes.size(); n-- > 0;) { // children are stored after their parents
             const BinaryNode& node = binary.nodes[n];
             std::array<float, kSlots - 1>& costs = costs_[n];
             const float asLeaf = node.count <= maxLeaf ? leafCost(node) : std::numeric_limits<float>::infinity();
@@ -143,7 +143,7 @@ public:
         return node.count <= maxLeaf_ && (node.isLeaf() || leafCost(node) <= nodeCost(node));
     }
 
-    /// The binary nodes that become the children of `root`.
+    /// Appends the binary nodes that become the children of `root`.
     void appendChildren(const BinaryNode& root, std::vector<uint32_t>& children) const {
         appendShares(root, kSlots, children);
     }
@@ -160,7 +160,7 @@ private:
     float nodeCost(const BinaryNode& node) const {
         return bestShare(node, kSlots).cost + node.bounds.halfArea() * kNodeCost;
     }
-    /// The cheapest way to share `slots` between the two children.
+    /// Returns the cheapest division of `slots` between the two children.
     Share bestShare(const BinaryNode& node, uint32_t slots) const {
         Share best;
         for (uint32_t left = 1; left < slots; ++left) {
@@ -203,7 +203,8 @@ public:
     }
 
 private:
-    /// Three binary levels to a wide one: a subtree of at most this height fits below whatever is chosen.
+    /// A wide level holds three binary levels: a subtree of at most this height fits into the remaining levels,
+    /// whichever nodes are opened.
     static uint32_t heightFor(uint32_t levels) { return 3 * levels; }
 
     std::vector<uint32_t> chooseChildren(uint32_t index, uint32_t levels) const {
@@ -218,8 +219,8 @@ private:
         return children;
     }
 
-    /// Where levels are scarce: every subtree higher than `most` is opened. With a root of at most most + 3 all of them
-    /// lie in its first three levels, so eight children hold what remains.
+    /// Used where levels are scarce: opens every subtree higher than `most`. With a root of height at most most + 3,
+    /// all of them lie in its first three levels, so eight children are enough.
     void openTheHighest(uint32_t index, uint32_t most, std::vector<uint32_t>& children) const {
         const BinaryNode& node = binary_.nodes[index];
         if (node.height <= most || node.count <= maxLeaf_) {
@@ -313,7 +314,7 @@ WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t m
 }
 
 void refit(WideBvh& bvh, std::span<const Bounds> boxes) {
-    for (size_t i = bvh.nodes.size(); i-- > 0;) { // children come after their parents
+    for (size_t i = bvh.nodes.size(); i-- > 0;) { // children are stored after their parents
         SlotBounds slots;
         Bounds whole;
         visitSlots(bvh, i, boxes, [&](uint32_t slot, const Bounds& box, uint32_t) {

@@ -1,4 +1,5 @@
-// The hierarchy that shaders traverse (shared/bvh.h): the binary one with up to eight children a node, boxes in bytes.
+// The hierarchy that shaders traverse (shared/bvh.h): the binary one collapsed to up to eight children per node, with
+// boxes quantized to bytes.
 #pragma once
 
 #include "rays/binary_bvh.hpp"
@@ -6,26 +7,28 @@
 
 namespace glint::rays {
 
-/// Node and primitive numbers count from this tree's own; BvhScene moves them to where it puts the tree.
+/// Node and primitive numbers are relative to this tree; BvhScene offsets them when it places the tree in its buffers.
 struct WideBvh {
-    std::vector<shared::BvhNode> nodes; ///< root first; children come after their parent
-    std::vector<Bounds> bounds;         ///< of each node, as stated by its children
-    std::vector<uint32_t> order;        ///< primitives as the leaves have them
-    uint32_t levels = 0;                ///< of nodes
+    std::vector<shared::BvhNode> nodes; ///< root first; children after their parent
+    std::vector<Bounds> bounds;         ///< of each node, as its quantized children state them
+    std::vector<uint32_t> order;        ///< primitives in leaf order
+    uint32_t levels = 0;                ///< number of levels of nodes
 };
 
-/// Cost of testing a node's eight boxes and of a primitive: what collapsing weighs.
+/// Costs of testing a node's eight boxes and of testing a primitive, which collapsing minimizes.
 constexpr float kNodeCost = 1;
 constexpr float kPrimitiveCost = 0.5f;
 
-/// Builds over `boxes` (one a primitive, finite) with at most `maxLeaf` (1 to kBvhPrimitivesPerSlot) primitives a slot
-/// and at most `maxLevels` levels of nodes; 8^maxLevels must be enough. Without boxes: one node without children.
+/// Builds over `boxes` (one per primitive, finite) with at most `maxLeaf` (1 to kBvhPrimitivesPerSlot) primitives per
+/// slot and at most `maxLevels` levels of nodes; 8^maxLevels must be at least the number of primitives. Without boxes
+/// the tree is one node without children.
 WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t maxLevels);
 
-/// Fits all boxes of the tree to the moved primitives; `boxes` as in buildWideBvh. Cost: O(n).
+/// Refits all boxes of the tree to the moved primitives; `boxes` as in buildWideBvh. Cost: O(n).
 void refit(WideBvh& bvh, std::span<const Bounds> boxes);
 
-/// The surface area heuristic's cost, with the exact boxes of nodes: tells when a fitted tree should be built anew.
+/// Returns the surface area heuristic's cost with the exact boxes of nodes. A refitted tree whose cost has grown should
+/// be rebuilt.
 double sahCost(const WideBvh& bvh, std::span<const Bounds> boxes);
 
 } // namespace glint::rays

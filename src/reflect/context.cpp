@@ -1,9 +1,18 @@
 #include "glint/context.hpp"
 
+#include "base/text.hpp"
 #include "gpu/context.hpp"
 #include "gpu/device_requirements.hpp"
 
 namespace glint {
+
+namespace {
+
+gpu::Demands toDemands(DeviceDemands demands) {
+    return demands == DeviceDemands::Screen ? gpu::Demands::Screen : gpu::Demands::Sources;
+}
+
+} // namespace
 
 std::span<const char* const> requiredDeviceExtensions() {
     return gpu::requiredDeviceExtensions();
@@ -14,21 +23,21 @@ std::span<const char* const> rayQueryExtensions() {
 }
 
 void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulkan12Features* v12,
-                           VkPhysicalDeviceVulkan13Features* v13) {
-    gpu::requireFeatures(core, v12, v13);
+                           VkPhysicalDeviceVulkan13Features* v13, DeviceDemands demands) {
+    gpu::requireFeatures(toDemands(demands), core, v12, v13);
 }
 
-Context::Context(std::unique_ptr<gpu::Context> context) : gpu_(std::move(context)) {}
+Context::Context(std::shared_ptr<gpu::Context> context) : gpu_(std::move(context)) {}
 Context::~Context() = default;
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 
 Result<Context> Context::adopt(const HostDevice& device) {
     GLINT_TRY(context, gpu::Context::adopt({device.instance, device.physicalDevice, device.device, device.queueFamily,
-                                            device.getInstanceProcAddr, device.rayQuery}));
+                                            device.getInstanceProcAddr, device.rayQuery, toDemands(device.demands)}));
     if (!context->info().usable())
         return makeError(ErrorCode::Unsupported, "{} cannot run Glint: it lacks {}", context->info().name,
-                         context->info().missing.front());
+                         joinText(context->info().missing, ", "));
     context->addShaders(gpu::shaders::reflect());
     return Context(std::move(context));
 }

@@ -1,167 +1,144 @@
-// The frame of the library: its pipelines, its images, and the passes in order.
+// The frame of the library: its stages and their recording order. Implements glint::Reflections.
 #pragma once
 
-#include "glint/reflections.hpp"
-#include "gpu/pass.hpp"
 #include "gpu/timers.hpp"
-#include "reflect/denoise.hpp"
-#include "reflect/hierarchy.hpp"
-#include "reflect/inspector.hpp"
+#include "reflect/composite/composite.hpp"
+#include "reflect/composite/ray_counts.hpp"
+#include "reflect/composite/views.hpp"
+#include "reflect/denoise/denoise.hpp"
+#include "reflect/hierarchy/hierarchy.hpp"
+#include "reflect/history.hpp"
+#include "reflect/inspect/inspector.hpp"
 #include "reflect/planar/planar_source.hpp"
+#include "reflect/prepare/depth_pyramid.hpp"
+#include "reflect/prepare/frame_block.hpp"
+#include "reflect/prepare/prepare.hpp"
+#include "reflect/prepare/tables.hpp"
 #include "reflect/probes/probes_source.hpp"
 #include "reflect/rays/rays.hpp"
 #include "reflect/refraction/refraction.hpp"
-#include "reflect/stages.hpp"
-#include "reflect/trace/technique.hpp"
-#include "shared/frame_constants.h"
+#include "reflect/trace/screen_trace.hpp"
 
 namespace glint::reflect {
 
-struct Pipelines {
-    gpu::Pipeline surface;
-    gpu::Pipeline surfaceSamples; ///< of hosts with several samples a pixel
-    gpu::Pipeline backFaces;
-    gpu::Pipeline dfg;
-    gpu::Pipeline classify;
-    gpu::Pipeline pyramid;
-    std::vector<gpu::Pipeline> trace; ///< in the order of techniques()
-    DenoisePipelines denoise;
-    gpu::Pipeline combine;
-    gpu::Pipeline composite;
-    gpu::Pipeline view;
-    gpu::Pipeline statistics;
+class FrameStages {
+public:
+    static Result<std::unique_ptr<FrameStages>> create(gpu::Context& context, const ReflectionsDesc& desc);
 
-    static Result<Pipelines> create(gpu::Context& context);
-};
+    const ReflectionsDesc& desc() const { return stages_.desc; } ///< with the settings in force
+    gpu::Context& context() const { return stages_.gpu; }
+    const Host& host() const { return host_; }
 
-/// Everything that record() touches; made at creation, so that recording allocates nothing.
-struct FrameState {
-    gpu::Context* context = nullptr;
-    ReflectionsDesc desc;
-    Pipelines pipelines;
-    Inputs inputs;
-    float environmentStrength = 1;
-    float environmentRotation = 0;
-    bool environmentFlipY = false;
-    uint32_t environmentMips = 1;
-    Conventions conventions;
-    bool inputsSet = false;
-    bool hasBackFaces = false; ///< the host's backDepth is there and asked for
-
-    gpu::Buffer frameConstants;
-    Prepared prepared;
-    Rays rays;
-    Pyramid pyramid;
-    Traced traced;
-    Denoised denoised;
-    std::unique_ptr<RaysSource> raysSource; ///< absent until settings ask for it
-    rays::Scene* rayScene = nullptr;        ///< the host's, with its surfaces
-    SurfaceTableState* raySurfaces = nullptr;
-    ShadeHits shadeHits;                        ///< or the host's own shading
-    std::unique_ptr<PlanarSource> planarSource; ///< absent until the host hands planar mirrors over
-    std::unique_ptr<ProbesSource> probesSource; ///< absent until the host hands probes over
-    std::unique_ptr<Refraction> refraction;     ///< ReflectionsDesc::transparentLayers
-    History history;
-    Reflected reflected;
-    gpu::Image lastBackViewZ; ///< the one before prepared.backViewZ: frames in flight may still read it
-    gpu::Image lastEdge;
-    gpu::Image composite;
-    gpu::Image dfg;
-    gpu::Image viewImage;
-    gpu::Image black;     ///< stands in for an absent image
-    gpu::Image blackCube; ///< stands in for an absent environment
-    gpu::Buffer noProbes; ///< stands in for the lists of absent probes: zeros, a grid without a cell
-    gpu::Buffer statistics;
-    gpu::Buffer statisticsReadback;
-    std::unique_ptr<Inspector> inspector; ///< ReflectionsDesc::inspection
-    bool tablesMade = false;              ///< dfg and the stand-ins hold their content
-    bool noBackFaces = false;             ///< prepared.backViewZ is cleared
-    View lastView;
-    bool upToDate = false;                 ///< the images belong to lastView; false if its frame had nothing to do
-    bool untraced = false;                 ///< `traced` says that no ray was traced
-    shared::FrameConstants lastFrame = {}; ///< of lastView
-    bool historyHeld =
-        false; ///< `composite` and `prepared` hold the last frame's picture, for hits to take colours from
-    bool historyGamma = false; ///< and that picture is sRGB-encoded
-    bool usesHistory = false;  ///< this frame's hits do
-    bool sameView = false;     ///< the camera stands where it did in the frame before
-    bool ranPasses = false;    ///< by the last record()
-    bool recorded = false;     ///< a frame with the settings in force
-    std::unique_ptr<gpu::Timers> timers;
-
-    static Result<std::unique_ptr<FrameState>> create(gpu::Context& context, const ReflectionsDesc& desc);
-
-    /// Makes what `settings` ask for and the state does not have yet.
+    // Inputs from the host. Errors of all: OutOfMemory, Unsupported; on error the previous values stay in force.
     Result<void> setSettings(const Settings& settings);
-    bool anySource() const;
-    /// The source `rays` takes part.
-    bool usesRays() const;
-    /// So does the source `planar`, ...
-    bool usesPlanar() const;
-    /// ... and the source `probes`.
-    bool usesProbes() const;
-    /// Some ray was traced, on the screen or through the scene: there are outcomes to count.
-    bool tracesRays() const { return desc.settings.screen.enabled || usesRays(); }
-    /// Layers may follow: there has to be a picture to lay them over, and what their rays go through.
-    /// Not over debug colours, which are no light.
-    bool expectsLayers() const {
-        return refraction && desc.settings.refraction.enabled && !desc.settings.debug.outcome;
-    }
-    void restartAccumulation();
-    /// Errors: Unsupported, OutOfMemory.
+    Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment);
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     Result<void> setRays(rays::Scene& scene, ShadeHits shade);
-    /// Errors: OutOfMemory.
     Result<void> setPlanar(PlanarState& planar);
-    /// Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes);
-    /// Makes room for back faces of this size; 0: there are none. Errors: OutOfMemory.
-    Result<void> expectBackFaces(uint32_t width, uint32_t height);
-    /// Makes room for what hosts with several samples a pixel need. Errors: OutOfMemory.
-    Result<void> expectSamples(uint32_t samples);
-    /// The frame, top to bottom.
-    void record(gpu::Frame& frame, const View& view);
-    /// Lays a transparent layer over the last frame's picture.
-    void recordLayer(gpu::Frame& frame, LayerImages& layer);
-    /// Prepares first what the last frame did not need.
-    void recordView(gpu::Frame& frame, uint32_t view);
-    /// Traces one pixel's ray once more, and writes down what it does. Prepares first, as above.
-    void recordInspection(gpu::Frame& frame, uint32_t x, uint32_t y);
+    void restartAccumulation();
+    /// Adds a filter for the hits of the screen's rays.
+    void addDenoiser(Denoiser denoiser) { denoise_->add(std::move(denoiser)); }
+    /// Adds a source, which comes before all others. Returns its number.
+    uint32_t addSource(Source source) { return hierarchy_->add(std::move(source)); }
+    /// Inputs that every pass reads, for passes outside the frame.
+    FrameInputs inputs() { return {block_->buffer(), block_->values(), host_.images, tables_->standIns()}; }
+
+    const rays::Scene* rayScene() const { return rayScene_; }
+    bool hasProbes() const { return probesSource_ && probesSource_->hasProbes(); }
+
+    // Recordings. Glint's images are returned ready for sampling, the host's in the layout that the host declared.
+    /// Records a frame. Returns null if there is nothing to do; then litRadiance is the result.
+    gpu::Image* record(VkCommandBuffer commands, const View& view);
+    /// Records no frame and resets all histories.
+    void forget();
+    /// Records a transparent layer over the last frame's image, which the host left in `layout`.
+    gpu::Image& recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout);
+    gpu::Image& recordView(VkCommandBuffer commands, uint32_t view);
+    /// An image that a pass of the last frame wrote: its place in `written`.
+    gpu::Image& recordWritten(VkCommandBuffer commands, size_t image);
+    void recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y);
+
+    /// The images that the passes of the last frame wrote, each by the pass and the name that it has there.
+    const std::vector<gpu::WrittenImage>& written() const { return written_; }
+
+    bool recorded() const { return recorded_; } ///< a frame with the current settings has been recorded
+    /// True if layers can follow: there is a composite image, and images that their rays intersect. False for debug
+    /// colours, which are not radiance.
+    bool expectsLayers() const {
+        return refraction_ && stages_.settings().refraction.enabled && !stages_.settings().debug.outcome;
+    }
+    gpu::Image& composite() { return colors_.now(kComposite); }
+
+    RayInspection inspection() const { return inspector_->read(*hierarchy_); }
+    std::vector<gpu::PassTime> passTimes() const;
+    Statistics statistics() const;
 
 private:
-    Result<void> createImages();
-    Result<void> createRays();
-    Result<void> createPyramid();
-    TraceInputs traceInputs(Rays& list);
+    /// Indices of the images in colors_.
+    static constexpr size_t kComposite = 0;
+    static constexpr size_t kViewZ = 1;
+
+    FrameStages(gpu::Context& context, const ReflectionsDesc& desc)
+        : stages_{context, desc, {}, {}}, colors_(stages_, History::Kind::Turns) {}
+    Result<void> createStages();
+    Result<void> createColors();
+    std::vector<Source> makeSources();
     Result<void> rehearse();
-    void rehearseLayer(gpu::Frame& frame);
-    void makeTables(gpu::Frame& frame);
-    void turnHistory();
-    void prepare(gpu::Frame& frame, const View& view);
-    Result<void> makeImagesFor(const Settings& settings);
-    bool resolvesMaterial() const;
-    void prepareSurface(gpu::Frame& frame, bool manySamples);
-    void prepareBackFaces(gpu::Frame& frame);
-    void classify(gpu::Frame& frame);
-    void makePyramid(gpu::Frame& frame);
-    void trace(gpu::Frame& frame);
-    void denoise(gpu::Frame& frame);
-    void traceScene(gpu::Frame& frame);
     Result<void> giveScene();
-    void askLaterSources(gpu::Frame& frame);
-    void lookUpMirrors(gpu::Frame& frame);
-    void lookUpProbes(gpu::Frame& frame);
-    uint32_t takingPart() const;
-    EarlierAnswers answersBefore(uint32_t source);
-    EarlierAnswers noAnswersBefore();
-    gpu::Image& rayRecord();
-    void forgetTrace(gpu::Frame& frame);
-    void combine(gpu::Frame& frame);
-    gpu::Pass combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline);
+
+    // Record the frame, top to bottom, and its additions.
+    void recordFrame(gpu::Frame& frame, const View& view);
+    void prepare(gpu::Frame& frame, const View& view);
+    void clear(gpu::Frame& frame);
     void bringUpToDate(gpu::Frame& frame);
-    void inspect(gpu::Frame& frame, uint32_t x, uint32_t y, const Technique& technique);
-    void compose(gpu::Frame& frame);
-    void countOutcomes(gpu::Frame& frame);
+    void countRays(gpu::Frame& frame);
+    void recordLayer(gpu::Frame& frame, LayerImages& layer);
+
+    bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
+    bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
+    bool wantsHistory() const;
+    ProbesState* probes() const { return probesSource_ ? probesSource_->probes() : nullptr; }
+
+    // Outputs of stages that other stages read.
+    Prepared prepared() { return prepare_->prepared(host_, colors_.now(kViewZ)); }
+    TraceInputs traceInputs();
+    HierarchyInputs hierarchyInputs();
+    InspectorInputs inspectorInputs();
+    /// Outcomes of the pixels' rays: those of the screen, or those of `rays` if the screen traces none.
+    gpu::Image& rayRecord();
+
+    StageContext stages_;
+    Host host_;
+    History colors_; ///< the image with reflections, RGBA16F, and viewZ; hits fetch their radiance from them
+    std::optional<Tables> tables_;
+    std::optional<FrameBlock> block_;
+    std::unique_ptr<Prepare> prepare_;
+    std::unique_ptr<DepthPyramid> pyramid_;
+    std::unique_ptr<ScreenTrace> trace_;
+    std::unique_ptr<Denoise> denoise_;
+    std::unique_ptr<RaysSource> raysSource_; ///< absent until settings need it
+    rays::Scene* rayScene_ = nullptr;        ///< the host's, with its surface table
+    SurfaceTableState* raySurfaces_ = nullptr;
+    ShadeHits shadeHits_;                        ///< used instead, if the host shades hits
+    std::unique_ptr<PlanarSource> planarSource_; ///< absent until the host provides planar mirrors
+    std::unique_ptr<ProbesSource> probesSource_; ///< absent until the host provides probes
+    std::unique_ptr<Hierarchy> hierarchy_;
+    std::optional<Composite> composite_;
+    std::unique_ptr<Refraction> refraction_; ///< ReflectionsDesc::transparentLayers
+    LayerImages layer_;                      ///< of the layer recorded last
+    std::unique_ptr<RayCounts> counts_;      ///< ReflectionsDesc::statistics
+    std::unique_ptr<Views> views_;           ///< ReflectionsDesc::views
+    std::unique_ptr<Inspector> inspector_;   ///< ReflectionsDesc::inspection
+    std::unique_ptr<gpu::Timers> timers_;    ///< ReflectionsDesc::timers
+
+    uint64_t frameNumber_ = 0; ///< the host's frame number
+    View lastView_;
+    bool recorded_ = false;
+    std::vector<gpu::WrittenImage> written_;
+    bool ranPasses_ = false; ///< the last frame had something to do
+    gpu::Standing tablesMade_;
+    gpu::Standing upToDate_; ///< the images belong to lastView_, whose frame recorded no passes
 };
 
 } // namespace glint::reflect

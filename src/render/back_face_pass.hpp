@@ -1,4 +1,4 @@
-// Draws how far back the nearest solid things reach: depth of the surfaces that face away from the camera.
+// Draws the back faces of solid objects: the depth of the nearest surfaces that face away from the camera.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -12,8 +12,9 @@ class BackFacePass {
 public:
     static Result<BackFacePass> create(gpu::Context& context, const GpuScene& scene);
 
-    /// Clears `backDepth` and draws opaque and masked items, transparent ones too if asked. Double-sided surfaces,
-    /// lines and points are sheets without thickness: both their sides are drawn. `view` holds a shared::RenderView.
+    /// Clears `backDepth` and draws opaque and masked items, and with `transparents` also transparent ones.
+    /// Double-sided surfaces, lines and points have no thickness: both of their sides are drawn. `view` holds a
+    /// shared::RenderView.
     void draw(gpu::Frame& frame, gpu::Buffer& view, GpuScene& scene, bool transparents, gpu::Image& backDepth);
 
 private:

@@ -1,4 +1,4 @@
-// Draws the environment where no surface is.
+// Draws the environment into pixels without a surface.
 #pragma once
 
 #include "gpu/pass.hpp"

@@ -1,4 +1,4 @@
-// glint bake: from a job's words to a set of probes.
+// glint bake: turns a RenderJob into a set of probes.
 #pragma once
 
 #include "gpu/context.hpp"
@@ -7,8 +7,8 @@
 
 namespace glint::render {
 
-/// Of `job` the scene, the moment, the environment, the camera, the size and the renderer's settings count.
-/// Errors: as the scene's readers, the device and the settings give them.
+/// Uses the scene, time, environment, camera, size and renderer settings of `job`. Errors: those of the scene's
+/// readers, the device and the settings.
 Result<ProbeSet> runBakeJob(gpu::Context& context, const RenderJob& job, const BakeOptions& options);
 
 } // namespace glint::render

@@ -7,10 +7,11 @@
 namespace glint::render {
 namespace {
 
-/// A ball has half its thickness for a radius. What is less curved than a fifth of that is a plate, however it is bent.
+/// The radius of a ball is half its thickness. An object with less than a fifth of that curvature is a plate, however
+/// it is bent.
 constexpr double kPlateFrom = 5;
 
-/// 1 / metres in the mesh's space: how much normals turn on their way from corner to corner, mean over the area.
+/// 1 / metres in the mesh's space: the turn of normals from corner to corner per length, mean over the area.
 double meanCurvature(const scene::Geometry& geometry) {
     double sum = 0, all = 0;
     const auto& indices = geometry.indices;

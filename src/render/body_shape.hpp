@@ -1,4 +1,4 @@
-// What a thing that transmits light is taken for by refraction: glint/transparent_layer.hpp.
+// The body shape that refraction assumes for a transmissive object: glint/transparent_layer.hpp.
 #pragma once
 
 #include "glint/transparent_layer.hpp"
@@ -6,9 +6,10 @@
 
 namespace glint::render {
 
-/// As the material says (extras.glint.refraction). Else by its shape, for the thing as a whole, so that no seam runs
-/// across it: a sphere if it is curved at least a fifth as much as a ball of its thickness, else a plate. Straight for
-/// what transmits no light or has no thickness. Cost: it looks at every triangle of what has one.
+/// Returns the shape that the material declares (extras.glint.refraction). Without a declaration, one shape is chosen
+/// for the whole object, so that no seam crosses it: a sphere if the object's curvature is at least a fifth of that of
+/// a ball of its thickness, otherwise a plate. Returns straight if the material transmits no light or has no thickness.
+/// Cost: visits every triangle of an object with thickness.
 BodyShape bodyShape(const scene::Material& material, const scene::Geometry& geometry);
 
 } // namespace glint::render

@@ -1,4 +1,4 @@
-// The split-sum table: what a GGX lobe reflects of uniform light (shaders/lib/dfg.glsl).
+// The split-sum table: the reflectance of a GGX lobe under uniform light (shaders/lib/dfg.glsl).
 #pragma once
 
 #include "gpu/resources.hpp"

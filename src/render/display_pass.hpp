@@ -1,4 +1,4 @@
-// Turns scene-referred radiance into the picture for a screen.
+// Converts scene-referred radiance to the displayed image.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -9,16 +9,16 @@ namespace glint::render {
 class DisplayPass {
 public:
     static Result<DisplayPass> create(gpu::Context& context);
-    /// Makes what these settings need for pictures of this size; before `draw` with display.antialias fxaa.
+    /// Allocates what these settings need for images of this size. Call before `draw` with display.antialias fxaa.
     /// Errors: OutOfMemory.
     Result<void> resize(gpu::Context& context, uint32_t width, uint32_t height, const DisplaySettings& settings);
-    /// `ldr`: RGBA8_UNORM with STORAGE usage, as large as `hdr`; it gets sRGB-encoded colours and alpha 1.
+    /// `ldr`: RGBA8_UNORM with STORAGE usage, of the size of `hdr`; receives sRGB-encoded colours and alpha 1.
     void draw(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr, const DisplaySettings& settings);
 
 private:
     gpu::Pipeline tonemap_;
     gpu::Pipeline fxaa_;
-    gpu::Image aliased_; ///< the picture before its edges are smoothed; absent unless asked for
+    gpu::Image aliased_; ///< the image before antialiasing; absent without fxaa
 };
 
 } // namespace glint::render

@@ -17,7 +17,7 @@ constexpr uint32_t kSmallestFace = 32;
 constexpr uint32_t kLargestFace = 1024;
 constexpr uint32_t kDiffuseFace = 16;
 
-/// About one texel of a face for one texel of the picture's equator, so that mip 0 is as sharp as the picture.
+/// About one face texel per texel of the image's equator, so that mip 0 is as sharp as the image.
 uint32_t faceSize(const scene::HdrImage& equirect) {
     return std::clamp(std::bit_ceil(equirect.width / 4), kSmallestFace, kLargestFace);
 }

@@ -1,4 +1,4 @@
-// Light from all around, prepared for lighting: a radiance cube filtered for every roughness, and its diffuse light.
+// Environment light, prepared for lighting: a radiance cube filtered for every roughness, and a diffuse cube.
 #pragma once
 
 #include "gpu/resources.hpp"
@@ -10,14 +10,14 @@
 
 namespace glint::render {
 
-/// A sun is kept out of the cube maps, where it would be noise: it is a directional light and a disc in the sky.
+/// The sun is not in the cube maps, where it would cause noise: it is a directional light and a disc in the sky.
 struct Sun {
     glm::vec3 directionToSun = glm::vec3(0, 1, 0); ///< unit, in the environment's own space
-    glm::vec3 irradiance = glm::vec3(0);           ///< on a surface that faces it
+    glm::vec3 irradiance = glm::vec3(0);           ///< on a surface that faces the sun
     float angularRadius = 0.00465f;                ///< radians
 };
 
-/// Orientation of the picture: u = 0.5 + atan2(d.z, d.x) / 2pi, v = acos(d.y) / pi from the top row.
+/// Orientation of the equirectangular image: u = 0.5 + atan2(d.z, d.x) / 2pi, v = acos(d.y) / pi from the top row.
 /// Rotation and strength are not baked in (RenderSettings::environment).
 class Environment {
 public:
@@ -26,7 +26,7 @@ public:
                                       std::optional<Sun> sun = std::nullopt);
     /// Preetham's sky with its sun (render/sky.hpp); angles in degrees, as in RenderSettings::analyticSky.
     static Result<Environment> createSky(gpu::Context& context, float elevation, float azimuth, float turbidity);
-    /// Black.
+    /// Creates a black environment.
     static Result<Environment> createNone(gpu::Context& context);
 
     gpu::Image& radiance() { return radiance_; } ///< RGBA16F cube; mip = perceptual roughness * (mips - 1)

@@ -11,10 +11,10 @@ namespace {
 
 constexpr float kSmooth = 0.35f;       ///< perceptual roughness, at most
 constexpr float kLarge = 0.004f;       ///< of the square of the scene's diagonal
-constexpr float kFilled = 0.1f;        ///< part of its rectangle that a mirror covers, at least
+constexpr float kFilled = 0.1f;        ///< minimum fraction of its rectangle that a mirror covers
 constexpr float kSamePlane = 2e-4f;    ///< of the scene's diagonal
 constexpr float kSameNormal = 1e-4f;   ///< 1 - cosine: 0.8 degrees
-constexpr float kWorthMerging = 0.02f; ///< of what is large: smaller pieces are no part of anything
+constexpr float kWorthMerging = 0.02f; ///< of kLarge: smaller pieces are not merged
 
 /// Triangles in one plane.
 struct Patch {
@@ -22,7 +22,7 @@ struct Patch {
     float offset = 0; ///< dot(normal, position)
     double area = 0;
     bool named = false;
-    std::vector<glm::vec3> corners; ///< three a triangle
+    std::vector<glm::vec3> corners; ///< three per triangle
 
     void add(const Patch& other) {
         area += other.area;
@@ -31,10 +31,11 @@ struct Patch {
     }
 };
 
-/// Of a texture's channel, over some of its texels.
+/// Mean of a texture channel over some of its texels.
 float meanOf(const scene::Image& image, size_t channel) {
     const size_t texels = image.rgba.size() / 4;
-    const size_t step = (texels / 4096) | 1; // odd: of pictures with sides of 2^n not always the same columns
+    // Odd, so that images with sides of 2^n are not always sampled in the same columns.
+    const size_t step = (texels / 4096) | 1;
     double sum = 0;
     size_t count = 0;
     for (size_t i = 0; i < texels; i += step, ++count)
@@ -132,7 +133,7 @@ private:
             found->second.add(patch);
     }
 
-    /// Those of neighbouring keys that are one plane after all; the best first.
+    /// Merges patches of neighbouring keys that are in one plane; returns the best first.
     std::vector<Patch> merged() {
         const double large = static_cast<double>(kLarge) * diagonal_ * diagonal_;
         std::vector<Patch> pieces;
@@ -159,7 +160,7 @@ private:
         return result;
     }
 
-    /// In the patch's plane, from `tangent`.
+    /// Extent in the patch's plane, along `tangent`.
     struct Extent {
         glm::vec3 tangent;
         glm::vec2 low = glm::vec2(std::numeric_limits<float>::max());
@@ -177,8 +178,8 @@ private:
         return extent;
     }
 
-    /// The smallest around all corners with a side along one of the first triangles' edges; nothing if they fill too
-    /// little of it, as the tops of many things of one height would.
+    /// Returns the smallest rectangle around all corners with a side along one of the first triangles' edges. Returns
+    /// no value if the triangles fill too little of it, as the tops of many objects of one height would.
     std::optional<PlanarMirror> rectangle(const Patch& patch) const {
         constexpr size_t kMostEdges = 12;
         std::optional<Extent> best;

@@ -1,5 +1,5 @@
-// Which surfaces of a scene are worth a picture from behind them: those that a scene names, and those that are flat,
-// smooth and large. Works on the posed scene, so that it needs no GPU.
+// Finds the surfaces of a scene that should be planar mirrors: those that the scene names, and those that are flat,
+// smooth and large. Works on the posed scene and needs no GPU.
 #pragma once
 
 #include "glint/planar.hpp"
@@ -13,14 +13,15 @@ namespace glint::render {
 
 enum class MirrorSearch {
     None,
-    Named, ///< those whose material says so: extras.glint.planar true
-    Auto,  ///< the named ones, then all that look like it; not those with extras.glint.planar false
+    Named, ///< surfaces whose material has extras.glint.planar true
+    Auto,  ///< named surfaces, then every suitable surface without extras.glint.planar false
 };
 
-/// As the command line says them, in their order.
+/// The command line's names, in the order of MirrorSearch.
 inline constexpr std::array<std::string_view, 3> kMirrorSearchNames = {"none", "named", "auto"};
 
-/// Coplanar surfaces are one mirror: one picture serves them all. Named ones first, then the largest; at most `most`.
+/// Returns at most `most` mirrors: named ones first, then the largest. Coplanar surfaces form one mirror with one
+/// mirrored view.
 std::vector<PlanarMirror> findMirrors(const scene::Scene& scene, const scene::Pose& pose, MirrorSearch search,
                                       size_t most);
 

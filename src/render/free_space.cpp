@@ -32,12 +32,12 @@ bool FreeSpace::inside(const glm::ivec3& cell) const {
     return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) && glm::all(glm::lessThan(cell, size_));
 }
 
-/// Cells that the triangle's plane cuts within its box: a few too many at its slanted edges, none too few.
+/// Marks cells that the triangle's plane intersects within its box: slightly too many at slanted edges, never too few.
 void FreeSpace::addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
     const glm::vec3 low = (glm::min(glm::min(a, b), c) - originWS_) / cellSize_;
     const glm::vec3 high = (glm::max(glm::max(a, b), c) - originWS_) / cellSize_;
     if (!glm::all(glm::lessThan(low, glm::vec3(size_))) || !glm::all(glm::greaterThanEqual(high, glm::vec3(0))))
-        return; // outside, or not a number
+        return; // outside, or NaN
     const glm::ivec3 first(glm::clamp(low, glm::vec3(0), glm::vec3(size_ - 1)));
     const glm::ivec3 last(glm::clamp(high, glm::vec3(0), glm::vec3(size_ - 1)));
     const glm::vec3 normal = glm::cross(b - a, c - a);
@@ -50,8 +50,9 @@ void FreeSpace::addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::v
                     solid_[index({x, y, z})] = true;
 }
 
-/// Two sweeps over the grid, each taking the best of its neighbours that are done: Borgefors 1986, "Distance
-/// Transformations in Digital Images", with true lengths to the 26 neighbours; a few per cent too long at most angles.
+/// Two sweeps over the grid, each taking the minimum over neighbours already processed: Borgefors 1986, "Distance
+/// Transformations in Digital Images", with true lengths to the 26 neighbours. The result is a few per cent too long at
+/// most angles.
 void FreeSpace::measureClearance() {
     clearance_.assign(solid_.size(), std::numeric_limits<float>::infinity());
     for (size_t i = 0; i < solid_.size(); ++i)
@@ -62,7 +63,7 @@ void FreeSpace::measureClearance() {
         for (int z = -1; z <= 1; ++z)
             for (int y = -1; y <= 1; ++y)
                 for (int x = -1; x <= 1; ++x) {
-                    const int order = (z * 3 + y) * 3 + x; // negative: swept before
+                    const int order = (z * 3 + y) * 3 + x; // negative: processed earlier
                     const glm::ivec3 neighbour = cell + glm::ivec3(x, y, z);
                     if (order * direction < 0 && inside(neighbour))
                         here = std::min(here, clearance_[index(neighbour)] +

@@ -1,4 +1,5 @@
-// Where a scene is empty: a grid of cells over a part of it, each solid or not, and how far from the next solid one.
+// The free space of a scene: a grid over a part of the scene with solid and free cells, and the distance of each cell
+// to the nearest solid cell.
 #pragma once
 
 #include "scene/pose.hpp"
@@ -9,8 +10,8 @@ namespace glint::render {
 
 class FreeSpace {
 public:
-    /// `cells`: along the longest side of `bounds`, which is not empty. Triangles alone are solid. Time grows with the
-    /// cells that triangles cover.
+    /// `cells`: number of cells along the longest side of `bounds`, which must not be empty. Only triangles are solid.
+    /// Cost: proportional to the cells that triangles cover.
     static FreeSpace build(const scene::Pose& pose, const scene::Bounds& bounds, uint32_t cells);
 
     const glm::ivec3& size() const { return size_; }
@@ -18,9 +19,9 @@ public:
     glm::vec3 center(const glm::ivec3& cell) const { return originWS_ + (glm::vec3(cell) + 0.5f) * cellSize_; }
     bool inside(const glm::ivec3& cell) const;
     bool solid(const glm::ivec3& cell) const { return solid_[index(cell)]; }
-    /// Metres to the nearest solid cell's middle, roughly; infinite in an empty grid.
+    /// Approximate distance in metres to the centre of the nearest solid cell; infinite in an empty grid.
     float clearance(const glm::ivec3& cell) const { return clearance_[index(cell)]; }
-    /// No solid cell lies between the two points, each end left out by `margin` metres.
+    /// True if no solid cell lies between the two points, except within `margin` metres of each end.
     bool sees(const glm::vec3& fromWS, const glm::vec3& toWS, float margin) const;
 
 private:

@@ -3,7 +3,7 @@
 namespace glint::render {
 namespace {
 
-/// 16 bits keep a mirror's reflection sharp; where they cannot be drawn to, floats can.
+/// 16 bits keep a mirror's reflection sharp; 32-bit floats are used where 16-bit formats are not renderable.
 VkFormat normalFormat(const gpu::Context& context) {
     constexpr VkFormatFeatureFlags2 kNeeded =
         VK_FORMAT_FEATURE_2_COLOR_ATTACHMENT_BIT | VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_BIT;

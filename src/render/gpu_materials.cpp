@@ -44,6 +44,7 @@ shared::Material gpuMaterial(const scene::Material& m, const GpuTextures& textur
     out.thicknessFactor = m.thicknessFactor;
     out.attenuationColor = m.attenuationColor;
     out.attenuationDistance = std::isfinite(m.attenuationDistance) ? m.attenuationDistance : 0;
+    out.dispersion = m.dispersion;
     out.clearcoatFactor = m.clearcoatFactor;
     out.clearcoatRoughnessFactor = m.clearcoatRoughnessFactor;
     out.clearcoatNormalScale = m.clearcoatNormalScale;

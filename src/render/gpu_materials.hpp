@@ -8,14 +8,14 @@ namespace glint::render {
 
 shared::Material gpuMaterial(const scene::Material& material, const GpuTextures& textures);
 
-/// Which pass draws a material.
+/// The pass that draws a material.
 enum class SurfaceClass : uint8_t {
     Opaque,
     Masked,      ///< alpha-tested
-    Transparent, ///< blended, or lets light through
+    Transparent, ///< blended or transmissive
 };
 
-/// KHR_materials_transmission: what is behind shows through, tinted.
+/// True for KHR_materials_transmission: the background is visible through the surface, tinted.
 bool transmitsLight(const scene::Material& material);
 
 SurfaceClass surfaceClass(const scene::Material& material);

@@ -7,7 +7,7 @@
 namespace glint::render {
 namespace {
 
-/// Everything that goes into the vertex and index buffers, gathered before one upload each.
+/// The content of the vertex and index buffers, gathered before one upload each.
 struct GeometryArrays {
     std::vector<glm::vec3> positions;
     std::vector<shared::VertexAttributes> attributes;
@@ -85,7 +85,7 @@ Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& 
         if (ranges_.emplace(item.geometry, range).second)
             arrays.append(*item.geometry);
     }
-    // Behind all others, where the deformed vertices stood before: only positions, nothing else is asked of them.
+    // After all other vertices, the previous positions of deformed vertices; only positions are needed.
     for (size_t i = 0; i < pose.deformed.size(); ++i) {
         const auto range = ranges_.find(pose.deformed[i].get());
         if (range == ranges_.end() || i >= lastDeformed_.size() ||
@@ -96,7 +96,7 @@ Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& 
         arrays.positions.insert(arrays.positions.end(), lastDeformed_[i].begin(), lastDeformed_[i].end());
     }
     GLINT_CHECK(checkBufferSize(context, "vertices", arrays.attributes.size() * sizeof(shared::VertexAttributes)));
-    // What rays hit is read by address (glint/surface_table.hpp).
+    // Ray hits read these buffers by address (glint/surface_table.hpp).
     constexpr VkBufferUsageFlags kStorage =
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     GLINT_TRY(positions, gpu::uploadBuffer(context, "scene/positions", arrays.positions, kStorage));
@@ -128,7 +128,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.topology = item.geometry->topology;
         out.surface = surfaceClass(material);
         out.doubleSided = material.doubleSided;
-        // Decided once: things that move and bend stay what they are.
+        // Decided once: the shape of moving and deforming objects does not change.
         const BodyShape shape = moved ? lastShapes_[i] : bodyShape(material, *item.geometry);
         shapes.push_back(shape);
         out.isBody = shape != BodyShape::Straight;

@@ -1,4 +1,4 @@
-// A posed scene on the GPU: vertices, indices, materials, textures, and the list of what to draw.
+// A posed scene on the GPU: vertices, indices, materials, textures, and the draw list.
 #pragma once
 
 #include "gpu/resources.hpp"
@@ -11,7 +11,7 @@
 
 namespace glint::render {
 
-/// One draw call. Its place in GpuScene::items() is its instance.
+/// One draw call. Its index in GpuScene::items() is its instance index.
 struct GpuItem {
     uint32_t firstIndex = 0;
     uint32_t indexCount = 0;
@@ -19,24 +19,23 @@ struct GpuItem {
     scene::Topology topology = scene::Topology::Triangles;
     SurfaceClass surface = SurfaceClass::Opaque;
     bool doubleSided = false;
-    bool isBody = false;     ///< light goes through it from its front to its back, which is not drawn
+    bool isBody = false;     ///< light passes through the object from front to back; its back faces are not drawn
     bool mirrored = false;   ///< the transform has a negative determinant
     glm::vec3 centerWS = {}; ///< of its bounding box, for sorting
 };
 
 class GpuScene {
 public:
-    /// `scene` and `pose` are only read. Errors: OutOfMemory, DeviceLost, Unsupported for a scene whose vertices do not
+    /// `scene` and `pose` are only read. Errors: OutOfMemory, DeviceLost; Unsupported for a scene whose vertices do not
     /// fit into one buffer of this device.
     static Result<GpuScene> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
 
-    /// Moves everything to another moment of the same scene. Motion is told from the pose before, so call this once a
-    /// frame while anything moves, and once more when it stops.
-    /// Errors: OutOfMemory, DeviceLost.
+    /// Poses the same scene at another time. Motion vectors are relative to the previous pose, so call this once per
+    /// frame while anything moves, and once more when it stops. Errors: OutOfMemory, DeviceLost.
     Result<void> setPose(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
 
     const std::vector<GpuItem>& items() const { return items_; }
-    bool transmitsLight() const { return transmitsLight_; } ///< some item shows what is behind it
+    bool transmitsLight() const { return transmitsLight_; } ///< at least one item is transmissive
     const scene::Bounds& boundsWS() const { return boundsWS_; }
     gpu::Buffer& instances() { return instances_; }   ///< shared::Instance
     gpu::Buffer& positions() { return positions_; }   ///< float3
@@ -63,9 +62,9 @@ private:
     std::unordered_map<const scene::Geometry*, Range> ranges_;
     std::vector<GpuItem> items_;
     bool transmitsLight_ = false;
-    std::vector<glm::mat4> lastTransforms_;            ///< of the pose before, by item
+    std::vector<glm::mat4> lastTransforms_;            ///< of the previous pose, by item
     std::vector<BodyShape> lastShapes_;                ///< by item
-    std::vector<std::vector<glm::vec3>> lastDeformed_; ///< positions of the pose before, by place in Pose::deformed
+    std::vector<std::vector<glm::vec3>> lastDeformed_; ///< positions of the previous pose, by index in Pose::deformed
     scene::Bounds boundsWS_;
 };
 

@@ -1,4 +1,4 @@
-// The textures of a scene on the GPU, and which entry of the bindless table a material's slot means.
+// The textures of a scene on the GPU, and the bindless table index of each material slot.
 #pragma once
 
 #include "gpu/texture_table.hpp"
@@ -9,7 +9,7 @@
 
 namespace glint::render {
 
-/// What a slot's numbers mean. An image that serves both kinds is uploaded twice.
+/// How a slot's values are encoded. An image used for both kinds is uploaded twice.
 enum class TextureKind : uint8_t {
     Color, ///< sRGB, decoded by the sampler before filtering
     Data,  ///< as stored
@@ -17,11 +17,11 @@ enum class TextureKind : uint8_t {
 
 class GpuTextures {
 public:
-    /// Uploads the images that materials use, with mips, and builds the table.
-    /// Errors: OutOfMemory, DeviceLost, InvalidInput for an image larger than the device can hold.
+    /// Uploads the images used by materials, with mips, and builds the table. Errors: OutOfMemory, DeviceLost;
+    /// InvalidInput for an image larger than the device supports.
     static Result<GpuTextures> create(gpu::Context& context, const scene::Scene& scene);
 
-    /// Index into the table; shared::kNoTexture if the slot is empty or its image could not be read.
+    /// Returns the index into the table; shared::kNoTexture if the slot is empty or its image could not be read.
     uint32_t index(const scene::TextureSlot& slot, TextureKind kind) const;
     const gpu::TextureTable& table() const { return table_; }
 

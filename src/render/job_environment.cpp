@@ -5,7 +5,7 @@
 namespace glint::render {
 namespace {
 
-/// A picture whose rows ran from the bottom up.
+/// Flips an image whose rows run from the bottom up.
 scene::HdrImage turnedOver(const scene::HdrImage& image) {
     scene::HdrImage result = {image.width, image.height, {}};
     for (uint32_t y = image.height; y-- > 0;)

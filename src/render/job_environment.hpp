@@ -1,4 +1,4 @@
-// The environment that a job's words ask for, on the GPU.
+// Creates the environment of a job on the GPU.
 #pragma once
 
 #include "render/environment.hpp"
@@ -6,7 +6,7 @@
 
 namespace glint::render {
 
-/// Errors: as Environment gives them.
+/// Errors: those of Environment.
 Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings);
 
 } // namespace glint::render

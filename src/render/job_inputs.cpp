@@ -33,7 +33,7 @@ Error unknownCamera(const std::string& asked, const std::vector<scene::Camera>& 
     return invalidArgument("--camera {}: no such camera and no such file; the scene has {}", printable(asked), has);
 }
 
-/// `aspectRatio`  of the picture if its size is known, for the view of all where the scene has no camera
+/// `aspectRatio`  of the image if its size is known, for the view of the whole scene if the scene has no camera
 Result<scene::Camera> chooseCamera(const std::string& asked, const scene::Pose& pose, float aspectRatio) {
     if (asked.empty())
         return pose.cameras.empty() ? scene::frameBounds(pose.boundsWS, aspectRatio) : pose.cameras.front();
@@ -50,7 +50,7 @@ Result<scene::Camera> chooseCamera(const std::string& asked, const scene::Pose& 
     return unknownCamera(asked, pose.cameras);
 }
 
-/// The environment that a scene is made for; files from elsewhere get the sky.
+/// Returns the environment that a built-in scene is made for; scenes from files get the sky.
 std::string defaultEnvironment(std::string_view scene) {
     for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
         if (isBuiltin(scene) && scene.substr(kBuiltinPrefix.size()) == info.name)
@@ -64,7 +64,7 @@ std::string defaultEnvironment(std::string_view scene) {
 Result<JobInputs> loadJobInputs(const RenderJob& job) {
     JobInputs inputs;
     Result<scene::Scene> scene = loadScene(job.scene);
-    if (!scene) // a file that asks for what no build of Glint reads is bad input, not a failure at work
+    if (!scene) // a file with a required extension that Glint does not support is bad input, not a run-time failure
         return Error{scene.error().code == ErrorCode::Unsupported ? ErrorCode::InvalidInput : scene.error().code,
                      scene.error().message};
     inputs.scene = std::make_unique<scene::Scene>(std::move(scene).value());

@@ -1,4 +1,4 @@
-// What a job's words stand for: the scene at its moment, the camera, the picture's size, the environment.
+// The inputs that a job names: the posed scene, the camera, the image size, the environment.
 #pragma once
 
 #include "base/result.hpp"
@@ -15,17 +15,17 @@ namespace glint::render {
 enum class EnvironmentKind { None, Sky, Image };
 
 struct JobInputs {
-    std::unique_ptr<scene::Scene> scene; ///< stays where it is: `pose` refers into it
+    std::unique_ptr<scene::Scene> scene; ///< has a stable address, as `pose` refers to it
     scene::Pose pose;
     scene::Camera camera;
     uint32_t width = 0;
     uint32_t height = 0;
     EnvironmentKind environment = EnvironmentKind::None;
-    scene::HdrImage environmentImage; ///< of EnvironmentKind::Image
+    scene::HdrImage environmentImage; ///< for EnvironmentKind::Image
 };
 
-/// Reads the scene and the environment and finds the camera: a name in the scene, else an index, else a file.
-/// Errors: as the readers give them; InvalidArgument lists the cameras of the scene.
+/// Reads the scene and the environment and resolves the camera: a name in the scene, then an index, then a file.
+/// Errors: those of the readers; InvalidArgument lists the cameras of the scene.
 Result<JobInputs> loadJobInputs(const RenderJob& job);
 
 } // namespace glint::render

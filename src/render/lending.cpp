@@ -27,6 +27,9 @@ HostImage lend(gpu::Frame& frame, gpu::Image& image) {
     frame.hand(image, kSampled);
     HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
     host.samples = image.desc().samples;
+    host.usage = image.desc().usage;
+    host.mips = image.desc().mips;
+    host.viewType = image.desc().shape == gpu::ImageShape::Cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
     return host;
 }
 

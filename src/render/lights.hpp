@@ -1,4 +1,4 @@
-// The lights of a frame: those of the scene and the sky's sun, with their place in the shadow atlas.
+// The lights of a frame: the scene's lights and the sky's sun, with their tiles in the shadow atlas.
 #pragma once
 
 #include "render/environment.hpp"
@@ -10,14 +10,14 @@
 
 namespace glint::render {
 
-/// The scene's lights in the form that shaders read, without shadows. More than shared::kMaxLights - 1 (one is kept for
-/// the sun) are left out, with a warning.
+/// Returns the scene's lights in the form that shaders read, without shadows. Lights beyond shared::kMaxLights - 1 are
+/// dropped with a warning, as one light is reserved for the sun.
 std::vector<shared::Light> gpuLights(const scene::Pose& pose);
 
-/// The sun as a directional light, turned and scaled as the environment is.
+/// Returns the sun as a directional light, with the environment's rotation and strength applied.
 shared::Light sunLight(const Sun& sun, const EnvironmentSettings& settings);
 
-/// The environment's own direction -> world.
+/// Rotates a direction from environment space to world space.
 glm::vec3 rotateFromEnvironment(const glm::vec3& direction, float degrees);
 
 } // namespace glint::render

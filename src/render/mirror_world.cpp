@@ -12,8 +12,8 @@ namespace {
 
 constexpr size_t kNone = SIZE_MAX;
 
-/// What a picture in a mirror reflects: mirrors, as deep as they go, and what the frame has, but for rays, whose hits
-/// see the whole scene, and for the last frame, which had another camera.
+/// Settings of reflections in mirrored views: mirrors, up to their depth, and the sources of the frame. Rays are
+/// disabled, as their hits see the whole scene, and so is the previous frame, which had another camera.
 Settings inMirrors(Settings settings) {
     settings.rays.enabled = false;
     settings.screen.colorSource = ColorSource::Current;
@@ -30,7 +30,7 @@ scene::Camera mirroredCamera(const scene::Camera& camera, const glint::View& mir
     return result;
 }
 
-/// Might its rectangle be in the picture? Not if all corners are beyond one of its sides.
+/// False if all corners of the mirror's rectangle are beyond one side of the image.
 bool isInPicture(const PlanarMirror& mirror, const View& view) {
     const auto vec = [](const std::array<float, 3>& v) { return glm::vec3(v[0], v[1], v[2]); };
     const glm::vec3 along = vec(mirror.tangentWS) * mirror.halfExtents[0];
@@ -68,7 +68,8 @@ Result<MirrorWorld> MirrorWorld::create(gpu::Context& context, Context& library,
         return std::max(static_cast<uint32_t>(std::lround(static_cast<float>(size) * wanted.resolution)), 1u);
     };
     const Settings reflected = inMirrors(settings.reflections);
-    const size_t depth = mirrors.size() > 1 ? static_cast<size_t>(wanted.depth) : 1; // one mirror never sees itself
+    // A single mirror never sees itself.
+    const size_t depth = mirrors.size() > 1 ? static_cast<size_t>(wanted.depth) : 1;
     for (size_t i = 0; i < depth; ++i) {
         PlanarMirrorsDesc desc;
         desc.mirrors = world.list_;
@@ -78,7 +79,9 @@ Result<MirrorWorld> MirrorWorld::create(gpu::Context& context, Context& library,
         GLINT_TRY(target, renderer.makeTarget(desc.width, desc.height));
         Level level = {std::move(planar), std::move(target), nullptr};
         if (wanted.reflections) {
-            GLINT_TRY(reflections, Reflections::create(library, {desc.width, desc.height, reflected}));
+            ReflectionsDesc reflectionsDesc = {desc.width, desc.height, reflected};
+            reflectionsDesc.framesInFlight = 1; // the session waits for every frame
+            GLINT_TRY(reflections, Reflections::create(library, reflectionsDesc));
             level.reflections = std::make_unique<Reflections>(std::move(reflections));
             if (probes)
                 GLINT_CHECK(level.reflections->setProbes(*probes));
@@ -110,7 +113,7 @@ Result<void> MirrorWorld::record(VkCommandBuffer commands, const ViewParameters&
     return drawPictures({frame, commands, withSky, frameIndex, seed}, 0, mirrored, kNone);
 }
 
-/// `except`: the mirror in whose picture we are.
+/// `except`: the mirror whose mirrored view is being drawn.
 Result<void> MirrorWorld::drawPictures(const Seen& seen, size_t level, const ViewParameters& parameters,
                                        size_t except) {
     const gpu::Image& picture = levels_[level].target.gbuffer.litRadiance;
@@ -123,7 +126,7 @@ Result<void> MirrorWorld::drawPictures(const Seen& seen, size_t level, const Vie
     return {};
 }
 
-/// `view`: of `parameters`, in which the mirror is seen.
+/// `view`: the view of `parameters`, in which the mirror is visible.
 Result<void> MirrorWorld::drawPicture(const Seen& seen, size_t level, size_t mirror, const ViewParameters& parameters,
                                       const View& view) {
     Level& here = levels_[level];
@@ -133,7 +136,7 @@ Result<void> MirrorWorld::drawPicture(const Seen& seen, size_t level, size_t mir
     mirrored.camera = mirroredCamera(parameters.camera, mirroredLibraryView);
     mirrored.jitterPX.x = -parameters.jitterPX.x;
     mirrored.clipPlaneWS = glm::make_vec4(clipPlane(list_[mirror]).data());
-    mirrored.sunDisc = false; // its light on the mirror is the sun lamp's highlight
+    mirrored.sunDisc = false; // the sun's light on the mirror is the highlight of the sun's directional light
     if (level + 1 < levels_.size())
         GLINT_CHECK(drawPictures(seen, level + 1, mirrored, mirror));
 

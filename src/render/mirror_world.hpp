@@ -1,5 +1,5 @@
-// The planar mirrors of a job: pictures from behind them, drawn before each frame, and of mirrors in mirrors before
-// these.
+// The planar mirrors of a job. Their mirrored views are drawn before each frame; mirrored views of mirrors in mirrors
+// are drawn before those.
 #pragma once
 
 #include "glint/reflections.hpp"
@@ -14,30 +14,30 @@ namespace glint::render {
 
 class MirrorWorld {
 public:
-    /// Pictures for frames of `width` x `height` pixels. `renderer` has its size by now. `probes` may be null; all must
-    /// outlive the mirrors. Errors: OutOfMemory.
+    /// Creates mirrored views for frames of `width` x `height` pixels. `renderer` must already have its size. `probes`
+    /// may be null. All arguments must outlive the mirrors. Errors: OutOfMemory.
     static Result<MirrorWorld> create(gpu::Context& context, Context& library, Renderer& renderer,
                                       const std::vector<PlanarMirror>& mirrors, Probes* probes,
                                       const ProgramSettings& settings, uint32_t width, uint32_t height);
 
-    /// Where they are now; false: there are more or fewer of them than there were. Errors: InvalidArgument.
+    /// Sets the current positions of the mirrors. Returns false if their number has changed. Errors: InvalidArgument.
     Result<bool> setMirrors(const std::vector<PlanarMirror>& mirrors);
 
-    /// Draws the picture of each mirror that a frame seen so shows, outside of rendering, before the frame itself.
-    /// `withSky`: the environment is there to be looked up. Errors: InvalidArgument.
+    /// Draws the mirrored view of each mirror that is visible with these parameters; call outside rendering, before the
+    /// frame is drawn. `withSky`: the environment is available for fetches. Errors: InvalidArgument.
     Result<void> record(VkCommandBuffer commands, const ViewParameters& parameters, bool withSky, uint32_t frameIndex,
                         uint32_t seed);
 
     PlanarMirrors& mirrors() { return levels_.front().mirrors; }
-    /// GPU time of what was drawn for them, milliseconds; their own reflections are not in it.
+    /// GPU milliseconds of drawing the mirrored views, without the reflections in them.
     double milliseconds();
 
 private:
-    /// The pictures of mirrors that are seen directly, or in a mirror, or in a mirror's mirror.
+    /// The mirrored views of one depth: mirrors seen directly, in a mirror, or in a mirror's mirror.
     struct Level {
         PlanarMirrors mirrors;
-        RenderTarget target;                      ///< one after the other, they are drawn here
-        std::unique_ptr<Reflections> reflections; ///< of these pictures; absent if they are to have none
+        RenderTarget target;                      ///< the mirrored views are drawn here one after the other
+        std::unique_ptr<Reflections> reflections; ///< reflections in the mirrored views; absent if they have none
     };
     struct Seen;
 

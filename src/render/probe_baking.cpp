@@ -16,14 +16,14 @@
 namespace glint::render {
 namespace {
 
-constexpr uint32_t kNeedWidth = 192; ///< pixels of the pictures that tell where reflective surfaces are
+constexpr uint32_t kNeedWidth = 192; ///< pixels; width of the images in which reflective surfaces are found
 constexpr size_t kMostCameras = 8;
 constexpr size_t kMostNeeds = 400;
 constexpr uint32_t kSpaceCells = 64;
-constexpr uint32_t kSeenFace = 32; ///< directions along a face's side that the proxy is fitted to
-constexpr uint32_t kSamples = 2;   ///< along a texel's side: thin bright things would else come and go
+constexpr uint32_t kSeenFace = 32; ///< directions per face side, for fitting the proxy
+constexpr uint32_t kSamples = 2;   ///< per texel side; otherwise thin bright objects would be missed in some texels
 
-/// Vulkan 1.3, "Cube Map Face Selection": the axis of a face, and which way its rows run up.
+/// Vulkan 1.3, "Cube Map Face Selection": the axis of a face, and the direction of its rows.
 struct FaceAxes {
     glm::vec3 forward;
     glm::vec3 up;
@@ -77,9 +77,9 @@ private:
             options_.progress(what, done, of);
     }
 
-    /// What a file can hold, before the work is done.
+    /// Checks the limits of the file before the work is done.
     Result<void> checkSize() const {
-        constexpr size_t kNumbers = 1024; // bytes of a probe without its picture, and the file's head, at most
+        constexpr size_t kNumbers = 1024; // maximum bytes of a probe without its cube, and of the file header
         const size_t bytes = (placed_.size() + 1) * (probeTexels(options_.faceSize) * sizeof(uint64_t) + kNumbers);
         if (bytes > kMostProbeFileBytes)
             return invalidArgument(
@@ -159,7 +159,8 @@ private:
                     continue;
                 const float NoV = std::clamp(glm::dot(need.normalWS, toEye), 0.0f, 1.0f);
                 const float fresnel = f0 + (1 - f0) * std::pow(1 - NoV, 5.0f); // Schlick 1994
-                need.weight = fresnel * (1 - 0.8f * material[i + 3]);          // of rough ones nobody sees the parallax
+                // Parallax errors are not visible on rough surfaces.
+                need.weight = fresnel * (1 - 0.8f * material[i + 3]);
                 need.reflectedWS = glm::reflect(-toEye, need.normalWS);
                 needs_.push_back(need);
             }
@@ -185,7 +186,7 @@ private:
         return renderer_.resize(pictureSize(), pictureSize());
     }
 
-    /// Every face of every probe; with reflections once probes are there to look up.
+    /// Draws every face of every probe; with reflections once there are probes to sample.
     Result<void> drawAll(Reflections* reflections) {
         for (size_t i = 0; i < placed_.size(); ++i)
             for (uint32_t face = 0; face < 6; ++face) {
@@ -233,7 +234,7 @@ private:
         return status;
     }
 
-    /// Distances in some of the directions of the face that was drawn last.
+    /// Distances in some directions of the face drawn last.
     Result<void> measureFace(size_t probe, uint32_t face) {
         GLINT_TRY(depth, gpu::downloadImageAsFloats(context_, renderer_.gbuffer().deviceDepth));
         const scene::Camera camera = faceCamera(placed_[probe].positionWS, face, cellSize_ * 0.02f);
@@ -281,7 +282,7 @@ private:
         baked_.push_back({probe, options_.faceSize, {}});
     }
 
-    /// The best placed probe answers everywhere, for what no other one does; the others around what they serve best.
+    /// The best placed probe covers the whole scene, as a fallback; the others cover the needs that they serve best.
     void makeVolumes(size_t i) {
         const PlacedProbe& placed = placed_[i];
         const scene::Bounds& all = renderer_.boundsWS();
@@ -326,11 +327,12 @@ private:
         return context_.submitAndWait([&](VkCommandBuffer commands) { probes.record(commands); });
     }
 
-    /// Draws the faces again, this time with what the probes so far show in the mirrors.
+    /// Draws the faces again, with the previous probes reflected in mirrors.
     Result<void> bounce(Probes& probes) {
         ReflectionsDesc desc;
         desc.width = desc.height = pictureSize();
         desc.settings.screen.enabled = false;
+        desc.framesInFlight = 1; // the baking waits for every face
         GLINT_TRY(reflections, Reflections::create(library_, desc));
         GLINT_CHECK(reflections.setProbes(probes));
         for (uint32_t done = 1; done < options_.bounces; ++done) {

@@ -62,7 +62,7 @@ private:
     std::string bytes_;
 };
 
-/// Reads nothing beyond the end; after a failed read everything is 0 and `ok` stays false.
+/// Never reads beyond the end; after a failed read every value is 0 and `ok` stays false.
 class Reader {
 public:
     explicit Reader(std::string_view bytes) : bytes_(bytes) {}

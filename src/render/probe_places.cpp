@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 constexpr size_t kLongestFile = size_t{16} << 20;
 
-/// Of one probe; keeps the first mistake.
+/// The JSON of one probe; keeps the first error.
 class Place {
 public:
     Place(const std::string& name, size_t number) : where_(fmt::format("{}: probe {}", name, number)) {}
@@ -41,7 +41,7 @@ public:
         number(json, "weight", probe.weight);
         place.fitsProxy = !json.contains("proxy");
         if (!place.fitsProxy) {
-            constexpr ProbeProxy kProxies[] = {ProbeProxy::Box, ProbeProxy::Sphere, ProbeProxy::None};
+            constexpr ProbeProxy kProxies[] = {ProbeProxy::Box, ProbeProxy::Sphere, ProbeProxy::Infinite};
             probe.proxy = kProxies[volume(json["proxy"], "proxy", {"box", "sphere", "none"}, probe.proxyVolume)];
         }
         return place;
@@ -71,7 +71,7 @@ private:
         target = value.get<float>();
     }
 
-    /// All of them, or one number for all.
+    /// Reads all numbers, or one number for all of them.
     template <size_t N>
     void numbers(const Json& json, const char* key, std::array<float, N>& target, bool needed) {
         if (!json.is_object() || !json.contains(key)) {
@@ -92,7 +92,7 @@ private:
             fail(key, fmt::format("must be {} numbers{}", N, N == 6 ? ", or one for all faces" : ""));
     }
 
-    /// Returns the shape's place in `shapes`.
+    /// Returns the index of the shape in `shapes`.
     size_t volume(const Json& json, const char* key, std::initializer_list<std::string_view> shapes,
                   ProbeVolume& target) {
         allow(json, key, {"shape", "center", "halfExtents", "radius", "rotation"});
@@ -126,7 +126,7 @@ private:
 
 Result<std::vector<ProbePlace>> parseProbePlaces(const std::string& text, const std::string& name) {
     Json root;
-    try { // the one place that meets exceptions: only they say where the mistake is
+    try { // the only code that handles exceptions: only they contain the position of the error
         root = Json::parse(text);
     } catch (const Json::exception& exception) {
         const std::string_view what = exception.what();

@@ -1,4 +1,4 @@
-// Probes that a person placed: a JSON file beside the scene (docs/techniques/probes.md has the keys).
+// Probes placed by the user: a JSON file beside the scene (docs/techniques/probes.md lists the keys).
 #pragma once
 
 #include "base/result.hpp"
@@ -10,14 +10,14 @@
 namespace glint::render {
 
 struct ProbePlace {
-    Probe probe;           ///< all but its cube
-    bool fitsProxy = true; ///< the file names no proxy: one is fitted to what the probe sees
+    Probe probe;           ///< without its cube
+    bool fitsProxy = true; ///< the file names no proxy: a proxy is fitted to the geometry that the probe sees
 };
 
-/// Errors name the file, the probe and the key: NotFound, Io, InvalidInput.
+/// Errors: NotFound, Io, InvalidInput, with the file, the probe and the key.
 Result<std::vector<ProbePlace>> readProbePlaces(const std::string& path);
 
-/// `name` stands in errors.
+/// `name` is used in error messages.
 Result<std::vector<ProbePlace>> parseProbePlaces(const std::string& text, const std::string& name);
 
 } // namespace glint::render

@@ -9,8 +9,8 @@
 namespace glint::render {
 namespace {
 
-constexpr float kTrimmed = 0.02f;   ///< share of the needs at each end of an axis that does not stretch the domain
-constexpr float kLeastGain = 0.02f; ///< a probe has to be worth its memory
+constexpr float kTrimmed = 0.02f;   ///< fraction of the needs at each end of an axis that is ignored for the domain
+constexpr float kLeastGain = 0.02f; ///< fraction of the needs; a probe with a smaller gain is not worth its memory
 constexpr size_t kMostCandidates = 3000;
 constexpr size_t kQuantiles = 24;
 
@@ -18,8 +18,8 @@ float diagonal(const scene::Bounds& bounds) {
     return glm::length(bounds.max - bounds.min);
 }
 
-/// How well a probe at `from` serves a need, [0, 1]: the nearer the righter its parallax, and a place with room around
-/// it sees more than the next wall.
+/// Returns how well a probe at `from` serves a need, [0, 1]. A nearer probe has less parallax error, and a probe with
+/// free space around it sees more than the nearest wall.
 float service(const FreeSpace& space, const glm::vec3& from, float clearance, const ReflectiveNeed& need, float near,
               float room) {
     const glm::vec3 way = from - need.positionWS;
@@ -158,7 +158,8 @@ std::vector<PlacedProbe> placeProbes(const FreeSpace& space, std::span<const Ref
             probes[owner].needs.push_back(needs[n]);
         }
     }
-    std::erase_if(probes, [](const PlacedProbe& probe) { return probe.needsWS.empty(); }); // others serve all it could
+    // These probes serve no need better than others do.
+    std::erase_if(probes, [](const PlacedProbe& probe) { return probe.needsWS.empty(); });
     return probes;
 }
 
@@ -180,10 +181,11 @@ void weighByNeeds(std::span<SeenDistance> seen, std::span<const ReflectiveNeed> 
 }
 
 scene::Bounds fitProxyBox(const glm::vec3& positionWS, std::span<const SeenDistance> seen, float farthest) {
-    // Sides as distances from the position: +X, -X, +Y, ... Each starts at the median of what is seen through its face.
+    // Sides as distances from the position: +X, -X, +Y, ... Each starts at the median of the distances seen through its
+    // face.
     std::array<float, 6> sides = {};
-    // Each may then move to where rays meet something: within 60 degrees of its axis, and, as a far wall is seen by few
-    // of those, once more within 25.
+    // Each side may then move to a distance at which rays hit: within 60 degrees of its axis, and again within 25
+    // degrees, as only a few of the first rays see a far wall.
     std::array<std::vector<float>, 6> choices;
     for (size_t side = 0; side < 6; ++side)
         for (const float cone : {0.9f, 0.5f}) {
@@ -206,7 +208,8 @@ scene::Bounds fitProxyBox(const glm::vec3& positionWS, std::span<const SeenDista
                 if (const float d = ray.directionWS[axis]; std::abs(d) > 1e-6f)
                     distance = std::min(distance, sides[static_cast<size_t>(axis) * 2 + (d < 0 ? 1 : 0)] / std::abs(d));
             const double misplaced = std::abs(1 / distance - 1 / std::max(ray.distance, farthest * 1e-5f));
-            sum += ray.weight * std::sqrt(misplaced); // a wall that some rays meet, not a mean of two walls
+            // A square root favours a wall that some rays hit over the mean of two walls.
+            sum += ray.weight * std::sqrt(misplaced);
         }
         return sum;
     };

@@ -1,5 +1,5 @@
-// Where reflection probes should stand and what each should answer for: in free space, near and in sight of the
-// reflective surfaces that cameras see. Works on plain points, so that it needs no GPU.
+// Chooses positions and volumes of reflection probes: in free space, near and in sight of the reflective surfaces that
+// cameras see. Works on points and needs no GPU.
 #pragma once
 
 #include "glint/probes.hpp"
@@ -10,45 +10,47 @@
 
 namespace glint::render {
 
-/// A patch of a reflective surface that some camera sees.
+/// A patch of a reflective surface that a camera sees.
 struct ReflectiveNeed {
     glm::vec3 positionWS = glm::vec3(0);
     glm::vec3 normalWS = glm::vec3(0, 1, 0);
-    glm::vec3 reflectedWS = glm::vec3(0, 1, 0); ///< unit: where it looks
-    float weight = 0;                           ///< pixels times their reflectance
+    glm::vec3 reflectedWS = glm::vec3(0, 1, 0); ///< unit: the reflected direction
+    float weight = 0;                           ///< pixels times reflectance
 };
 
-/// The part of the scene in which probes may stand: around most of the needs, within the scene. Empty without needs.
+/// Returns the part of the scene in which probes may be placed: around most of the needs, within the scene. Empty
+/// without needs.
 scene::Bounds probeDomain(std::span<const ReflectiveNeed> needs, const scene::Bounds& sceneWS);
 
-/// As many needs as there are cells with any, at most `most`: the heaviest.
+/// Merges needs to one per occupied grid cell; returns at most `most`, those with the largest weight.
 std::vector<ReflectiveNeed> gatherNeeds(std::span<const ReflectiveNeed> needs, float cellSize, size_t most);
 
 struct PlacedProbe {
     glm::vec3 positionWS = glm::vec3(0);
-    scene::Bounds needsWS;             ///< around the needs that it serves best, which are
-    std::vector<ReflectiveNeed> needs; ///< these
-    float gain = 0;                    ///< share of all needs that it serves better than those before it
+    scene::Bounds needsWS;             ///< bounds of `needs`
+    std::vector<ReflectiveNeed> needs; ///< the needs for which this probe is the best
+    float gain = 0;                    ///< fraction of all needs that this probe serves better than the earlier probes
 };
 
-/// Greedily: each next probe stands where it serves best what those before it serve badly; ends at `most`, or when one
-/// more would better less than a fiftieth of the needs. Empty if no free cell sees a need.
+/// Places probes greedily: each next probe is placed where it best serves the needs that earlier probes serve badly.
+/// Stops at `most` probes, or when another probe would improve less than a fiftieth of the needs. Empty if no free cell
+/// sees a need.
 std::vector<PlacedProbe> placeProbes(const FreeSpace& space, std::span<const ReflectiveNeed> needs, size_t most);
 
-/// What a probe sees in a direction: metres, infinite for the sky.
+/// What a probe sees in one direction: the distance in metres, infinite for the sky.
 struct SeenDistance {
     glm::vec3 directionWS = glm::vec3(0, 0, -1); ///< unit
     float distance = 0;
-    float weight = 0; ///< solid angle times how much the probe's needs look that way
+    float weight = 0; ///< solid angle times the weight of the probe's needs that reflect in this direction
 };
 
-/// Weighs solid angles by how many needs look there, through lobes about 35 degrees wide; a tenth is left to all
-/// directions alike.
+/// Weights solid angles by the needs that reflect towards them, with lobes about 35 degrees wide; a tenth of the weight
+/// is uniform over all directions.
 void weighByNeeds(std::span<SeenDistance> seen, std::span<const ReflectiveNeed> needs);
 
-/// The axis-aligned box around `positionWS` on which the probe's picture is least misplaced for surfaces off the
-/// capture position: that error is, to first order, the difference of inverse distances (docs/techniques/probes.md).
-/// `farthest`: metres at which a side without walls is put.
+/// Returns the axis-aligned box around `positionWS` that minimizes parallax errors for surfaces away from the capture
+/// position. To first order, that error is the difference of inverse distances (docs/techniques/probes.md). `farthest`:
+/// metres, distance of a side without walls.
 scene::Bounds fitProxyBox(const glm::vec3& positionWS, std::span<const SeenDistance> seen, float farthest);
 
 } // namespace glint::render

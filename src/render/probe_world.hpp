@@ -1,4 +1,4 @@
-// The probes of a job, on the GPU: from a file that fits its scene, or baked now.
+// The probes of a job on the GPU: read from a file that fits its scene, or baked.
 #pragma once
 
 #include "render/probe_baking.hpp"
@@ -8,14 +8,14 @@
 
 namespace glint::render {
 
-/// Where `glint bake` puts a scene's probes, and where --probes auto looks for them: beside a scene's file, and for a
-/// built-in scene in the current folder.
+/// Returns the path where `glint bake` stores a scene's probes and where --probes auto searches: beside the scene's
+/// file, or in the current folder for a built-in scene.
 std::string probeFileFor(const std::string& scene);
 
 class ProbeWorld {
 public:
-    /// As RenderJob::probes says. `renderer` bakes where there is nothing to read; its G-buffer's size changes then.
-    /// Errors: of a file that was named, as readProbes and checkProbesFit; OutOfMemory, DeviceLost.
+    /// Loads the probes that RenderJob::probes names. If there is no file to read, `renderer` bakes them, and its
+    /// G-buffer changes its size. Errors: for a named file as readProbes and checkProbesFit; OutOfMemory, DeviceLost.
     static Result<ProbeWorld> create(gpu::Context& context, Context& library, Renderer& renderer,
                                      const JobInputs& inputs, const RenderJob& job);
 

@@ -1,4 +1,4 @@
-// The settings of our own programs as one whole: the library's and the renderer's, under one table and in one JSON.
+// The settings of our own programs: the library's and the renderer's, under one table and in one JSON object.
 #pragma once
 
 #include "base/settings/settings_target.hpp"
@@ -14,32 +14,32 @@ namespace glint::render {
 struct ProgramSettings {
     Settings reflections;
     RenderSettings render;
-    std::string preset = "balanced"; ///< the one in force: it decides what a bare alias means
+    std::string preset = "balanced"; ///< the active preset: it determines what an alias without a prefix means
 
-    /// Both tables with the objects above; valid as long as this object stays where it is.
+    /// Returns both tables with the objects above; valid until this object moves or is destroyed.
     std::array<SettingsTarget, 2> targets() {
         return {{{settingsTable(), &reflections}, {renderSettingsTable(), &render}}};
     }
 };
 
-/// What was asked for, weakest first.
+/// The requested settings, in increasing precedence.
 struct SettingsRequest {
-    std::vector<std::string> defaults;    ///< "key=value" that suit a scene better than the table's defaults
+    std::vector<std::string> defaults;    ///< "key=value": the scene's defaults, where they differ from the table's
     std::string preset;                   ///< empty: balanced
     std::string file;                     ///< JSON; empty: none
     std::vector<std::string> assignments; ///< "key=value", in order
 };
 
-/// Errors: InvalidArgument, InvalidInput or NotFound; they name the file and the line, or `--set` and the assignment.
+/// Errors: InvalidArgument, InvalidInput or NotFound, with the file and line, or with `--set` and the assignment.
 Result<ProgramSettings> loadSettings(const SettingsRequest& request);
 
-/// Every setting as nested JSON, which `loadSettings` reads.
+/// Returns every setting as nested JSON, which `loadSettings` reads.
 std::string settingsJson(const ProgramSettings& settings);
 
-/// The library's table and the renderer's.
+/// Returns the library's table and the renderer's.
 std::array<std::span<const SettingInfo>, 2> allSettings();
 
-/// docs/settings.md
+/// Returns the text of docs/settings.md.
 std::string settingsPage();
 
 } // namespace glint::render

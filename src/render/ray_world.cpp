@@ -1,6 +1,7 @@
 #include "render/ray_world.hpp"
 
 #include "gpu/transfer.hpp"
+#include "shared/ray_flags.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -48,6 +49,10 @@ SurfaceMaterial surfaceMaterial(const GpuScene& gpuScene, const scene::Material&
     out.ior = m.ior;
     out.transmissionFactor = m.transmissionFactor;
     out.transmissionTexture = data(m.transmissionTexture);
+    out.thicknessFactor = m.thicknessFactor;
+    out.thicknessTexture = data(m.thicknessTexture);
+    out.attenuationColor = toArray(m.attenuationColor);
+    out.attenuationDistance = m.attenuationDistance;
     out.clearcoatFactor = m.clearcoatFactor;
     out.clearcoatRoughnessFactor = m.clearcoatRoughnessFactor;
     out.clearcoatTexture = data(m.clearcoatTexture);
@@ -70,7 +75,7 @@ SurfaceLight surfaceLight(const shared::Light& light) {
     out.positionWS = toArray(light.positionWS);
     out.directionWS = toArray(light.directionWS);
     out.range = light.range;
-    // Back from scale and offset (render/lights.cpp).
+    // The inverse of scale and offset (render/lights.cpp).
     const float cosOuter = -light.spotOffset / std::max(light.spotScale, 1e-6f);
     out.outerConeAngle = std::acos(std::clamp(cosOuter, -1.0f, 1.0f));
     out.innerConeAngle = std::acos(std::clamp(cosOuter + 1 / std::max(light.spotScale, 1e-6f), -1.0f, 1.0f));
@@ -85,7 +90,7 @@ std::vector<SurfaceLight> surfaceLights(std::span<const shared::Light> lights) {
     return result;
 }
 
-/// Where GpuScene has put an item's vertices and indices.
+/// Returns the range of an item's vertices and indices in GpuScene's buffers.
 SurfaceMesh surfaceMesh(GpuScene& gpuScene, const GpuItem& item) {
     using shared::VertexAttributes;
     const VkDeviceAddress positions =
@@ -106,7 +111,7 @@ SurfaceMesh surfaceMesh(GpuScene& gpuScene, const GpuItem& item) {
 
 } // namespace
 
-/// What a pose is in the words of a ray scene and a surface table.
+/// A pose as the lists of a ray scene and a surface table.
 struct RayWorld::Gathered {
     std::vector<Part> parts;
     std::vector<RayInstance> rayInstances;
@@ -125,7 +130,7 @@ RayWorld::Gathered RayWorld::gather(GpuScene& gpuScene, const scene::Scene& scen
         const scene::DrawItem& drawn = pose.items[i];
         const GpuItem& item = gpuScene.items()[i];
         const scene::Geometry& geometry = *drawn.geometry;
-        if (item.topology != scene::Topology::Triangles || item.surface == SurfaceClass::Transparent)
+        if (item.topology != scene::Topology::Triangles)
             continue;
         const auto [known, isNew] = numbers.try_emplace(&geometry, static_cast<uint32_t>(all.parts.size()));
         if (isNew) {
@@ -137,6 +142,7 @@ RayWorld::Gathered RayWorld::gather(GpuScene& gpuScene, const scene::Scene& scen
         placed.mesh = known->second;
         std::copy_n(glm::value_ptr(drawn.localToWorld), 16, placed.localToWorld.begin());
         placed.opaque = item.surface == SurfaceClass::Opaque;
+        placed.mask = item.surface == SurfaceClass::Transparent ? shared::kTransparentMask : 0xff;
         placed.doubleSided = item.doubleSided;
         all.rayInstances.push_back(placed);
         const size_t material = drawn.material < 0 ? scene.materials.size() : static_cast<size_t>(drawn.material);
@@ -184,7 +190,7 @@ Result<RayWorld> RayWorld::create(gpu::Context& context, Context& library, GpuSc
     GLINT_TRY(surfaces, SurfaceTable::create(library, desc));
     std::vector<uint32_t> items = all.items;
     if (items.empty())
-        items.push_back(0); // no buffer is empty; nobody asks for it
+        items.push_back(0); // a buffer must not be empty; this element is never read
     GLINT_TRY(itemBuffer, gpu::uploadBuffer(context, "rays/items", items, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
     RayWorld world(std::move(rays), std::move(surfaces), std::move(itemBuffer));
     world.itemNumbers_ = std::move(all.items);
@@ -205,7 +211,7 @@ Result<bool> RayWorld::setPose(GpuScene& gpuScene, const scene::Scene& scene, co
             GLINT_CHECK(rays_.deform(static_cast<uint32_t>(i), &all.parts[i].geometry->positions.data()->x,
                                      static_cast<uint32_t>(all.parts[i].vertices)));
     GLINT_CHECK(rays_.setInstances(all.rayInstances));
-    GLINT_CHECK(surfaces_.setMeshes(all.meshes)); // the renderer's buffers may be others by now
+    GLINT_CHECK(surfaces_.setMeshes(all.meshes)); // the renderer's buffers may have been replaced
     GLINT_CHECK(surfaces_.setInstances(all.instances));
     parts_ = std::move(all.parts);
     return true;

@@ -1,4 +1,5 @@
-// The scene as rays go through it: a host's RayScene and its surface table, filled from what the renderer draws.
+// The scene that rays are traced through: a host's RayScene and its surface table, filled from the draws of the
+// renderer.
 #pragma once
 
 #include "glint/ray_scene.hpp"
@@ -13,29 +14,29 @@ namespace glint::render {
 
 class RayWorld {
 public:
-    /// Opaque and alpha-tested triangles, as the G-buffer has them. `library` is the device of `context` as the library
-    /// adopted it; `gpuScene`, whose buffers and textures stay in use, shows `scene` posed as `pose`. Errors: as
-    /// RayScene and SurfaceTable give them.
+    /// Contains opaque and alpha-tested triangles, as the G-buffer does. `library` is the device of `context` as
+    /// adopted by the library. `gpuScene` shows `scene` posed as `pose`; its buffers and textures stay in use. Errors:
+    /// those of RayScene and SurfaceTable.
     static Result<RayWorld> create(gpu::Context& context, Context& library, GpuScene& gpuScene,
                                    const scene::Scene& scene, const scene::Pose& pose,
                                    std::span<const shared::Light> lights, RayBackend backend);
 
-    /// Another moment of the scene that it was made for, which `gpuScene` shows by now: instances are placed anew, and
-    /// hierarchies fitted to geometry that has changed its shape. False: the scene has other parts by now, and a world
-    /// has to be made for them. Errors: OutOfMemory.
+    /// Sets another pose of the same scene, which `gpuScene` must already show: moves instances and refits the
+    /// hierarchies of deformed geometry. Returns false if the parts of the scene have changed; then a new RayWorld must
+    /// be created. Errors: OutOfMemory.
     Result<bool> setPose(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose);
 
-    /// Before the first frame and after changes.
+    /// Call before the first frame and after changes.
     void record(VkCommandBuffer commands) {
         rays_.record(commands);
         surfaces_.record(commands);
     }
-    /// Once the GPU is done with the first record.
+    /// Call once the GPU has finished the first record.
     void releaseStaging() { rays_.releaseStaging(); }
     Result<void> setLights(std::span<const shared::Light> lights);
 
     RayBackend backend() const { return rays_.backend(); }
-    /// Gives a raster pass what shaders/render/shadow_geometry.glsl and the back end of the ray seam declare.
+    /// Binds what shaders/render/shadow_geometry.glsl and the ray back end declare to a raster pass.
     void bindForShadows(gpu::Pass& pass);
 
     RayScene& rays() { return rays_; }
@@ -44,8 +45,8 @@ public:
 private:
     /// A mesh of the ray scene.
     struct Part {
-        const scene::Geometry* geometry; ///< while it is drawn
-        bool deforms;                    ///< it is another Geometry in each pose
+        const scene::Geometry* geometry; ///< valid while it is drawn
+        bool deforms;                    ///< its Geometry differs from pose to pose
         size_t vertices;
         size_t indices;
     };
@@ -57,8 +58,8 @@ private:
 
     RayScene rays_;
     SurfaceTable surfaces_;
-    gpu::Buffer items_;                 ///< uint32: by the ray scene's instances, the draw's
-    std::vector<uint32_t> itemNumbers_; ///< what is in it
+    gpu::Buffer items_;                 ///< uint32: the draw of each instance of the ray scene
+    std::vector<uint32_t> itemNumbers_; ///< the content of items_
     std::vector<Part> parts_;
 };
 

@@ -1,4 +1,4 @@
-// What a user can tune in our own renderer, beside the library's settings (glint/settings_list.hpp explains the rows).
+// Settings of our own renderer, in addition to the library's settings (glint/settings_list.hpp explains the rows).
 #pragma once
 
 #include "glint/setting_info.hpp"
@@ -9,75 +9,75 @@
 
 #define GLINT_ENVIRONMENT_SETTINGS(SETTING)                                                                            \
     SETTING(float, strength, 1, "[0, 1e4]", "",                                                                        \
-        "Multiplies the environment's radiance, as background, as light and in reflections",                           \
+        "Multiplies the environment's radiance in background, lighting and reflections",                               \
         "")                                                                                                            \
     SETTING(float, rotation, 0, "[-360, 360]", "degrees",                                                              \
-        "Turns the environment about +Y",                                                                              \
+        "Rotates the environment about world +Y",                                                                      \
         "")                                                                                                            \
     SETTING(bool, visible, true, "", "",                                                                               \
-        "Draw the environment as the background; off: black, it still lights and reflects",                            \
+        "Draw the environment as background; off: black background, but it still lights and reflects",                 \
         "")                                                                                                            \
     SETTING(bool, isProbe, false, "", "",                                                                              \
-        "The image is a probe as Babylon.js renders it: its rows run from the bottom up",                              \
+        "The environment image is a probe rendered by Babylon.js: its rows run from bottom to top",                    \
         "babylon:environmentTextureIsProbe")
 
 #define GLINT_ANALYTIC_SKY_SETTINGS(SETTING)                                                                           \
     SETTING(float, elevation, 35, "[-10, 90]", "degrees",                                                              \
-        "The sun above the horizon, with --env sky",                                                                   \
+        "Elevation of the sun above the horizon, with --env sky",                                                      \
         "")                                                                                                            \
     SETTING(float, azimuth, 0, "[-360, 360]", "degrees",                                                               \
-        "The sun's heading from +X toward +Z, with --env sky",                                                         \
+        "Azimuth of the sun from +X toward +Z, with --env sky",                                                        \
         "")                                                                                                            \
     SETTING(float, turbidity, 3, "[1.7, 10]", "",                                                                      \
-        "Haze of the air, with --env sky: 2 is clear, 10 is murky",                                                    \
+        "Turbidity (haze) of the air, with --env sky: 2 is clear, 10 is murky",                                        \
         "")
 
 #define GLINT_LIGHTS_SETTINGS(SETTING)                                                                                 \
     SETTING(ShadowMode, shadows, ShadowMode::Maps, "", "",                                                             \
-        "How lights cast shadows: none, maps drawn from each light, or rays, which are exact (rays.backend traces them)", \
+        "Shadows of lights: none, maps (one drawn from each light), or rays (exact, traced by rays.backend)",          \
         "")
 
 #define GLINT_SHADOWS_SETTINGS(SETTING)                                                                                \
     SETTING(int, resolution, 2048, "[256, 8192]", "texels",                                                            \
-        "Width and height of a shadow map",                                                                            \
+        "Width and height of each shadow map",                                                                         \
         "")
 
 #define GLINT_MIRRORS_SETTINGS(SETTING)                                                                                \
     SETTING(float, resolution, 1, "[0.05, 1]", "",                                                                     \
-        "Size of planar mirrors' pictures against the frame's",                                                        \
+        "Width and height of planar mirror images relative to the frame",                                              \
         "")                                                                                                            \
     SETTING(int, depth, 2, "[1, 4]", "",                                                                               \
-        "Planar mirrors that are seen one in another; 1: a mirror in a mirror shows what its other sources say",       \
+        "Recursion depth of planar mirrors; 1: a mirror seen in a mirror uses its other sources only",                 \
         "")                                                                                                            \
     SETTING(int, most, 8, "[1, 16]", "",                                                                               \
-        "Planar mirrors that --planar auto may find; those that the scene names come first",                           \
+        "Maximum planar mirrors that --planar auto finds; mirrors named by the scene come first",                      \
         "")                                                                                                            \
     SETTING(bool, reflections, true, "", "",                                                                           \
-        "Pictures of planar mirrors have reflections of their own, by the frame's settings but without rays",          \
+        "Draw reflections in planar mirror images, with the frame's settings but without rays",                        \
         "")
 
 #define GLINT_TRANSPARENT_SETTINGS(SETTING)                                                                            \
     SETTING(int, layers, 4, "[1, 16]", "",                                                                             \
-        "Transparent surfaces behind each other, the nearest ones, that refraction sees in scenes which transmit light", \
+        "Maximum transparent layers per pixel, nearest first, that refraction draws in scenes that transmit light",    \
         "")
 
 #define GLINT_DISPLAY_SETTINGS(SETTING)                                                                                \
     SETTING(Tonemap, tonemap, Tonemap::Neutral, "", "",                                                                \
-        "From scene-referred light to the screen: none (clamped), neutral (Khronos PBR Neutral) or agx",               \
+        "Tone map from scene-referred light to display: none (clamp), neutral (Khronos PBR Neutral), or agx",          \
         "")                                                                                                            \
     SETTING(float, exposure, 0, "[-20, 20]", "EV",                                                                     \
-        "Scales the picture by 2^exposure before the tone map",                                                        \
+        "Multiplies the image by 2^exposure before tone mapping",                                                      \
         "")                                                                                                            \
     SETTING(Antialias, antialias, Antialias::None, "", "",                                                             \
-        "Antialiasing of edges: none, fxaa (over the finished picture) or msaa4 (four samples a pixel)",               \
+        "Antialiasing of edges: none, fxaa (on the finished image), or msaa4 (four samples per pixel)",                \
         "babylon:samples=1:none|4:msaa4")
 
 #define GLINT_MEASURE_SETTINGS(SETTING)                                                                                \
     SETTING(bool, exact, false, "", "",                                                                                \
-        "Count wrong mirror pixels against the exact picture, into --stats; for scenes of emission and perfect mirrors", \
+        "Count wrong mirror pixels against the exact image in --stats; for scenes of emission and perfect mirrors",    \
         "")                                                                                                            \
     SETTING(bool, hits, false, "", "",                                                                                 \
-        "Compare every ray with the exact one: precision, recall and position error, into --stats",                    \
+        "Compare every ray with the exact ray; write precision, recall and position error to --stats",                 \
         "")
 
 // clang-format on

@@ -69,7 +69,7 @@ Result<void> Renderer::makePasses(const GBufferOptions& options) {
     return {};
 }
 
-/// After the way in which they cast shadows has changed.
+/// Call after the shadow technique has changed.
 Result<void> Renderer::remakePasses() {
     layersFit_ = false;
     GLINT_CHECK(makePasses(gbufferOptions_));
@@ -120,7 +120,7 @@ Result<void> Renderer::placeLights() {
     return {};
 }
 
-/// Null: shadows are not by rays.
+/// Null if shadows are not ray-traced.
 RayWorld* Renderer::shadowRays() const {
     GLINT_ASSERT(settings_.lights.shadows != ShadowMode::Rays || rayWorld_, "lights.shadows rays need a RayWorld");
     return settings_.lights.shadows == ShadowMode::Rays ? rayWorld_ : nullptr;

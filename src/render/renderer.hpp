@@ -1,5 +1,5 @@
-// The renderer of our own programs: a posed scene and an environment in, a lit G-buffer out; then what is drawn over
-// it, and the picture for the screen.
+// The renderer of our own programs: draws a posed scene and an environment into a lit G-buffer, then draws transparent
+// surfaces over the lit image and converts it for display.
 #pragma once
 
 #include "render/back_face_pass.hpp"
@@ -13,24 +13,26 @@
 
 namespace glint::render {
 
-/// Where a frame is seen from.
+/// The viewpoint of a frame.
 struct ViewParameters {
     scene::Camera camera;
-    std::optional<scene::Camera> prevCamera; ///< of the frame before, for motion; none: the camera stands still
-    glm::vec2 jitterPX = glm::vec2(0);       ///< pixels, [-0.5, 0.5]
+    /// Camera of the previous frame, for motion; none: the camera does not move.
+    std::optional<scene::Camera> prevCamera;
+    glm::vec2 jitterPX = glm::vec2(0); ///< pixels, [-0.5, 0.5]
     glm::vec2 prevJitterPX = glm::vec2(0);
-    /// Draw the sun's disc, and lights' highlights on what is smooth. Pictures that are looked up from elsewhere leave
-    /// them out: lights have highlights of their own there, and these belong to one viewer.
+    /// Draw the sun's disc, and the lights' highlights on smooth surfaces. Images that other surfaces fetch their
+    /// reflections from leave them out: lights have their own highlights on those surfaces, and highlights depend on
+    /// the viewer.
     bool highlights = true;
-    bool sunDisc = true; ///< draw it where the highlights are
-    /// (n, d): surfaces are drawn where dot(n, positionWS) + d > 0, for pictures from behind a mirror.
+    bool sunDisc = true; ///< draw the sun's disc where highlights are drawn
+    /// (n, d): surfaces are drawn where dot(n, positionWS) + d > 0, for mirrored views.
     glm::vec4 clipPlaneWS = glm::vec4(0, 0, 0, 1);
 };
 
-/// Images that a frame is drawn into, beside the renderer's own: for a view more in the same frame.
+/// Render targets besides the renderer's own, for an additional view in the same frame.
 struct RenderTarget {
     GBuffer gbuffer;
-    gpu::Image behind; ///< what light-transmitting surfaces see
+    gpu::Image behind; ///< the image that transmissive surfaces fetch from
 };
 
 /// A frame:
@@ -41,54 +43,54 @@ struct RenderTarget {
 /// Recording does not wait and allocates nothing on the GPU. The same input gives the same bits.
 class Renderer {
 public:
-    /// Uploads the scene. `context` must know gpu::shaders::render() (Context::addShaders) and outlive the renderer;
-    /// `scene` and `pose` are only read.
-    /// Errors: OutOfMemory, DeviceLost, Unsupported.
+    /// Uploads the scene. `context` must have gpu::shaders::render() registered (Context::addShaders) and must outlive
+    /// the renderer; `scene` and `pose` are only read. Errors: OutOfMemory, DeviceLost, Unsupported.
     static Result<Renderer> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose,
                                    Environment&& environment, const RenderSettings& settings);
 
-    /// Makes the G-buffer; call before the first frame and when its size or how it is drawn changes.
-    /// Errors: InvalidArgument for a size outside what the device can make; Unsupported for a number of samples that it
-    /// cannot draw; OutOfMemory.
+    /// Creates the G-buffer. Call before the first frame and when the size or the options change. Errors:
+    /// InvalidArgument for a size that the device does not support; Unsupported for an unsupported sample count;
+    /// OutOfMemory.
     Result<void> resize(uint32_t width, uint32_t height, const GBufferOptions& options = {});
-    /// Of another size, drawn as the renderer's own is, until the next resize that changes how.
+    /// Creates a target of another size with the renderer's current options; valid until a resize changes the options.
     /// Errors: as resize.
     Result<RenderTarget> makeTarget(uint32_t width, uint32_t height) const;
-    /// Takes new settings; makes larger shadow maps if they ask for some. `analyticSky` is the environment's matter:
-    /// see Environment::createSky and setEnvironment; samples a pixel are the G-buffer's: see resize.
-    /// Errors: OutOfMemory.
+    /// Sets new settings; enlarges the shadow maps if necessary. `analyticSky` is not applied here: see
+    /// Environment::createSky and setEnvironment. Nor are samples per pixel: see resize. Errors: OutOfMemory.
     Result<void> setSettings(const RenderSettings& settings);
-    /// What traces shadows with lights.shadows rays: set it before the first resize or setSettings that finds it so. It
-    /// is kept, and shows this renderer's scene. Errors: OutOfMemory.
+    /// Sets what traces shadows with lights.shadows rays. Call before the first resize or setSettings with that
+    /// setting. The renderer keeps the pointer; `rayWorld` must show this renderer's scene. Errors: OutOfMemory.
     Result<void> setRayWorld(RayWorld* rayWorld);
     Result<void> setEnvironment(Environment&& environment);
-    /// Another moment of the same scene (GpuScene::setPose).
+    /// Poses the same scene at another time (GpuScene::setPose).
     Result<void> setPose(const scene::Scene& scene, const scene::Pose& pose);
 
-    /// The G-buffer with every opaque surface and the background. Valid until the next call or resize.
+    /// Returns the G-buffer with every opaque surface and the background. Valid until the next call or resize.
     GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters);
     GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters, RenderTarget& target);
-    /// Blended and light-transmitting surfaces over `hdr` (RGBA16F with COLOR_ATTACHMENT and TRANSFER_SRC usage, of the
-    /// G-buffer's size), seen as in the last drawOpaque. Records nothing if the scene has none.
+    /// Draws blended and transmissive surfaces over `hdr` (RGBA16F with COLOR_ATTACHMENT and TRANSFER_SRC usage, of the
+    /// G-buffer's size), with the view of the last drawOpaque. Records nothing if the scene has no such surface.
     void drawTransparent(gpu::Frame& frame, gpu::Image& hdr);
     void drawTransparent(gpu::Frame& frame, gpu::Image& hdr, RenderTarget& target);
-    /// Makes room for up to `most` layers of transparent surfaces in the G-buffer's size; 0: none. Call after resize,
-    /// and again when that or how it is drawn changes. Errors: OutOfMemory.
+    /// Allocates up to `most` layers of transparent surfaces in the G-buffer's size; 0: none. Call after resize, and
+    /// again when the size or options change. Errors: OutOfMemory.
     Result<void> makeLayers(uint32_t most);
-    /// The depths of all layers, seen as in the last drawOpaque; then each of them is drawn, from the farthest on.
+    /// Finds the depths of all layers with the view of the last drawOpaque. After that, draw each layer, starting with
+    /// the farthest.
     void peelLayers(gpu::Frame& frame);
     LayerImages& drawLayer(gpu::Frame& frame, uint32_t layer);
     TransparentLayers* layers() { return layers_ ? &*layers_ : nullptr; }
-    /// Exposure, tone map and sRGB into `ldr` (RGBA8_UNORM with STORAGE usage, of the same size).
+    /// Applies exposure, tone map and sRGB encoding, and writes `ldr` (RGBA8_UNORM with STORAGE usage, of the same
+    /// size).
     void display(gpu::Frame& frame, gpu::Image& hdr, gpu::Image& ldr);
 
-    /// The view of the last drawOpaque, or of the next one with these parameters.
+    /// Returns the view of the last drawOpaque, or of the next one with these parameters.
     View view(const ViewParameters& parameters) const;
     GBuffer& gbuffer() { return target_.gbuffer; }
     Environment& environment() { return environment_; }
     const scene::Bounds& boundsWS() const { return scene_.boundsWS(); }
     GpuScene& scene() { return scene_; }
-    const std::vector<shared::Light>& lights() const { return lights_; } ///< the scene's, then the sun's
+    const std::vector<shared::Light>& lights() const { return lights_; } ///< the scene's lights, then the sun
 
 private:
     explicit Renderer(gpu::Context& context) : context_(&context) {}
@@ -108,17 +110,17 @@ private:
     gpu::Buffer viewBuffer_;
     gpu::Buffer lightBuffer_;
     std::vector<shared::Light> sceneLights_;
-    std::vector<shared::Light> lights_; ///< of the frame: the scene's, then the sun's
+    std::vector<shared::Light> lights_; ///< of the frame: the scene's lights, then the sun
     ShadowMaps shadows_;
     RayWorld* rayWorld_ = nullptr;
-    std::optional<RayBackend> shadowBackend_; ///< that the passes were made for; none: shadow maps
+    std::optional<RayBackend> shadowBackend_; ///< the ray back end that the passes were created for; none: shadow maps
     bool lightsChanged_ = true;
     SurfacePass surfaces_;
     BackgroundPass background_;
     BackFacePass backFaces_;
     TransparentPass transparent_;
     std::optional<TransparentLayers> layers_;
-    bool layersFit_ = false; ///< they were made for the G-buffer and the passes that there are
+    bool layersFit_ = false; ///< the layers were created for the current G-buffer and passes
     DisplayPass display_;
     RenderTarget target_;
     GBufferOptions gbufferOptions_;

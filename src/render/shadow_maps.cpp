@@ -13,13 +13,13 @@ namespace {
 /// Clip space (+Y up) -> the tile's UV (rows from the top); depth stays.
 const glm::mat4 kClipToTile = {0.5f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 1, 0, 0.5f, 0.5f, 0, 1};
 
-/// An orthographic box along the light around the scene's bounding sphere. Its size does not depend on the camera or on
-/// the light's direction, so the texels lie still.
+/// An orthographic box along the light around the scene's bounding sphere. Its size does not depend on the camera or
+/// the light's direction, so that texels do not move.
 void placeDirectional(shared::Light& light, const scene::Bounds& bounds, uint32_t tileSize) {
     const glm::vec3 center = (bounds.min + bounds.max) * 0.5f;
     const float radius = std::max(glm::length(bounds.max - bounds.min) * 0.5f, 1e-4f);
     const glm::mat4 lightToWorld = scene::lookAt(center - light.directionWS * radius, center);
-    // One texel of margin, so that the filter finds no edge inside the scene.
+    // One texel of margin, so that the filter reaches no edge inside the scene.
     const float halfWidth = radius * (1 + 4 / static_cast<float>(tileSize));
     glm::mat4 viewToClip(1); // reversed, linear: 1 at the near side of the sphere, 0 at the far one
     viewToClip[0][0] = viewToClip[1][1] = 1 / halfWidth;
@@ -29,7 +29,7 @@ void placeDirectional(shared::Light& light, const scene::Bounds& bounds, uint32_
     light.shadowTexelSize = 2 * halfWidth / static_cast<float>(tileSize);
 }
 
-/// A perspective that holds the cone; `near` keeps the lamp's own housing out.
+/// A perspective projection that contains the cone; `near` excludes the lamp's own housing.
 void placeSpot(shared::Light& light, const scene::Bounds& bounds, uint32_t tileSize) {
     const float cosOuter = -light.spotOffset / light.spotScale;
     const float tanOuter =
@@ -57,7 +57,8 @@ Result<ShadowMaps> ShadowMaps::create(gpu::Context& context, const GpuScene& sce
     desc.vertexShader = "render/shadow.vert";
     desc.pushSize = sizeof(shared::ShadowDrawConstants);
     desc.depthFormat = kDepthFormat;
-    // Reversed depth: pushed away from the light. The receiver's offset along its normal does most (lib/shadow.glsl).
+    // Reversed depth: the bias moves depth away from the light. The receiver's offset along its normal has the larger
+    // effect (lib/shadow.glsl).
     desc.depthBiasConstant = -2;
     desc.depthBiasSlope = -1.5f;
     GLINT_TRY(opaque, gpu::Pipeline::raster(context, desc));

@@ -54,14 +54,14 @@ Coefficients coefficients(float T, float theta) {
     };
 }
 
-/// CIE xyY -> linear RGB with Rec. 709 primaries (IEC 61966-2-1); what lies outside the gamut is clipped.
+/// CIE xyY -> linear RGB with Rec. 709 primaries (IEC 61966-2-1); colours outside the gamut are clipped.
 glm::vec3 rgbFromxyY(float x, float y, float Y) {
     const glm::vec3 xyz(x / y * Y, Y, (1 - x - y) / y * Y);
     const glm::mat3 toRgb(3.2406f, -0.9689f, 0.0557f, -1.5372f, 1.8758f, -0.2040f, -0.4986f, 0.0415f, 1.0570f);
     return glm::max(toRgb * xyz, glm::vec3(0));
 }
 
-/// What the air leaves of sunlight (Preetham 1999, appendix 1: Rayleigh and Angstrom's aerosols), for one wavelength in
+/// Sunlight transmitted by the air (Preetham 1999, appendix 1: Rayleigh and Angstrom's aerosols), for one wavelength in
 /// each of red, green and blue, times the solar illuminance outside the air.
 glm::vec3 sunIrradiance(float theta, float turbidity) {
     const float degrees = glm::degrees(theta);
@@ -80,7 +80,7 @@ Sky::Sky(float elevation, float azimuth, float turbidity) : turbidity_(turbidity
     directionToSun_ = {std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
                        std::cos(elevation) * std::sin(azimuth)};
     sunTheta_ = std::clamp(kPi / 2 - elevation, 0.0f, kPi / 2 - 0.001f);
-    // Civil dusk: daylight falls by some three powers of ten until the sun is 10 degrees down.
+    // Civil dusk: daylight falls by about three powers of ten until the sun is 10 degrees below the horizon.
     dusk_ = std::exp(std::min(elevation, 0.0f) * 40);
     sunIrradiance_ = sunIrradiance(sunTheta_, turbidity_);
 
@@ -91,7 +91,7 @@ Sky::Sky(float elevation, float azimuth, float turbidity) : turbidity_(turbidity
     constexpr int kColumns = 32;
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {
-            const float cosTheta = std::sqrt((static_cast<float>(row) + 0.5f) / kRows); // equal shares of cos * dw
+            const float cosTheta = std::sqrt((static_cast<float>(row) + 0.5f) / kRows); // equal parts of cos * dw
             const float sinTheta = std::sqrt(1 - cosTheta * cosTheta);
             const float phi = 2 * kPi * (static_cast<float>(column) + 0.5f) / kColumns;
             irradiance += skyRadiance({sinTheta * std::cos(phi), cosTheta, sinTheta * std::sin(phi)}) *
@@ -102,7 +102,7 @@ Sky::Sky(float elevation, float azimuth, float turbidity) : turbidity_(turbidity
 
 glm::vec3 Sky::skyRadiance(const glm::vec3& direction) const {
     const Coefficients sky = coefficients(turbidity_, sunTheta_);
-    // The model's sun stops at the horizon; the glow stays over the place where it went down.
+    // The model's sun stops at the horizon; the glow stays above the azimuth of the sun.
     const glm::vec3 toSun =
         glm::normalize(glm::vec3(directionToSun_.x, std::max(directionToSun_.y, 0.0f), directionToSun_.z));
     const float gamma = std::acos(std::clamp(glm::dot(direction, toSun), -1.0f, 1.0f));
@@ -135,7 +135,7 @@ scene::HdrImage Sky::picture(uint32_t width) const {
 
 std::optional<Sun> Sky::sun() const {
     Sun sun;
-    // The disc sinks behind the horizon over its own height.
+    // The disc sets over its own height.
     const float above = glm::smoothstep(-sun.angularRadius, sun.angularRadius, std::asin(directionToSun_.y));
     if (above == 0)
         return std::nullopt;

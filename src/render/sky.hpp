@@ -1,5 +1,5 @@
-// A clear sky computed from where the sun stands: Preetham, Shirley, Smits 1999, "A Practical Analytic Model for
-// Daylight" (SIGGRAPH). One unit of radiance stands for 20 kcd/m^2, so that a white wall in the sun comes out near 1.
+// A clear sky computed from the position of the sun: Preetham, Shirley, Smits 1999, "A Practical Analytic Model for
+// Daylight" (SIGGRAPH). One unit of radiance is 20 kcd/m^2, so that a white wall in sunlight has a radiance near 1.
 #pragma once
 
 #include "render/environment.hpp"
@@ -13,11 +13,11 @@ public:
     /// `turbidity`  [1.7, 10]
     Sky(float elevation, float azimuth, float turbidity);
 
-    /// Radiance of the sky, without the sun's disc; below the horizon a grey ground in that light.
+    /// Radiance of the sky without the sun's disc. Below the horizon it is that of grey ground lit by the sky.
     glm::vec3 radiance(const glm::vec3& direction) const;
-    /// Equirectangular, `width` x `width` / 2.
+    /// Returns an equirectangular image of `width` x `width` / 2.
     scene::HdrImage picture(uint32_t width) const;
-    /// Empty once the disc is under the horizon.
+    /// Empty if the disc is below the horizon.
     std::optional<Sun> sun() const;
 
 private:
@@ -25,8 +25,8 @@ private:
 
     glm::vec3 directionToSun_;
     float turbidity_;
-    float sunTheta_; ///< radians from the zenith, at most at the horizon: the model ends there
-    float dusk_;     ///< factor, 1 by day
+    float sunTheta_; ///< radians from the zenith, clamped to the horizon, where the model ends
+    float dusk_;     ///< brightness factor, 1 by day
     glm::vec3 sunIrradiance_ = glm::vec3(0);
     glm::vec3 groundRadiance_ = glm::vec3(0);
 };

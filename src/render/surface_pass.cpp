@@ -82,7 +82,7 @@ Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& s
     desc.fragmentShader = shading;
     desc.colorFormats = {formats.begin() + 3, formats.end()};
     desc.samples = options.samples;
-    if (options.samples == 1) { // the depth is there already: only what is seen is lit
+    if (options.samples == 1) { // the depth already exists: only visible surfaces are lit
         desc.depthCompare = VK_COMPARE_OP_EQUAL;
         desc.depthWrite = false;
     }
@@ -98,7 +98,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
     order_.resize(items.size());
     for (uint32_t i = 0; i < items.size(); ++i)
         order_[i] = i;
-    // Nearest first: what is hidden then fails the depth test before it is lit. Ties keep the scene's order.
+    // Nearest first, so that hidden surfaces fail the depth test before lighting. Ties keep the scene's order.
     std::stable_sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
         const auto viewZ = [&](uint32_t i) {
             return glm::dot(items[i].centerWS - view.positionWS(), view.forwardWS());
@@ -131,7 +131,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
         addGeometry(pass, first ? &kZero : nullptr);
         return pass.depth(gbuffer.deviceDepth, first);
     });
-    // With one sample a pixel the depth is there already, and only what is seen is lit.
+    // With one sample per pixel the depth already exists, and only visible surfaces are lit.
     const bool ownDepth = bool(gbuffer.multisampled.depth);
     drawAll(frame, scene, shading_, [&](const gpu::Pipeline& pipeline, bool first) {
         gpu::Pass pass = surfacePass(frame, pipeline, scene, inputs);
@@ -140,7 +140,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
     });
 }
 
-/// `makePass(pipeline, first)`: a pass with its attachments; the first one clears them.
+/// `makePass(pipeline, first)`: returns a pass with its attachments; the first one clears them.
 template <class MakePass>
 void SurfacePass::drawAll(gpu::Frame& frame, const GpuScene& scene, const SurfacePipelines& pipelines,
                           const MakePass& makePass) const {

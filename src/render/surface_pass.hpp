@@ -1,4 +1,4 @@
-// Draws the opaque surfaces: lit, and into the G-buffer.
+// Draws the opaque surfaces, with lighting, into the G-buffer.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -12,23 +12,24 @@
 
 namespace glint::render {
 
-/// What every lit surface reads, whichever pass draws it.
+/// Inputs of every lit surface, in all passes.
 struct LightingInputs {
     gpu::Buffer& view;   ///< shared::RenderView
     gpu::Buffer& lights; ///< shared::Light
     Environment& environment;
     gpu::Image& dfg;
     gpu::Image& shadowAtlas;
-    RayWorld* rayWorld; ///< in the atlas's place, for pipelines that were made with rays for shadows
+    RayWorld* rayWorld; ///< replaces the atlas in pipelines created for ray-traced shadows
 };
 
-/// The name of a lit surface's fragment shader, "render/surface" say, for shadows by maps or by rays of this back end.
+/// Returns the name of a lit surface's fragment shader for `name`, such as "render/surface": with shadow maps, or with
+/// shadow rays of this back end.
 std::string litShader(std::string_view name, const RayWorld* rayWorld);
 
-/// A pass with the scene and its light bound, as shaders/render/surface_bindings.glsl asks.
+/// Begins a pass with the scene and its lights bound, as shaders/render/surface_bindings.glsl requires.
 gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, const LightingInputs& inputs);
 
-/// The same without light: shaders that ask what a surface is, not how it is lit.
+/// As surfacePass without lights: for shaders that output surface attributes and no lighting.
 gpu::Pass geometryPass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, gpu::Buffer& view);
 
 /// Records the draw of one item.
@@ -38,7 +39,7 @@ void drawItem(gpu::Draws& draws, const GpuItem& item, uint32_t instance, VkCullM
 constexpr std::array<VkPrimitiveTopology, 3> kTopologies = {
     VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, VK_PRIMITIVE_TOPOLOGY_LINE_LIST, VK_PRIMITIVE_TOPOLOGY_POINT_LIST};
 
-/// One kind of pass over the opaque surfaces: a pipeline for each topology and surface class.
+/// The pipelines of one kind of pass over the opaque surfaces, by topology and surface class.
 struct SurfacePipelines {
     std::array<gpu::Pipeline, 3> opaque; ///< by topology
     std::array<gpu::Pipeline, 3> masked;
@@ -47,7 +48,7 @@ struct SurfacePipelines {
 
 class SurfacePass {
 public:
-    /// `rayWorld`: absent, unless shadows are by rays.
+    /// `rayWorld`: null unless shadows are ray-traced.
     static Result<SurfacePass> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
                                       const RayWorld* rayWorld);
 
@@ -60,10 +61,10 @@ private:
                  const MakePass& makePass) const;
 
     GBufferOptions options_;
-    SurfacePipelines whole_;      ///< mode prepass: everything at once
-    SurfacePipelines geometry_;   ///< mode geometry: what surfaces are, ...
-    SurfacePipelines shading_;    ///< ... then their light
-    std::vector<uint32_t> order_; ///< of this frame's items; kept so that recording allocates nothing
+    SurfacePipelines whole_;      ///< mode prepass: attributes and lighting in one pass
+    SurfacePipelines geometry_;   ///< mode geometry, first pass: surface attributes
+    SurfacePipelines shading_;    ///< mode geometry, second pass: lighting
+    std::vector<uint32_t> order_; ///< item order of this frame; kept so that recording allocates nothing
 };
 
 } // namespace glint::render

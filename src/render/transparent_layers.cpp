@@ -5,12 +5,13 @@
 namespace glint::render {
 namespace {
 
-/// A body shows its front alone: its back is where light leaves it, which refraction knows of.
+/// Only the front of a body is drawn: light leaves at its back, which refraction computes.
 VkCullModeFlags culled(const GpuItem& item) {
     return item.doubleSided && !item.isBody ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
 }
 
-/// `makePass(topology, first)`: a pass with its attachments; the first one clears them, though it may draw nothing.
+/// `makePass(topology, first)`: returns a pass with its attachments; the first one clears them, though it may draw
+/// nothing.
 template <class MakePass>
 void drawTransparent(gpu::Frame& frame, const GpuScene& scene, const MakePass& makePass) {
     const std::vector<GpuItem>& items = scene.items();
@@ -142,7 +143,7 @@ void TransparentLayers::peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& vi
         cover(frame, scene, view, gbuffer);
     for (uint32_t layer = 0; layer < count(); ++layer) {
         const auto& pipelines = layer == 0 ? first_ : behind_;
-        gpu::Image& nearer = layer == 0 ? images_.material : depths_[layer - 1]; // the first does not look at it
+        gpu::Image& nearer = layer == 0 ? images_.material : depths_[layer - 1]; // the first layer does not read it
         drawTransparent(frame, scene, [&](size_t topology, bool first) {
             gpu::Pass pass = geometryPass(frame, pipelines[topology], scene, view);
             pass.read("solid", gbuffer.deviceDepth, gpu::SamplerKind::NearestClamp)

@@ -1,11 +1,11 @@
-// Transparent surfaces as layers that reflections take one after the other: glint/transparent_layer.hpp.
+// Transparent surfaces as layers that the reflections process one after the other: glint/transparent_layer.hpp.
 #pragma once
 
 #include "render/surface_pass.hpp"
 
 namespace glint::render {
 
-/// One layer's images; at most one surface a pixel. Depth is an image a layer.
+/// The images of one layer, with at most one surface per pixel. Each layer has its own depth image.
 struct LayerImages {
     gpu::Image radiance;         ///< RGBA16F
     gpu::Image fallbackSpecular; ///< RGBA16F
@@ -19,20 +19,20 @@ struct LayerImages {
 
 class TransparentLayers {
 public:
-    /// Up to `most` layers of a picture of this size. Errors: OutOfMemory; Unsupported on a device that draws into
-    /// fewer than eight images at a time.
+    /// Creates up to `most` layers for images of this size. Errors: OutOfMemory; Unsupported on a device with fewer
+    /// than eight colour attachments.
     static Result<TransparentLayers> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
                                             const RayWorld* rayWorld, uint32_t width, uint32_t height, uint32_t most);
 
-    /// Finds the depth of each layer, the nearest first, and how much of each pixel they cover. What lies behind the
-    /// last one is not drawn.
+    /// Finds the depth of each layer, the nearest first, and the coverage of each pixel. Surfaces behind the last layer
+    /// are not drawn.
     void peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
-    /// Draws one of them. Valid until the next.
+    /// Draws one layer. The result is valid until the next call.
     LayerImages& draw(gpu::Frame& frame, GpuScene& scene, const LightingInputs& inputs, uint32_t layer);
 
     uint32_t count() const { return static_cast<uint32_t>(depths_.size()); }
     gpu::Image& depth(uint32_t layer) { return depths_[layer]; }
-    /// R8_UNORM: share of the pixel's samples in which any layer is seen; absent with one sample a pixel.
+    /// R8_UNORM: fraction of the pixel's samples in which a layer is visible; absent with one sample per pixel.
     gpu::Image& coverage() { return coverage_; }
 
 private:
@@ -40,11 +40,11 @@ private:
                                 uint32_t height);
     void cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
 
-    std::array<gpu::Pipeline, 3> first_;  ///< by topology: depth of the nearest layer, ...
-    std::array<gpu::Pipeline, 3> behind_; ///< ... and of the others
+    std::array<gpu::Pipeline, 3> first_;  ///< by topology: depth of the nearest layer
+    std::array<gpu::Pipeline, 3> behind_; ///< by topology: depth of the other layers
     std::array<gpu::Pipeline, 3> lit_;
     std::array<gpu::Pipeline, 3> cover_;
-    std::vector<gpu::Image> depths_; ///< D32_SFLOAT: reversed; the nearest layer's first
+    std::vector<gpu::Image> depths_; ///< D32_SFLOAT: reversed; the nearest layer first
     LayerImages images_;
     gpu::Image coverSamples_;
     gpu::Image coverage_;

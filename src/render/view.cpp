@@ -7,7 +7,7 @@ namespace glint::render {
 glm::mat4 projection(const scene::Camera& camera, float aspectRatio) {
     glm::mat4 viewToClip(0);
     if (camera.orthographic) {
-        constexpr float kLongest = 1000; // metres: an orthographic depth must end somewhere
+        constexpr float kLongest = 1000; // metres; an orthographic depth range must be finite
         const float far = std::isfinite(camera.far) ? camera.far : camera.near + kLongest;
         const float depthPerMetre = 1 / (far - camera.near);
         viewToClip[0][0] = 2 / (camera.orthoHeight * aspectRatio);

@@ -1,4 +1,4 @@
-// Makes a view's values visible on the GPU, as displayBytes (render/views.hpp) does it for files.
+// Converts a view's values to visible colours on the GPU, as displayBytes (render/views.hpp) does for files.
 #pragma once
 
 #include "gpu/pass.hpp"
@@ -9,7 +9,7 @@ namespace glint::render {
 class ViewPass {
 public:
     static Result<ViewPass> create(gpu::Context& context);
-    /// `values`   any float or UNORM format; `target` RGBA8_UNORM with STORAGE usage, as large
+    /// `values`   any float or UNORM format; `target`: RGBA8_UNORM with STORAGE usage, of the same size
     /// `kind`     any but Radiance, which the display pass shows
     void draw(gpu::Frame& frame, gpu::Image& values, ViewKind kind, gpu::Image& target);
 

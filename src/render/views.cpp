@@ -15,7 +15,7 @@ namespace glint::render {
 namespace {
 
 constexpr std::array kViews = {
-    ViewInfo{"composite", ViewKind::Radiance, "RGBA", "the frame with its reflections"},
+    ViewInfo{"composite", ViewKind::Radiance, "RGBA", "the frame with its reflections; alpha: opacity"},
     ViewInfo{"scene", ViewKind::Radiance, "RGB", "the frame without them"},
     ViewInfo{"reflection", ViewKind::Radiance, "RGB", "reflected radiance, all sources together"},
     ViewInfo{"weight", ViewKind::Fraction, "Y", "weight of the screen-space answer"},
@@ -47,6 +47,8 @@ constexpr std::array kViews = {
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 
+constexpr ViewInfo kPassImage = {"PASS:IMAGE", ViewKind::Radiance, "RGBA", "an image that a pass of the frame wrote"};
+
 /// Blue, cyan, green, yellow, red for t in [0, 1]; 0 itself is black, so that "no ray" stands apart.
 glm::vec3 heat(float t) {
     if (t <= 0)
@@ -74,6 +76,8 @@ std::span<const ViewInfo> viewList() {
 }
 
 Result<const ViewInfo*> findView(std::string_view name) {
+    if (name.find(':') != std::string_view::npos)
+        return &kPassImage;
     const auto found = std::ranges::find(kViews, name, &ViewInfo::name);
     if (found != kViews.end())
         return &*found;

@@ -1,4 +1,4 @@
-// The pictures that `--view` chooses from: the frame itself and what the reflections know about it.
+// The views that `--view` selects from: the frame itself and intermediate images of the reflections.
 #pragma once
 
 #include "base/result.hpp"
@@ -10,29 +10,31 @@
 
 namespace glint::render {
 
-/// What a view's values are, which decides how they become visible.
+/// The kind of a view's values, which determines how they are displayed.
 enum class ViewKind {
     Radiance,  ///< linear and scene-referred: exposed and tone-mapped
-    Fraction,  ///< [0, 1], or colours for people: as they are
+    Fraction,  ///< [0, 1], or debug colours: displayed unchanged
     Direction, ///< unit vectors: (x + 1) / 2
-    Distance,  ///< metres, 0: none: white near, black far
-    Count,     ///< whole numbers: from blue to red, on a logarithmic scale
+    Distance,  ///< metres, 0: none: white is near, black is far
+    Count,     ///< integers: blue to red, on a logarithmic scale
 };
 
 struct ViewInfo {
     std::string_view name;
     ViewKind kind = ViewKind::Radiance;
-    std::string_view channels; ///< those that mean something, named as in an EXR file: "RGBA", "XYZ", "Z"
+    std::string_view channels; ///< the meaningful channels, named as in an EXR file: "RGBA", "XYZ", "Z"
     std::string_view meaning;
 };
 
-/// "composite", the frame itself, is the first.
+/// The first is "composite", the frame itself.
 std::span<const ViewInfo> viewList();
 
-/// Errors: InvalidArgument with the nearest name and all of them.
+/// A name with a colon is an image that a pass wrote, "trace/hiz:radianceWeight"; the frame knows whether there is one.
+/// Errors: InvalidArgument with the nearest name and all names.
 Result<const ViewInfo*> findView(std::string_view name);
 
-/// Makes RGB bytes of a view's RGBA values, for every kind but Radiance, which the display pass shows. NaN is magenta.
+/// Converts a view's RGBA values to RGB bytes, for every kind except Radiance, which the display pass shows. NaN is
+/// magenta.
 std::vector<uint8_t> displayBytes(ViewKind kind, std::span<const float> rgba);
 
 } // namespace glint::render

@@ -1,4 +1,4 @@
-// Vertices as keys of hash tables: equal bits, not nearly equal values.
+// Vertices as hash table keys: compares bits, not nearly equal values.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace glint::scene {
 
-/// `N` floats or integers by their bits. 0 and -0 are told apart: add 0.0f to a float where they must not be.
+/// The bits of `N` floats or integers. 0 and -0 differ: add 0.0f to a float where they must be equal.
 template <size_t N>
 using BitKey = std::array<uint32_t, N>;
 

@@ -1,4 +1,4 @@
-// OpenEXR pictures in and out. Its library throws; nothing gets past this file.
+// Reads and writes OpenEXR images. The OpenEXR library throws; no exception leaves this file.
 #include "base/assert.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"

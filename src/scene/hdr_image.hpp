@@ -1,4 +1,4 @@
-// A picture of radiance: what an environment file holds.
+// An image of radiance: the content of an environment file.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,10 +14,10 @@ struct HdrImage {
     std::vector<glm::vec3> rgb; ///< linear, finite, [0, 65504]; width * height, rows from the top
 };
 
-/// The largest finite half: what the GPU's images hold. Suns in files go beyond it, or to infinity.
+/// The largest finite half float, which the GPU's images can store. Suns in files exceed it, or are infinite.
 constexpr float kMaxRadiance = 65504;
 
-/// Makes a value from a file fit for HdrImage: NaN and negative numbers become 0.
+/// Converts a value from a file for HdrImage: NaN and negative numbers become 0.
 inline float asRadiance(float value) {
     return value > 0 ? glm::min(value, kMaxRadiance) : 0.0f;
 }

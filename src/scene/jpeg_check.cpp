@@ -9,14 +9,14 @@ namespace {
 constexpr uint8_t kHuffmanTables = 0xC4;
 constexpr uint8_t kEndOfImage = 0xD9;
 
-/// Markers that stand alone, without a segment: restarts, start of image, and 0xFF00, which is a byte of data.
+/// Markers without a segment: restarts, start of image, and 0xFF00, which is a byte of data.
 bool standsAlone(uint8_t marker) {
     return marker == 0x00 || marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8);
 }
 
 bool tablesFit(std::span<const uint8_t> segment) {
     while (!segment.empty()) {
-        constexpr size_t kHeader = 17; // class and slot, then how many codes there are of each length
+        constexpr size_t kHeader = 17; // class and slot, then the number of codes of each length
         if (segment.size() < kHeader)
             return false;
         const size_t codes = std::accumulate(segment.begin() + 1, segment.begin() + kHeader, size_t(0));

@@ -1,4 +1,4 @@
-// A scene at one moment: animations sampled, skins and morph targets applied, the tree flattened into a list.
+// A scene at one time: animations sampled, skins and morph targets applied, the tree flattened into a list.
 #pragma once
 
 #include "base/result.hpp"
@@ -20,7 +20,7 @@ struct DrawItem {
 struct PosedLight {
     Light light;
     glm::vec3 positionWS = glm::vec3(0);
-    glm::vec3 directionWS = glm::vec3(0, 0, -1); ///< unit, the way the light travels
+    glm::vec3 directionWS = glm::vec3(0, 0, -1); ///< unit, the direction in which the light travels
 };
 
 struct Bounds {
@@ -29,17 +29,17 @@ struct Bounds {
     bool empty() const { return min.x > max.x; }
 };
 
-/// Refers into the Scene it came from, which must outlive it.
+/// Refers to the Scene that it was made from, which must outlive it.
 struct Pose {
     std::vector<DrawItem> items;
     std::vector<PosedLight> lights;
-    std::vector<Camera> cameras; ///< those of the file, in node order
+    std::vector<Camera> cameras; ///< the file's cameras, in node order
     std::vector<std::unique_ptr<Geometry>> deformed;
     Bounds boundsWS; ///< of all items; empty if there are none
 };
 
-/// Samples every animation at `time` seconds (clamped to each channel's own range) and flattens scene `sceneIndex`
-/// (-1: the default one). Errors: InvalidArgument for a scene that is not there.
+/// Samples every animation at `time` seconds (clamped to each channel's own range) and flattens scene `sceneIndex` (-1:
+/// the default scene). Errors: InvalidArgument for a scene that does not exist.
 Result<Pose> pose(const Scene& scene, double time, int sceneIndex = -1);
 
 } // namespace glint::scene

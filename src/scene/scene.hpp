@@ -1,5 +1,5 @@
-// A scene as a file describes it: what the glTF reader and the built-in scenes make, and what `pose` (scene/pose.hpp)
-// turns into things to draw at a moment in time. Plain data, glTF's own meanings and units, no Vulkan.
+// A scene as a file describes it: created by the glTF reader and the built-in scenes, and converted by `pose`
+// (scene/pose.hpp) to drawable items at a time. Plain data with glTF's meanings and units, without Vulkan.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,7 +16,7 @@ namespace glint::scene {
 
 // ---------------------------------------------------------------- textures
 
-/// 8-bit RGBA, rows from the top. Whether the colours are sRGB is decided by the slot that uses the image.
+/// 8-bit RGBA, rows from the top. The slot that uses the image determines whether its colours are sRGB.
 struct Image {
     std::string name;
     uint32_t width = 0;
@@ -38,11 +38,11 @@ struct Sampler {
 };
 
 struct Texture {
-    int image = -1; ///< -1: white (the image could not be used; the reader has warned)
+    int image = -1; ///< -1: white (the image was unusable; the reader has warned)
     Sampler sampler;
 };
 
-/// A use of a texture by a material. No texture: the factor alone counts.
+/// A use of a texture by a material. Without a texture, only the factor applies.
 struct TextureSlot {
     int texture = -1;
     uint32_t texCoord = 0;                ///< index into Geometry::uvs
@@ -53,16 +53,16 @@ struct TextureSlot {
 
 enum class AlphaMode : uint8_t { Opaque, Mask, Blend };
 
-/// What light that comes through a thing meets, where its author says so.
+/// The shape that refraction assumes for a transmissive object, if the author declares one.
 enum class RefractionShape : uint8_t {
-    ByShape, ///< nobody says
+    ByShape, ///< not declared
     None,
     Sphere,
     Plane,
     Thin,
 };
 
-/// glTF's metallic-roughness material with the extensions that Glint reads. Names and defaults are glTF's.
+/// glTF's metallic-roughness material with the extensions that Glint supports. Names and defaults are glTF's.
 struct Material {
     std::string name;
     AlphaMode alphaMode = AlphaMode::Opaque;
@@ -87,7 +87,7 @@ struct Material {
     glm::vec3 specularColorFactor = glm::vec3(1);
     TextureSlot specularColorTexture;
 
-    float ior = 1.5f; ///< KHR_materials_ior; 0 means infinite (F = 1), as the extension says
+    float ior = 1.5f; ///< KHR_materials_ior; 0 means infinite (F = 1), as the extension defines
 
     float transmissionFactor = 0; ///< KHR_materials_transmission
     TextureSlot transmissionTexture;
@@ -95,6 +95,7 @@ struct Material {
     TextureSlot thicknessTexture;
     glm::vec3 attenuationColor = glm::vec3(1);
     float attenuationDistance = std::numeric_limits<float>::infinity(); ///< metres
+    float dispersion = 0;                                               ///< KHR_materials_dispersion: 20 / Abbe number
 
     float clearcoatFactor = 0; ///< KHR_materials_clearcoat
     TextureSlot clearcoatTexture;
@@ -104,7 +105,7 @@ struct Material {
     float clearcoatNormalScale = 1;
 
     RefractionShape refraction = RefractionShape::ByShape; ///< extras.glint.refraction
-    std::optional<bool> planarMirror; ///< extras.glint.planar: a picture from behind it is wanted, or is not
+    std::optional<bool> planarMirror;                      ///< extras.glint.planar: requests or forbids a mirrored view
 
     bool specularGlossiness = false; ///< KHR_materials_pbrSpecularGlossiness replaces metallic-roughness
     glm::vec3 specularGlossinessFactor = glm::vec3(1);
@@ -114,13 +115,13 @@ struct Material {
 
 // ---------------------------------------------------------------- geometry
 
-/// Strips, loops and fans are expanded by the reader, so only lists are left.
+/// The reader expands strips, loops and fans, so only lists remain.
 enum class Topology : uint8_t { Triangles, Lines, Points };
 
-constexpr uint32_t kMaxTexCoords = 2; ///< TEXCOORD_0 and _1; the reader warns about materials that ask for more
+constexpr uint32_t kMaxTexCoords = 2; ///< TEXCOORD_0 and _1; the reader warns about materials that use more
 
-/// Vertices and indices ready to draw. Every vertex array is empty or as long as `positions`.
-/// The reader fills in normals and, where a normal map asks for them, tangents (glTF 2.0, section 3.7.2.1).
+/// Vertices and indices ready to draw. Every vertex array is empty or as long as `positions`. The reader computes
+/// missing normals and, where a normal map needs them, tangents (glTF 2.0, section 3.7.2.1).
 struct Geometry {
     Topology topology = Topology::Triangles;
     std::vector<glm::vec3> positions; ///< metres
@@ -131,7 +132,7 @@ struct Geometry {
     std::vector<uint32_t> indices; ///< never empty for a non-empty primitive; all < positions.size()
 };
 
-/// Up to four joints a set; a primitive may have several sets (JOINTS_n, WEIGHTS_n).
+/// Up to four joints per set; a primitive may have several sets (JOINTS_n, WEIGHTS_n).
 struct SkinSet {
     std::vector<glm::u16vec4> joints;
     std::vector<glm::vec4> weights;
@@ -145,10 +146,11 @@ struct MorphTarget { ///< differences; each array is empty or as long as the bas
 
 struct Primitive {
     Geometry geometry;
-    int material = -1;        ///< -1: glTF's default material
-    bool flatNormals = false; ///< the file gave none: every triangle owns its vertices, `pose` makes them anew
+    int material = -1; ///< -1: glTF's default material
+    /// The file has no normals: every triangle has its own vertices, and `pose` recomputes the normals.
+    bool flatNormals = false;
     std::vector<SkinSet> skinSets;
-    std::vector<MorphTarget> morphTargets; ///< as many as the mesh's other primitives have
+    std::vector<MorphTarget> morphTargets; ///< all primitives of a mesh have the same number
 };
 
 struct Mesh {
@@ -159,7 +161,7 @@ struct Mesh {
 
 // ---------------------------------------------------------------- cameras, lights
 
-/// A lens; where it stands is its node's matter. Right-handed, looks down -Z.
+/// A lens; its node determines its position. Right-handed, looks down -Z.
 struct Lens {
     std::string name;
     bool orthographic = false;
@@ -192,12 +194,12 @@ struct Node {
     glm::vec3 translation = glm::vec3(0);
     glm::quat rotation = glm::quat(1, 0, 0, 0);
     glm::vec3 scale = glm::vec3(1);
-    std::optional<glm::mat4> matrix; ///< instead of translation, rotation and scale; such a node is never animated
+    std::optional<glm::mat4> matrix; ///< replaces translation, rotation and scale; such a node is never animated
     int mesh = -1;
     int skin = -1;
     int camera = -1;
     int light = -1;
-    std::vector<float> weights;       ///< overrides the mesh's
+    std::vector<float> weights;       ///< override the mesh's weights
     std::vector<glm::mat4> instances; ///< EXT_mesh_gpu_instancing, relative to the node; empty: drawn once
 };
 
@@ -213,8 +215,8 @@ struct AnimationChannel {
     int node = -1;
     AnimationPath path = AnimationPath::Translation;
     Interpolation interpolation = Interpolation::Linear;
-    std::vector<float> times;  ///< seconds, strictly rising
-    std::vector<float> values; ///< as glTF orders them; cubic splines carry in-tangent, value, out-tangent
+    std::vector<float> times;  ///< seconds, strictly increasing
+    std::vector<float> values; ///< in glTF's order; cubic splines store in-tangent, value, out-tangent
 };
 
 struct Animation {

@@ -32,9 +32,9 @@ std::vector<uint32_t> weldVertices(const Geometry& geometry, const std::vector<g
 }
 
 struct Face {
-    glm::vec3 tangent = glm::vec3(0); ///< unit; zero where the picture has no area here
+    glm::vec3 tangent = glm::vec3(0); ///< unit; zero if the triangle has no area in texture space
     bool degenerate = false;          ///< two corners in one place: takes no part
-    int8_t orientation = 0;           ///< +1 or -1; 0: no area on the picture, fits to either side
+    int8_t orientation = 0;           ///< +1 or -1; 0: no area in texture space, compatible with both
 };
 
 Face makeFace(const Geometry& geometry, const std::vector<glm::vec2>& uvs, const uint32_t* corner) {
@@ -82,7 +82,7 @@ std::vector<uint32_t> findNeighbours(const std::vector<uint32_t>& cornerVertex, 
     return neighbours;
 }
 
-/// Faces without area on the picture take the orientation of the first neighbour that has one.
+/// Faces without area in texture space take the orientation of the first neighbour that has one.
 void spreadOrientation(std::vector<Face>& faces, const std::vector<uint32_t>& neighbours) {
     std::vector<uint32_t> open;
     for (uint32_t i = 0; i < faces.size(); ++i)

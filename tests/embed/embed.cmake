@@ -14,11 +14,15 @@ file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 run("installing" ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 
-# Every public header stands alone, in a host that is stricter about warnings than most.
+# Every public header stands alone, in a host that is stricter about warnings than most; and after headers of others that
+# take common names for their macros.
 file(GLOB headers ${WORK}/prefix/include/glint/*.hpp)
+set(strict ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    -I ${WORK}/prefix/include)
 foreach(header ${headers})
-    run("compiling ${header} alone" ${COMPILER} -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-        -Werror -I ${WORK}/prefix/include -include ${header} -x c++ /dev/null)
+    run("compiling ${header} alone" ${strict} -include ${header} -x c++ /dev/null)
+    run("compiling ${header} after X11 and windows.h's macros" ${strict}
+        -include ${SOURCE}/tests/embed/taken_names.hpp -include ${header} -x c++ /dev/null)
 endforeach()
 
 run("configuring the example" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/examples/embed -B ${WORK}/build
@@ -34,10 +38,29 @@ run("building the example" ${CMAKE_COMMAND} --build ${WORK}/build)
 # With the validation layer, where it is installed, synchronization checks included; it speaks on standard output.
 set(ENV{VK_INSTANCE_LAYERS} VK_LAYER_KHRONOS_validation)
 set(ENV{VK_LAYER_ENABLES} VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT)
-run("the example" ${DRIVER} ${WORK}/build/embed ${WORK})
-message("${output}")
-if(output MATCHES "Validation|VUID-|SYNC-HAZARD")
-    message(FATAL_ERROR "the validation layer objects, see above")
+function(run_example folder)
+    file(MAKE_DIRECTORY ${folder})
+    run("the example" ${DRIVER} ${WORK}/build/embed ${folder})
+    message("${output}")
+    if(output MATCHES "Validation|VUID-|SYNC-HAZARD")
+        message(FATAL_ERROR "the validation layer objects, see above")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+# Once on a device whose queues compute and do not draw, without the features that only drawing needs: the same picture.
+set(ENV{VK_ADD_LAYER_PATH} ${LAYERS})
+set(ENV{VK_INSTANCE_LAYERS} VK_LAYER_KHRONOS_validation:VK_LAYER_GLINT_compute_only)
+run_example(${WORK}/compute_only)
+if(NOT output MATCHES "on a queue that only computes")
+    message(FATAL_ERROR "the example ran on a queue that draws")
+endif()
+set(ENV{VK_INSTANCE_LAYERS} VK_LAYER_KHRONOS_validation)
+run_example(${WORK})
+file(SHA256 ${WORK}/after.ppm whole)
+file(SHA256 ${WORK}/compute_only/after.ppm computed)
+if(NOT whole STREQUAL computed)
+    message(FATAL_ERROR "the picture of the queue that only computes is another one")
 endif()
 
 # pixel(NAME FILE X Y): the colour of one pixel, three numbers.

@@ -8,7 +8,7 @@ namespace {
 
 class AccelerationStructureTest : public GpuTest {};
 
-/// The packaged validation layer does not see these hazards: what the tracker was told is looked at here.
+/// The packaged validation layer does not detect these hazards, so the test checks the tracker's barriers.
 TEST_F(AccelerationStructureTest, aPassReadsTheTopLevelAndEveryBottomLevelBelowIt) {
     if (!gpu().rayQuery())
         GTEST_SKIP() << "no ray queries on " << gpu().info().name;

@@ -1,9 +1,12 @@
-// The host's back-face depth on its way into the library.
+// The host's back-face depth as the library converts it.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
-#include "reflect/frame.hpp"
 #include "shared/frame_constants.h"
+
+#include <glm/gtc/packing.hpp>
+
+#include <bit>
 
 namespace glint::test {
 namespace {
@@ -25,38 +28,6 @@ protected:
         return settings;
     }
 };
-
-TEST_F(BackFacesTest, BecomeMetresInTheirOwnSize) {
-    for (const bool orthographic : {false, true}) {
-        SyntheticCamera camera;
-        camera.orthoHeight = orthographic ? 3 : 0;
-        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), floorAndWall(), camera, kWidth, kHeight);
-        const gpu::Image back = backDepth(camera, 11, 6);
-        const auto borrowed = [](const gpu::Image& image) {
-            return gpu::Image::borrow(image.handle(), image.view(), image.desc(),
-                                      {0, 0, 0, 0, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-        };
-        const auto frame =
-            must(reflect::FrameState::create(library().gpu(), {kWidth, kHeight, backfaceSettings(), false, false}));
-        frame->inputs.depth = borrowed(host.depth);
-        frame->inputs.normal = borrowed(host.normal);
-        frame->inputs.material = borrowed(host.material);
-        frame->inputs.litRadiance = borrowed(host.litRadiance);
-        frame->inputs.backDepth = borrowed(back);
-        must(frame->expectBackFaces(11, 6));
-        run([&](VkCommandBuffer commands) {
-            gpu::Frame recording(library().gpu(), commands);
-            frame->record(recording, camera.view(kWidth, kHeight));
-        });
-        const std::vector<float> metres = must(gpu::downloadImageAsFloats(gpu(), frame->prepared.backViewZ));
-        ASSERT_EQ(metres.size(), 11u * 6 * 4);
-        for (uint32_t i = 0; i < 11 * 6; ++i)
-            if (i % 3 == 0)
-                ASSERT_EQ(metres[i * 4], shared::kBackgroundZ);
-            else
-                ASSERT_NEAR(metres[i * 4], 2 + i * 0.01, 2e-4);
-    }
-}
 
 TEST_F(BackFacesTest, MayHaveAnySizeAndComeAndGo) {
     const SyntheticCamera camera;
@@ -91,6 +62,124 @@ TEST_F(BackFacesTest, MayHaveAnySizeAndComeAndGo) {
     trace(made, camera.view(kWidth, kHeight));
     must(made.setSettings(plainSettings()));
     EXPECT_FALSE(missing());
+}
+
+/// shaders/prepare/back_faces alone. Depths are viewZ in metres; 0 is the background.
+struct BackDepths {
+    glm::ivec2 size = {};
+    std::vector<float> viewZ;
+    glm::ivec2 backSize = {};
+    std::vector<float> backs;
+    /// Coverage of a host with several samples a pixel; empty: one sample.
+    std::vector<float> coverage;
+    std::vector<float> secondZ; ///< the pixel's other surface; 0: the background
+};
+
+class PreparedBackFacesTest : public GpuTest {
+protected:
+    static std::vector<float> prepare(const BackDepths& in) {
+        shared::FrameConstants constants = {};
+        constants.size = in.size;
+        constants.invSize = 1.0f / constants.size;
+        constants.flags = shared::kInputLinearDepth | (in.coverage.empty() ? 0 : shared::kInputResolved);
+        gpu::Buffer frameConstants =
+            must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{constants}, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
+        const auto image = [](const char* name, VkFormat format, glm::ivec2 size, const auto& texels) {
+            return uploadTestImage(gpu(), name, format, static_cast<uint32_t>(size.x), static_cast<uint32_t>(size.y),
+                                   bytesOf(texels));
+        };
+        std::vector<float> front = in.viewZ;
+        for (float& z : front)
+            z = z > 0 ? z : shared::kBackgroundZ;
+        std::vector<glm::vec4> material(front.size(), glm::vec4(1));
+        std::vector<glm::uvec4> second(front.size(), glm::uvec4(0));
+        for (size_t i = 0; i < in.coverage.size(); ++i) {
+            const bool shows = in.secondZ[i] > 0; // lib/edge.glsl: coverage and viewZ
+            material[i].a = in.coverage[i];
+            second[i].y = glm::packHalf2x16({0, shows ? 1 - in.coverage[i] : 0});
+            second[i].z = std::bit_cast<uint32_t>(shows ? in.secondZ[i] : shared::kBackgroundZ);
+        }
+        gpu::Image viewZ = image("test/viewZ", VK_FORMAT_R32_SFLOAT, in.size, front);
+        gpu::Image backs = image("test/backDepth", VK_FORMAT_R32_SFLOAT, in.backSize, in.backs);
+        gpu::Image materials = image("test/material", VK_FORMAT_R32G32B32A32_SFLOAT, in.size, material);
+        gpu::Image edge = image("test/edge", VK_FORMAT_R32G32B32A32_UINT, in.size, second);
+        gpu::Image out = must(gpu::Image::create(
+            gpu(), {"test/backViewZ", VK_FORMAT_R32_SFLOAT, static_cast<uint32_t>(in.size.x),
+                    static_cast<uint32_t>(in.size.y), 1, 1, gpu::ImageShape::Flat,
+                    VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+        const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"prepare/back_faces", 0, {}}));
+        run([&](VkCommandBuffer commands) {
+            gpu::Frame frame(gpu(), commands);
+            frame.pass(pipeline)
+                .read("frame", frameConstants)
+                .read("backDepth", backs)
+                .read("viewZ", viewZ)
+                .read("resolvedMaterial", materials)
+                .read("edge", edge)
+                .write("backViewZ", out)
+                .dispatch(static_cast<uint32_t>(in.size.x), static_cast<uint32_t>(in.size.y));
+        });
+        std::vector<float> result;
+        const std::vector<float> texels = must(gpu::downloadImageAsFloats(gpu(), out));
+        for (size_t i = 0; i < texels.size(); i += 4)
+            result.push_back(texels[i]);
+        return result;
+    }
+};
+
+constexpr float kUnknown = shared::kBackgroundZ;
+
+TEST_F(PreparedBackFacesTest, aPixelsOwnTexelSpeaksForIt) {
+    // A body, a sheet, an open surface (a back face before the front, or none), the background.
+    const BackDepths in = {{5, 1}, {2, 2, 2, 2, 0}, {5, 1}, {2.5f, 1.999f, 1.5f, 0, 3}, {}, {}};
+    EXPECT_EQ(prepare(in), (std::vector<float>{2.5f, 2, kUnknown, kUnknown, kUnknown}));
+}
+
+TEST_F(PreparedBackFacesTest, coarseTexelsSpeakForWhatTheyShow) {
+    // A body from 2 to 2.5 m, to the left of an edge; to its right a wall from 6 to 7 m, a sheet without a back, or the
+    // background.
+    struct Right {
+        float front, back;
+    };
+    const glm::ivec2 size = {37, 5};
+    for (const Right right : {Right{6, 7}, Right{6, 0}, Right{0, 0}})
+        for (const int divisor : {2, 3, 4, 9})
+            for (int edge = 1; edge < size.x; ++edge) {
+                BackDepths in;
+                in.size = size;
+                in.backSize = (size + divisor - 1) / divisor;
+                for (int i = 0; i < size.x * size.y; ++i)
+                    in.viewZ.push_back(i % size.x < edge ? 2 : right.front);
+                for (int i = 0; i < in.backSize.x * in.backSize.y; ++i) {
+                    const double x = (i % in.backSize.x + 0.5) / in.backSize.x * size.x;
+                    in.backs.push_back(x < edge ? 2.5f : right.back);
+                }
+                const std::vector<float> back = prepare(in);
+                int known = 0;
+                for (int i = 0; i < size.x * size.y; ++i) {
+                    const float own = i % size.x < edge ? 2.5f : right.back > 0 ? right.back : kUnknown;
+                    const float found = back[static_cast<size_t>(i)];
+                    ASSERT_TRUE(found == own || found == kUnknown)
+                        << found << " at " << i % size.x << ", edge at " << edge << ", divisor " << divisor;
+                    known += found == own;
+                }
+                if (edge > divisor && edge < size.x - divisor) {
+                    EXPECT_EQ(known, size.x * size.y) << "edge at " << edge << ", divisor " << divisor;
+                }
+            }
+}
+
+TEST_F(PreparedBackFacesTest, atEdgesTheCentreDoesNotSpeakForTheSurface) {
+    // Pixels of a body with the wall's back face at their centres: the pixel beside them knows the body's back. A wire
+    // of one pixel has no such neighbour. Where two faces of one body share a pixel, its centre shows that body in any
+    // case.
+    const BackDepths in = {{7, 1},
+                           {2, 2, 6, 6, 2, 6, 2},
+                           {7, 1},
+                           {2.5f, 7, 7, 7, 7, 7, 2.6f},
+                           {1, 0.5f, 1, 1, 0.5f, 1, 0.5f},
+                           {0, 6, 0, 0, 0, 0, 2.05f}};
+    EXPECT_EQ(prepare(in), (std::vector<float>{2.5f, 2.5f, 7, 7, kUnknown, 7, 2.6f}));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// shaders/lib/brdf.glsl and dfg.glsl against double precision, written here from the papers.
+// shaders/lib/brdf.glsl and dfg.glsl against double precision, implemented here from the papers.
 #include "gpu/support/brdf_oracle.hpp"
 #include "gpu/support/gpu_test.hpp"
 
@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace {
 
-/// As tests/gpu/shaders/brdf.comp has it.
+/// Layout of tests/gpu/shaders/brdf.comp.
 struct Item {
     glm::vec4 cosines;
     glm::vec4 surface;
@@ -48,7 +48,7 @@ TEST_F(BrdfTest, TermsAreThePapersFormulas) {
     for (const Item& got : evaluate(list)) {
         const double alpha = double(got.surface.z) * double(got.surface.z);
         const double d = oracle::ggx(got.cosines.z, alpha);
-        // 1 - NoH^2 cancels near NoH = 1: in floats it is off by 1e-7 of alpha^2's scale.
+        // 1 - NoH^2 cancels near NoH = 1: in floats its error is 1e-7 of alpha^2's scale.
         const double cancellation = 1 + 3e-7 / (alpha * alpha + 1 - double(got.cosines.z) * double(got.cosines.z));
         EXPECT_NEAR(got.terms.x, d, d * (2e-5 + 4 * (cancellation - 1))) << got.cosines.z << " " << alpha;
         const double v = oracle::smithVisibility(got.cosines.x, got.cosines.y, alpha);

@@ -1,5 +1,5 @@
-// Where hits take their colour from: screen.colorSource, and the encodings of input and output. A host's picture that
-// says which frame it belongs to shows whose colours a reflection has.
+// The source of hits' colour: screen.colorSource, and the encodings of input and output. A host's frame whose colour
+// identifies it shows which frame's colours a reflection has.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
@@ -59,7 +59,7 @@ TEST_F(ColorSourceTest, previousTakesTheLastFramesColours) {
     EXPECT_EQ(count(second, kRed), count(first, kRed));
     EXPECT_EQ(count(frame(made, green.gbuffer), kGreen), count(first, kRed));
 
-    // Off and on again: what was remembered then is too old.
+    // Off and on again: the history is then too old.
     settings.screen.colorSource = ColorSource::Current;
     must(made.setSettings(settings));
     EXPECT_GT(count(frame(made, red.gbuffer), kRed), 1000u);
@@ -68,7 +68,7 @@ TEST_F(ColorSourceTest, previousTakesTheLastFramesColours) {
     EXPECT_GT(count(frame(made, green.gbuffer), kGreen), 1000u);
     EXPECT_GT(count(frame(made, red.gbuffer), kGreen), 1000u) << "and from then on it remembers";
 
-    // A frame without reflections is not remembered.
+    // A frame without reflections leaves no history.
     settings.reflect.strength = 0;
     must(made.setSettings(settings));
     frame(made, red.gbuffer);
@@ -134,7 +134,7 @@ TEST_F(ColorSourceTest, debugColoursAreNotRemembered) {
 }
 
 TEST_F(ColorSourceTest, hitsAreFoundAgainWhenTheCameraMoves) {
-    // The wall shows its own position: the previous frame's colour of a hit is this frame's, wherever it stood then.
+    // The wall shows its own position: the previous frame's colour of a hit is this frame's, wherever the hit was then.
     for (const double orthoHeight : {0.0, 2.5}) {
         SyntheticCamera before;
         before.position = {0.25, 1.1, 3.2};
@@ -147,7 +147,7 @@ TEST_F(ColorSourceTest, hitsAreFoundAgainWhenTheCameraMoves) {
         const Picture expected = frame(current, second.gbuffer, now);
         Reflections made = reflections(kWidth, kHeight, previousSettings());
         frame(made, first.gbuffer, before);
-        // Another blue tells whose colours they are.
+        // Another blue identifies whose colours they are.
         const auto marked = [](const glm::dvec3& origin, const glm::dvec3& direction) {
             auto hit = floorAndWall()(origin, direction);
             if (hit)
@@ -199,7 +199,7 @@ TEST_F(ColorSourceTest, whatWasHiddenTakesThisFramesColour) {
 }
 
 TEST_F(ColorSourceTest, motionFollowsWhatMoves) {
-    // A card before a dark wall moves to the right by a quarter of the picture.
+    // A card before a dark wall moves to the right by a quarter of the image.
     const auto cardAt = [](double x, const glm::vec3& color) {
         return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
             Stage stage;
@@ -223,7 +223,7 @@ TEST_F(ColorSourceTest, motionFollowsWhatMoves) {
     EXPECT_EQ(count(without, kRed), 0u) << "taken for at rest: there was nothing";
     EXPECT_GT(count(without, kGreen), 200u);
 
-    // Stored in pixels and with the other sign: the conventions say so.
+    // Motion in pixels and with the opposite sign, as the conventions declare.
     const glm::vec2 moved((uv(0.5) - uv(-0.5)) * glm::dvec2(kWidth, kHeight));
     const std::vector<glm::vec2> texels(size_t(kWidth) * kHeight, moved);
     const gpu::Image motion =
@@ -250,8 +250,8 @@ TEST_F(ColorSourceTest, motionMustFit) {
 }
 
 TEST_F(ColorSourceTest, aMirrorShowsTheReflectionsOfTheFrameBefore) {
-    // Two mirrors: the floor, and a glossy card that stands on it. What the floor shows of the card is black with this
-    // frame's colours, and the card's own reflections with the last one's.
+    // Two mirrors: the floor, and a glossy card that stands on it. The floor's reflection of the card is black with
+    // this frame's colours, and shows the card's own reflections with the previous frame's.
     const auto corner = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         Stage stage = floorAndWall();
         stage.floorF0 = 0.9f;
@@ -335,7 +335,7 @@ TEST_F(ColorSourceTest, outputIsEncodedAndRememberedInLinear) {
                 ASSERT_NEAR(picture.composite[k], encode(linear.composite[k]), 0.003) << "frame " << i;
             }
     }
-    // Encoded in and out: what reflects nothing keeps its bits.
+    // Encoded input and output: pixels that do not reflect keep their bits.
     settings.input.colorIsGamma = true;
     const Picture both = trace(encodedScene(), SyntheticCamera{}, kWidth, kHeight, settings);
     const auto seenPixels = seen(encodedScene(), SyntheticCamera{}, kWidth, kHeight);

@@ -1,9 +1,9 @@
-// shaders/composite, shaders/hierarchy and the split-sum table, each pass alone on made-up inputs, against the formulas
-// in double precision.
+// shaders/composite, shaders/hierarchy and the split-sum table, each pass alone on synthetic inputs, against the
+// formulas in double precision.
 #include "gpu/support/library_test.hpp"
 
-#include "reflect/conventions.hpp"
-#include "reflect/hierarchy.hpp"
+#include "reflect/hierarchy/source_order.hpp"
+#include "reflect/prepare/conventions.hpp"
 #include "shared/hierarchy.h"
 #include "shared/trace_constants.h"
 
@@ -25,7 +25,7 @@ double schlick(double f0, double cosine) {
     return f0 + (1 - f0) * std::pow(1 - cosine, 5);
 }
 
-/// What the table stands for: the directional albedo of a GGX lobe for f0 = 1 with Schlick's term split off, by
+/// Reference for the table: the directional albedo of a GGX lobe for f0 = 1 with Schlick's term split off, by
 /// quadrature over half vectors. Karis 2013; D of Walter et al. 2007; G2 of Heitz 2014, both with alpha.
 glm::dvec2 dfgByQuadrature(double NoV, double perceptualRoughness) {
     const double alpha = perceptualRoughness * perceptualRoughness;
@@ -90,7 +90,7 @@ protected:
         return uploadTestImage(gpu(), name, format, kWidth, kHeight, content);
     }
 
-    /// As prepare packs it; returns what the shader will unpack.
+    /// Packs as prepare does; returns what the shader will unpack.
     static gpu::Image uploadSurface(std::vector<Pixel>& pixels) {
         std::vector<glm::uvec2> packed;
         for (Pixel& pixel : pixels) {
@@ -185,7 +185,7 @@ protected:
         return must(gpu::downloadImageAsFloats(gpu(), composite));
     }
 
-    /// The table as it is read: bilinear, the outermost texels standing for 0 and 1.
+    /// The table as shaders sample it: bilinear, the outermost texels at 0 and 1.
     static glm::dvec2 sampledDfg(double NoV, double perceptualRoughness) {
         static const std::vector<float> texels = must(gpu::downloadImageAsFloats(gpu(), dfg()));
         const auto split = [](double at) {
@@ -202,7 +202,7 @@ protected:
         return glm::mix(glm::mix(at(0, 0), at(1, 0), fx), glm::mix(at(0, 1), at(1, 1), fx), fy);
     }
 
-    /// Pixels of all kinds: angles, roughness, F0, colours and weights.
+    /// Random pixels: angles, roughness, F0, colours and weights.
     static std::vector<Pixel> randomPixels(uint32_t seed) {
         std::mt19937 random(seed);
         std::uniform_real_distribution<float> unit(0, 1);
@@ -223,7 +223,7 @@ protected:
         return pixels;
     }
 
-    /// By the packed normal, as the shader sees it.
+    /// From the packed normal, as in the shader.
     static double NoVOf(const Pixel& pixel, uint32_t i) {
         const glm::vec2 p = glm::unpackSnorm2x16(glm::packSnorm2x16(encodeOctahedral(pixel.normalVS)));
         glm::dvec3 n(p.x, p.y, 1 - std::abs(double(p.x)) - std::abs(double(p.y)));
@@ -247,7 +247,7 @@ protected:
 constexpr shared::CompositeConstants kPhysical = {0, 1, 0, 1, 1, 1000};
 constexpr shared::CompositeConstants kLerp = {1, 1, 0, 1, 1, 1000};
 
-/// docs/techniques/composite.md: single scattering from the table, scaled up to lose nothing (Turquin 2019, eq. 16).
+/// docs/techniques/composite.md: single scattering from the table, scaled to conserve energy (Turquin 2019, eq. 16).
 glm::dvec3 physicalResponse(const glm::vec3& f0, glm::dvec2 dfg) {
     const glm::dvec3 albedo = glm::dvec3(f0) * dfg.x + dfg.y;
     return albedo * (1.0 + glm::dvec3(f0) * (1 / (dfg.x + dfg.y) - 1));
@@ -261,7 +261,7 @@ TEST_F(CompositePassTest, splitSumTableIsTheIntegral) {
         for (const uint32_t x : {1u, 3u, 6u, 12u, 24u, 40u, 63u}) {
             const glm::dvec2 expected = dfgByQuadrature(x / 63.0, y / 63.0);
             const glm::dvec2 found(texels[(y * 64 + x) * 4], texels[(y * 64 + x) * 4 + 1]);
-            // Some degrees above a smooth surface it is the quadrature that has not converged.
+            // A few degrees above a smooth surface the quadrature has not converged.
             const double tolerance = x < 6 ? 0.015 : 0.006;
             ASSERT_NEAR(found.x, expected.x, tolerance) << "NoV " << x / 63.0 << " roughness " << y / 63.0;
             ASSERT_NEAR(found.y, expected.y, tolerance) << "NoV " << x / 63.0 << " roughness " << y / 63.0;
@@ -354,8 +354,8 @@ TEST_F(CompositePassTest, untouchedWhereNothingAnswers) {
 }
 
 TEST_F(CompositePassTest, whiteFurnaceNeverExceedsOne) {
-    // Everything has radiance 1 and the surface reflects all of it: the fallback is then 1 too. Every roughness and
-    // angle; weights of all sizes.
+    // All radiance is 1 and the surface reflects all of it, so the fallback is 1 too. Every roughness and angle;
+    // weights of all sizes.
     std::vector<Pixel> pixels(kWidth * kHeight);
     for (uint32_t i = 0; i < pixels.size(); ++i) {
         const double NoV = (i % 64 + 0.5) / 64;
@@ -375,7 +375,7 @@ TEST_F(CompositePassTest, whiteFurnaceNeverExceedsOne) {
                 ASSERT_GE(picture[i * 4 + c], 1 - 2 * kHalf) << "NoV " << (i % 64 + 0.5) / 64 << " row " << i / 64;
             }
     }
-    // Dielectrics: no more than their surroundings' radiance on top of what they had.
+    // Dielectrics gain no more than their surroundings' radiance.
     for (Pixel& pixel : pixels) {
         pixel.f0 = glm::vec3(0.04f);
         pixel.lit = glm::vec3(0);
@@ -441,7 +441,7 @@ protected:
             bit(screen, shared::kSourceScreen) | bit(!rays.empty(), shared::kSourceRays) |
                 bit(!planar.empty(), shared::kSourcePlanar) | bit(!probes.empty(), shared::kSourceProbes) |
                 bit(sky, shared::kSourceSky),
-            reflect::packOrder(reflect::sourceOrder(settings))};
+            reflect::SourceOrder(settings).packed()};
         gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, &environment);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));
@@ -464,11 +464,9 @@ protected:
                 .read("frame", frameConstants)
                 .read("viewZ", viewZImage)
                 .read("surface", surface)
-                .read("radianceWeight", screenImage)
-                .read("raysAnswer", raysImage)
-                .read("raysRecord", recordImage)
-                .read("probesAnswer", probesImage)
-                .read("planarAnswer", planarImage)
+                .read("answers", std::array<gpu::Image*, shared::kMaxSources>{&screenImage, &raysImage, &planarImage,
+                                                                              &probesImage, &screenImage, &screenImage})
+                .read("answersRaysRecord", recordImage)
                 .read("environment", environment.cube)
                 .write("reflected", reflected)
                 .write("weights", weights)
@@ -508,7 +506,7 @@ TEST_F(HierarchyPassTest, skyGetsExactlyWhatTheScreenLeft) {
         const double w = pixels[i].answer.a;
         const glm::dvec3 sky = ramp(reflectedDirection(pixels[i], i)) * 1.5;
         const glm::dvec3 expected = w * glm::dvec3(pixels[i].answer) + (1 - w) * sky;
-        for (int c = 0; c < 3; ++c) // a texel of 64 spans 1.4 degrees, across which the ramp bends by 1e-3 at most
+        for (int c = 0; c < 3; ++c) // a texel of 64 spans 1.4 degrees, across which the ramp bends by at most 1e-3
             ASSERT_NEAR(answer.reflected[i * 4 + c], expected[c], 3e-3) << i;
         ASSERT_NEAR(answer.reflected[i * 4 + 3], 1, kHalf) << "all weight is given";
         ASSERT_NEAR(answer.weights[i][shared::kSourceScreen], w, 0.5 / 1023 + 1e-6);
@@ -611,7 +609,7 @@ TEST_F(HierarchyPassTest, weightsNeverExceedOneAndBackgroundGetsNone) {
         TestEnvironment::make(gpu(), 8, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(2); });
     std::vector<Pixel> pixels = screenPixels(9);
     for (uint32_t i = 0; i < pixels.size(); ++i) {
-        pixels[i].answer.a = static_cast<float>(i % 9) * 0.25f - 0.5f; // -0.5 to 1.5: no source should, but if one does
+        pixels[i].answer.a = static_cast<float>(i % 9) * 0.25f - 0.5f; // -0.5 to 1.5: no source should, but one might
         if (i % 4 == 0)
             pixels[i].viewZ = shared::kBackgroundZ;
     }

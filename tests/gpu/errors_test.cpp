@@ -1,4 +1,4 @@
-// What the library refuses, and with which words; and what it does when there is nothing to do.
+// The library's errors and their messages, and its behaviour when there is no work.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
@@ -278,7 +278,7 @@ TEST_F(ErrorsTest, screenSwitchedOffLeavesNothingOfItsLastFrame) {
 }
 
 TEST_F(ErrorsTest, statisticsBeforeTheFirstFrameAreZero) {
-    // Memory that was used before: what a fresh allocation holds is anybody's guess.
+    // Memory that was used before: the content of a fresh allocation is undefined.
     for (int round = 0; round < 3; ++round) {
         Reflections made = reflections(kWidth, kHeight);
         const Statistics statistics = made.statistics();
@@ -292,7 +292,7 @@ TEST_F(ErrorsTest, statisticsBeforeTheFirstFrameAreZero) {
 }
 
 TEST_F(ErrorsTest, hostImagesComeBackInTheLayoutsTheyCameIn) {
-    // The validation layer watches: a wrong layout on either side is a message.
+    // The validation layer is active: a wrong layout on either side is a message.
     SyntheticGBuffer gbuffer = host();
     Reflections made = reflections(kWidth, kHeight);
     for (const VkImageLayout layout : {VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL}) {

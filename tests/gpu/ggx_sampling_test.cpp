@@ -1,4 +1,4 @@
-// Directions of rough reflections against the density that they shall have, integrated here in double precision.
+// Directions of rough reflections against their intended density, integrated here in double precision.
 #include "gpu/support/brdf_oracle.hpp"
 #include "gpu/support/gpu_test.hpp"
 
@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace {
 
-/// As tests/gpu/shaders/ggx_samples.comp has it.
+/// Layout of tests/gpu/shaders/ggx_samples.comp.
 struct Item {
     glm::vec3 wo;
     float alpha;
@@ -41,7 +41,7 @@ protected:
         return list;
     }
 
-    /// Slopes are squeezed so that narrow lobes fill the bins too: s = tan(theta) / (tan(theta) + alpha).
+    /// Slopes are compressed so that narrow lobes fill the bins too: s = tan(theta) / (tan(theta) + alpha).
     static int binOf(const glm::dvec3& wm, double alpha) {
         const double tangent = std::hypot(wm.x, wm.y) / wm.z;
         const double turn = std::atan2(wm.y, wm.x) / (2 * oracle::kPi) + 0.5;
@@ -53,7 +53,7 @@ protected:
     static std::vector<double> expectedShares(const glm::dvec3& wo, double alpha) {
         const double g1 = 1 / (1 + oracle::lambda(wo.z, alpha));
         std::vector<double> shares(kBins, 0.0);
-        constexpr int kSub = 40; // midpoints a bin's side
+        constexpr int kSub = 40; // midpoints along a bin's side
         for (int p = 0; p < kPolarBins * kSub; ++p)
             for (int a = 0; a < kAzimuthBins * kSub; ++a) {
                 const double s = (p + 0.5) / (kPolarBins * kSub);
@@ -83,7 +83,7 @@ TEST_F(GgxSamplingTest, DirectionsHaveTheDensityOfVisibleNormals) {
             std::vector<double> counts(kBins, 0.0);
             for (const Item& item : sample(wo, alpha, kSamples))
                 counts[size_t(binOf(glm::dvec3(item.wm), alpha))] += 1;
-            // Pearson's statistic; bins with few expected samples are taken together.
+            // Pearson's statistic; bins with few expected samples are merged.
             double statistic = 0;
             double restExpected = 0;
             double restCounted = 0;
@@ -114,7 +114,7 @@ TEST_F(GgxSamplingTest, DirectionsHaveTheDensityOfVisibleNormals) {
         }
 }
 
-/// What samples weigh on average is what the split sum says of a lobe with F = 1.
+/// The mean weight of samples is the split sum of a lobe with F = 1.
 TEST_F(GgxSamplingTest, WeightsAverageToTheAlbedo) {
     for (const double roughness : {0.1, 0.5, 1.0})
         for (const double cosine : {0.2, 0.9}) {

@@ -1,4 +1,4 @@
-// What colour a hit has where the mirror shows the picture's pixels larger than the eye sees them.
+// The colour of a hit where the mirror shows the frame's pixels larger than the eye sees them.
 #include "gpu/support/library_test.hpp"
 
 #include <cmath>
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kWallX = -0.5;
 
-/// A wall beside the view, seen nearly along itself, as bright as it is far; and on the right a mirror that shows it
+/// A wall beside the view, seen nearly edge-on, whose radiance is its distance. A mirror on the right shows the wall
 /// from the front: a pixel of the wall fills two to three of the mirror's.
 std::optional<SyntheticSurface> wallInMirror(const glm::dvec3& origin, const glm::dvec3& direction) {
     const double toWall = direction.x < 0 ? (kWallX - origin.x) / direction.x : 1e9;
@@ -46,14 +46,14 @@ TEST_P(HitColorTest, MagnifiedTexelsAreBlended) {
             const size_t pixel = size_t(y) * kWidth + x;
             if (!picture.hit(pixel))
                 continue;
-            // As far as the wall is at the very place of the hit.
+            // The wall's distance at the exact place of the hit.
             const double across = (picture.hitPX(pixel).x / kWidth * 2 - 1) * tangent;
             worst = std::max(worst, std::abs(double(picture.color(pixel).x) - kWallX / across));
             ++compared;
         }
     EXPECT_GT(compared, 2000u);
-    // A texel of the wall spans up to 0.1 m: the nearest alone would be wrong by half of that. A pixel of the mirror
-    // spans 0.028 m, and where a texel spans less the nearest will do.
+    // A texel of the wall spans up to 0.1 m: the nearest texel alone would be wrong by half of that. A pixel of the
+    // mirror spans 0.028 m; where a texel spans less, the nearest suffices.
     EXPECT_LT(worst, 0.014);
 }
 

@@ -1,6 +1,8 @@
-// One picture, written down by every kind of host, must come out as the same picture.
+// One frame in the conventions of every kind of host must produce the same image.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
+
+#include <algorithm>
 
 namespace glint::test {
 namespace {
@@ -8,7 +10,7 @@ namespace {
 constexpr uint32_t kWidth = 96;
 constexpr uint32_t kHeight = 54;
 
-/// How a host writes the picture down.
+/// A host's conventions for the frame.
 struct Style {
     std::string name;
     bool reversed = true;
@@ -26,7 +28,7 @@ std::vector<Style> everyStyle() {
         change(style);
         styles.push_back(style);
     };
-    // The clip space: all of its choices against each other.
+    // The clip space: all combinations of its choices.
     for (int bits = 0; bits < 64; ++bits) {
         if ((bits & 32) && (bits & 2))
             continue;
@@ -39,7 +41,7 @@ std::vector<Style> everyStyle() {
             style.orthographic = bits & 32;
         });
     }
-    // Normals: space, encoding and handedness against each other.
+    // All combinations of normals' space, encoding and handedness.
     for (int bits = 0; bits < 16; ++bits)
         add("normal" + std::to_string(bits), [&](Style& style) {
             style.conventions.normalSpace = bits & 1 ? NormalSpace::View : NormalSpace::World;
@@ -83,7 +85,7 @@ SyntheticCamera cameraOf(const Style& style) {
     return camera;
 }
 
-/// NDC depth = constant + slope * (perspective ? 1/viewZ : viewZ), through the planes that the style has.
+/// NDC depth = constant + slope * (perspective ? 1/viewZ : viewZ), through the planes of the style.
 glm::dvec2 depthCurve(const Style& style, const SyntheticCamera& camera) {
     const double low = style.conventions.depthMinusOneToOne ? -1 : 0;
     const double atNear = style.reversed ? 1 : low;
@@ -123,14 +125,15 @@ View viewOf(const Style& style, const SyntheticCamera& camera) {
     return view;
 }
 
-/// Roughness rises across the floor; blue of F0 says the same, so that it can double as a smoothness channel.
+/// Roughness rises across the floor; F0's blue channel has the same value, so that it can double as a smoothness
+/// channel.
 std::optional<SyntheticSurface> scene(const glm::dvec3& origin, const glm::dvec3& direction) {
     auto hit = floorAndWall()(origin, direction);
     if (hit && hit->f0.x > 0) {
         const double x = (origin + direction * hit->distance).x;
         hit->perceptualRoughness = static_cast<float>(glm::clamp(0.25 + 0.15 * x, 0.0, 1.0));
         hit->f0 = glm::vec3(1, 0.9f, 1 - hit->perceptualRoughness);
-        hit->normalWS = glm::normalize(glm::dvec3(0.02, 1, 0.03)); // no axis of its own
+        hit->normalWS = glm::normalize(glm::dvec3(0.02, 1, 0.03)); // along no axis
     } else if (hit) {
         hit->perceptualRoughness = 1;
     }
@@ -232,18 +235,18 @@ TEST_F(HostConventionsTest, everyHostGetsThePictureOfGlintsOwnConventions) {
             }
             const bool sameHit = glm::length(picture.hitPX(i) - reference->hitPX(i)) < 0.5;
             const glm::dvec3 error = glm::abs(glm::dvec3(picture.color(i)) - glm::dvec3(reference->color(i)));
-            // Colours are of half precision (a step of 2^-7 at 10) and change by 0.2 from one pixel to the next.
+            // Colours have half precision (a step of 2^-7 at 10) and change by 0.2 from one pixel to the next.
             const double worst = std::max({error.x, error.y, error.z});
             worstColor = std::max(worstColor, sameHit ? worst : 0);
             different += !sameHit || worst > 0.25;
         }
-        // Rounding of the depth that a host stores may decide at silhouettes and on the border's pixels, but rarely.
+        // Rounding of the host's stored depth may decide at silhouettes and on the border's pixels, but rarely.
         EXPECT_LE(different, picture.pixels() / 200) << style.name << ", worst colour error " << worstColor;
     }
 }
 
 TEST_F(HostConventionsTest, aWrongStatementIsSeen) {
-    // The test above can fail: say each thing wrongly and the picture is another one.
+    // The test above can fail: with each convention declared wrongly the image differs.
     Reflections made = reflections(kWidth, kHeight);
     Style right;
     const Picture reference = trace(made, right);

@@ -1,9 +1,11 @@
-// One material, written down by every kind of host, must come out as the same picture; and the other things that a host
-// may hand over in its own way.
+// One material in the conventions of every kind of host must produce the same image. Also tests the other inputs that a
+// host may provide in its own way.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
 #include <glm/gtc/packing.hpp>
+
+#include <algorithm>
 
 namespace glint::test {
 namespace {
@@ -20,7 +22,7 @@ protected:
         float roughness;
         glm::vec3 f0() const { return glm::mix(glm::vec3(0.04f), baseColor, metallic); } // glTF 2.0, B.2
     };
-    /// Of all kinds, in squares.
+    /// Materials of all kinds, in squares.
     static Texel texel(uint32_t i) {
         const uint32_t square = i % kWidth / 8 + i / kWidth / 6 * 8;
         const auto part = [&](uint32_t prime) { return float(square * prime % 17) / 16; };
@@ -31,7 +33,7 @@ protected:
         gpu::Image material;
         gpu::Image baseColor;
     };
-    /// The floor's picture with these materials on everything.
+    /// The image of the floor with these materials on every surface.
     static Picture show(const std::function<glm::vec4(const Texel&)>& material,
                         const std::function<void(GBuffer&)>& state, bool withMaterial = true) {
         const SyntheticCamera camera;
@@ -116,7 +118,7 @@ TEST_F(HostMaterialsTest, halfDepthIsViewZInSixteenBits) {
     for (const bool orthographic : {false, true}) {
         SyntheticCamera camera;
         camera.orthoHeight = orthographic ? 3 : 0;
-        camera.target.y = orthographic ? 0.5 : 1; // the horizon, where there is one, in the middle
+        camera.target.y = orthographic ? 0.5 : 1; // the horizon, if there is one, in the middle
         const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), Stage(), camera, kWidth, kHeight);
         const auto depth = [&](DepthFormat format) {
             Settings settings = plainSettings();
@@ -147,7 +149,7 @@ TEST_F(HostMaterialsTest, halfDepthIsViewZInSixteenBits) {
 }
 
 TEST_F(HostMaterialsTest, probesMayBeUpsideDown) {
-    // The upper half of what surrounds is red, the lower half blue; a floor mirrors the upper one.
+    // The upper half of the environment is red, the lower half blue; a floor mirrors the upper half.
     const TestEnvironment environment = TestEnvironment::make(gpu(), 8, 1, [](const glm::dvec3& direction, uint32_t) {
         return direction.y > 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
     });

@@ -1,9 +1,10 @@
-// Inspecting a pixel: its ray ends as the frame's own did, in every marcher and mode, and nothing of the frame changes.
+// Inspecting a pixel: its ray ends as the frame's own ray did, in every marcher and mode, and the frame does not
+// change.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
-#include "reflect/inspector.hpp"
-#include "reflect/outcomes.hpp"
+#include "reflect/inspect/inspector.hpp"
+#include "reflect/trace/outcomes.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/ray_log.h"
 
@@ -22,7 +23,7 @@ using testing::HasSubstr;
 constexpr uint32_t kWidth = 96;
 constexpr uint32_t kHeight = 54;
 
-/// A floor that mirrors, things that stand on it, one of them rough, and a gap through which the background shows.
+/// A mirror floor with objects on it, one of them rough, and a gap through which the background shows.
 Stage stage() {
     Stage stage;
     stage.floorF0 = 0.9f;
@@ -80,7 +81,7 @@ protected:
     TestEnvironment environment_;
 };
 
-/// All that the frame says of its pixels.
+/// All that the frame records about its pixels.
 struct Frame {
     std::vector<float> ray, color, weight, reflection, weights;
     bool operator==(const Frame&) const = default;
@@ -113,7 +114,7 @@ protected:
         settings.screen.thicknessMode = mode.thickness;
         settings.screen.thicknessRelative = 0.02f;
         settings.screen.resolutionScale = mode.scale;
-        settings.rough.factor = 0.1f; // rays that only this frame has
+        settings.rough.factor = 0.1f; // rays of this frame only
         settings.fade.border = FadeBorder::Linear;
         settings.fade.distance = true;
         settings.screen.maxDistance = 20;
@@ -146,7 +147,7 @@ protected:
         EXPECT_NEAR(std::clamp(found.end.px[1] / kHeight, 0.0f, 1.0f), sampled(frame.ray, x, y, 1), halfStep);
     }
 
-    /// What the log says must agree with itself.
+    /// The log must be consistent with itself.
     static void expectWhole(const RayInspection& found, ThicknessMode mode) {
         size_t backLookups = 0;
         for (const RaySample& sample : found.samples) {
@@ -333,7 +334,7 @@ TEST_F(InspectionTest, MayShareTheFramesCommands) {
 }
 
 TEST_F(InspectionTest, HostImagesKeepTheirLayouts) {
-    // The validation layer watches.
+    // The validation layer is active.
     run([&](VkCommandBuffer commands) {
         gpu::Frame frame(gpu(), commands);
         for (gpu::Image* image : {&host_.material, &host_.litRadiance})
@@ -368,12 +369,12 @@ TEST_F(InspectionTest, SaysWhatIsMissing) {
 }
 
 TEST_F(InspectionTest, MoreSamplesThanThereIsRoomForAreCut) {
-    const reflect::Inspector inspector = must(reflect::Inspector::create(library().gpu()));
+    std::vector<std::byte> log(reflect::kRayLogSize);
     shared::RayLogHeader header = {};
     header.ray.traced = 1;
     header.sampleCount = kMaxRaySamples + 1;
-    std::memcpy(inspector.readback.mapped(), &header, sizeof(header));
-    const RayInspection found = inspector.read(true);
+    std::memcpy(log.data(), &header, sizeof(header));
+    const RayInspection found = reflect::readRayLog(log.data(), true, {});
     EXPECT_EQ(found.samples.size(), kMaxRaySamples);
     EXPECT_TRUE(found.truncated);
 }

@@ -1,8 +1,8 @@
-// Every reason for which a ray ends, each made by a scene in which no other can be, pixel by pixel; for each marcher.
+// Every outcome of a ray, each caused by a scene in which no other can occur, pixel by pixel; for each marcher.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
-#include "reflect/outcomes.hpp"
+#include "reflect/trace/outcomes.hpp"
 #include "reflect/trace/technique.hpp"
 
 namespace glint::test {
@@ -11,7 +11,7 @@ namespace {
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
 
-/// A camera ray's mirror image at the surface that it meets.
+/// A camera ray's mirror reflection at the surface that it hits.
 struct MirrorRay {
     glm::dvec3 start;
     glm::dvec3 direction;
@@ -43,7 +43,7 @@ protected:
         return traceWithin({wallVolume()}, scene, camera, kWidth, kHeight, settings);
     }
 
-    /// Where the pixel there shows the floor that the ray leaves, one lookup tells nothing of what stands on it.
+    /// Where the pixel there shows the floor that the ray leaves, one lookup cannot detect objects that stand on it.
     static bool tells(const SyntheticScene& scene, const SyntheticCamera& camera, const glm::dvec2& px) {
         if (technique().walks || !onScreen(px, 0))
             return true;
@@ -53,8 +53,8 @@ protected:
         return !shown || shown->f0.x == 0;
     }
 
-    /// `predict(ray)` names the outcome, or none where it is a close call. Returns how many were named. Where `orElse`
-    /// is given a marcher may say that as well.
+    /// `predict(ray)` returns the outcome, or none where it is a close call. Returns how many were predicted. Where
+    /// `orElse` is given a marcher may report that outcome as well.
     template <class Predict>
     static size_t check(const SyntheticScene& scene, const SyntheticCamera& camera, const Settings& settings,
                         Predict predict, std::optional<uint32_t> orElse = std::nullopt) {
@@ -110,7 +110,7 @@ TEST_P(OutcomeTest, offScreen) {
                         [&](const MirrorRay& ray) -> std::optional<uint32_t> {
                             const auto t = scene.cards[0].distance(ray.start, ray.direction);
                             const glm::dvec2 from = camera.project(ray.start, kWidth, kHeight);
-                            // Some pixels of the way are on screen, else rounding decides on its only sample.
+                            // Some pixels of the ray are on screen, else rounding decides on its only sample.
                             if (!t || !onScreen(from, 3) ||
                                 onScreen(camera.project(ray.start + ray.direction * *t, kWidth, kHeight), -1.5))
                                 return std::nullopt;
@@ -123,31 +123,78 @@ TEST_P(OutcomeTest, offScreen) {
 TEST_P(OutcomeTest, skyAndMaxDistance) {
     if (!technique().walks)
         GTEST_SKIP() << "it ends at the volume, or not at all";
-    const SyntheticCamera camera;
     Stage scene;
     scene.floorEndZ = -1;
-    Settings changed = settings();
-    changed.screen.maxDistance = 0.8f;
-    size_t sky = 0;
-    size_t floor = 0;
-    check(scene, camera, changed, [&](const MirrorRay& ray) -> std::optional<uint32_t> {
-        const glm::dvec3 end = ray.start + ray.direction * 0.8;
-        if (!onScreen(camera.project(end, kWidth, kHeight), 1.5))
+    for (const float length : {0.8f, 1000.0f}) { // cut short, or so long that rays end at their vanishing points
+        SyntheticCamera camera;
+        camera.target.y = length > 1 ? 1 : 0.5; // that is on screen
+        Settings changed = settings();
+        changed.screen.maxDistance = length;
+        const double metres = static_cast<double>(length);
+        size_t sky = 0;
+        size_t floor = 0;
+        check(scene, camera, changed, [&](const MirrorRay& ray) -> std::optional<uint32_t> {
+            const glm::dvec3 end = ray.start + ray.direction * metres;
+            if (!onScreen(camera.project(end, kWidth, kHeight), 1.5))
+                return std::nullopt;
+            const glm::dvec3 toEnd = glm::normalize(end - camera.position);
+            const double floorZ = camera.position.z - toEnd.z * camera.position.y / toEnd.y;
+            if (toEnd.y < 0 && floorZ > -0.8)
+                return ++floor, shared::kOutcomeMaxDistance;
+            if (toEnd.y > 0 || floorZ < -1.3)
+                return ++sky, length > 1 ? shared::kOutcomeSky : shared::kOutcomeMaxDistance;
             return std::nullopt;
-        const glm::dvec3 toEnd = glm::normalize(end - camera.position);
-        const double floorZ = camera.position.z - toEnd.z * camera.position.y / toEnd.y;
-        if (toEnd.y < 0 && floorZ > -0.8)
-            return ++floor, shared::kOutcomeMaxDistance;
-        if (toEnd.y > 0 || floorZ < -1.3)
-            return ++sky, shared::kOutcomeSky;
-        return std::nullopt;
-    });
-    EXPECT_GT(sky, 30u);
-    EXPECT_GT(floor, 200u);
+        });
+        EXPECT_GT(sky, 30u);
+        EXPECT_EQ(floor > 200, length < 1);
+    }
+}
+
+/// A ball over a mirror floor.
+std::optional<SyntheticSurface> ballOverFloor(const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 center(0, 0.5, 0);
+    const double radius = 0.4;
+    const double b = glm::dot(direction, center - origin);
+    const double root = b * b - glm::dot(center - origin, center - origin) + radius * radius;
+    const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
+    SyntheticSurface hit;
+    if (root > 0 && b > std::sqrt(root) && b - std::sqrt(root) < toFloor) {
+        hit.distance = b - std::sqrt(root);
+        hit.normalWS = (origin + direction * hit.distance - center) / radius;
+        hit.radiance = glm::vec3(1);
+        return hit;
+    }
+    hit.distance = toFloor;
+    hit.f0 = glm::vec3(1);
+    return toFloor < 50 ? std::optional(hit) : std::nullopt;
+}
+
+TEST_P(OutcomeTest, roundThingsEndAtTheirRim) {
+    if (!technique().walks)
+        GTEST_SKIP() << "it compares no depths along the way";
+    const SyntheticCamera camera;
+    for (const float thickness : {0.0f, 0.3f}) {
+        Settings changed = settings();
+        changed.screen.thicknessMode = ThicknessMode::Constant;
+        changed.screen.thickness = thickness;
+        const Picture picture = show(ballOverFloor, camera, changed);
+        size_t hits = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            const std::optional<MirrorRay> ray = mirrorRay(ballOverFloor, camera, i);
+            if (!ray || !picture.hit(i))
+                continue;
+            ++hits;
+            const glm::dvec3 met = ray->start + ray->direction * static_cast<double>(picture.hitDistance[i * 4]);
+            // Its planes are those of pixels: at the rim one reaches out by half of what it rises there.
+            EXPECT_LT(glm::distance(met, glm::dvec3(0, 0.5, 0)), 0.4 + 0.15 + static_cast<double>(thickness))
+                << "pixel " << i % kWidth << "," << i / kWidth;
+        }
+        EXPECT_GT(hits, 100u);
+    }
 }
 
 TEST_P(OutcomeTest, behindCamera) {
-    // A mirror that faces the camera, whose near plane is far from the eye: rays come back and meet that plane.
+    // A mirror that faces the camera, whose near plane is far from the eye: rays return and hit that plane.
     SyntheticCamera camera;
     camera.position = {0, 1, 3};
     camera.target = {0, 1, 0};
@@ -176,7 +223,7 @@ TEST_P(OutcomeTest, outOfSteps) {
         EXPECT_EQ(trace(scene, camera, kWidth, kHeight, changed).counted("outOfSteps"), 0u);
         return;
     }
-    // Four pixels of linear's; the one cell of 16 pixels that hiz begins with.
+    // Four pixels of linear's; the one cell of 16 pixels with which hiz begins.
     const bool hiz = march() == March::Hiz;
     limitIterations(changed, hiz ? 1 : 4);
     EXPECT_GT(check(scene, camera, changed,
@@ -195,7 +242,7 @@ TEST_P(OutcomeTest, outOfSteps) {
 TEST_P(OutcomeTest, hiddenAndTooThick) {
     if (!technique().walks)
         GTEST_SKIP() << "it does not look at what is on the way";
-    // A card floats before the rays' ends; how far before decides. Rays begin behind it and never cross it.
+    // A card floats before the rays' ends; the gap decides. Rays begin behind the card and never cross it.
     const SyntheticCamera camera;
     Settings changed = settings();
     Stage scene = floorAndWall();
@@ -208,7 +255,7 @@ TEST_P(OutcomeTest, hiddenAndTooThick) {
         return camera.viewZ(p) - camera.viewZ(camera.position + d * *t);
     };
     for (const bool tooThick : {false, true}) {
-        // The floor that is seen below the card lies up to 0.7 metres behind it.
+        // The floor visible below the card lies up to 0.7 metres behind it.
         changed.screen.thickness = tooThick ? 0.3f : 0.05f;
         changed.screen.maxDistance = tooThick ? 0.25f : 1.0f;
         const double length = changed.screen.maxDistance;
@@ -216,7 +263,7 @@ TEST_P(OutcomeTest, hiddenAndTooThick) {
         EXPECT_GT(check(
                       scene, camera, changed,
                       [&](const MirrorRay& ray) -> std::optional<uint32_t> {
-                          // Along the whole way behind the card, and a little beside it.
+                          // Along the whole path behind the card, and a little beside it.
                           double least = 1e9;
                           double most = 0;
                           for (int i = 1; i <= 200; ++i) {
@@ -236,7 +283,7 @@ TEST_P(OutcomeTest, hiddenAndTooThick) {
                               return tooThick ? shared::kOutcomeTooThick : shared::kOutcomeHidden;
                           return std::nullopt;
                       },
-                      // What hiz passes in large cells, behind their slabs, it does not look at closely.
+                      // Where hiz passes behind the slabs of large cells, it does not test single pixels.
                       march() == March::Hiz ? std::optional(shared::kOutcomeHidden) : std::nullopt),
                   20u)
             << (tooThick ? "too thick" : "hidden");
@@ -246,8 +293,8 @@ TEST_P(OutcomeTest, hiddenAndTooThick) {
 TEST_P(OutcomeTest, backFace) {
     if (!technique().walks)
         GTEST_SKIP() << "it does not look at what is on the way";
-    // A card floats before a mirror: rays that come back toward the camera run into its slab from behind. They come
-    // some 0.2 metres nearer a pixel.
+    // A card floats before a mirror: rays that return towards the camera enter its slab from behind. They come about
+    // 0.2 metres nearer per pixel.
     SyntheticCamera camera;
     camera.target = {0, 1, 0};
     Stage scene;
@@ -269,8 +316,8 @@ TEST_P(OutcomeTest, backFace) {
 }
 
 TEST_P(OutcomeTest, unseenSidesFade) {
-    // The wall pretends to face away, as the unseen side of a thing does. A ray that ends behind it ended in its slab
-    // (backFace) or, where its samples leave the slab out, farther behind (hidden).
+    // The wall's normal faces away, as on an object's hidden side. A ray that ends behind the wall ended in its slab
+    // (backFace) or, where its samples miss the slab, farther behind (hidden).
     const SyntheticCamera camera;
     Stage scene = floorAndWall();
     scene.cards[0].normalWS = {0, 0, -1};
@@ -284,7 +331,7 @@ TEST_P(OutcomeTest, unseenSidesFade) {
             const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
             const auto t = ray ? scene.cards[0].distance(ray->start, ray->direction) : std::nullopt;
             if (!t || *t > 4.9 || !onScreen(camera.project(ray->start + ray->direction * 5.0, kWidth, kHeight), 2.5))
-                continue; // one that leaves the picture behind the wall is offScreen
+                continue; // a ray that leaves the image behind the wall is offScreen
             ++behind;
             const uint32_t outcome = picture.outcome(i);
             ASSERT_TRUE(outcome == shared::kOutcomeBackFace || outcome == shared::kOutcomeHidden)
@@ -340,7 +387,7 @@ TEST_P(OutcomeTest, orthographicMirrorLandsWithinOnePixel) {
         const glm::dvec2 expected = camera.project(end, kWidth, kHeight);
         const double way = glm::length(expected - camera.project(ray->start, kWidth, kHeight));
         if (!onScreen(expected, 1.5) || !tells(scene, camera, expected) ||
-            way < 2) // selfCollisionSkip leaves out the first sample
+            way < 2) // selfCollisionSkip skips the first sample
             continue;
         ++predicted;
         ASSERT_TRUE(picture.hit(i)) << i << ": " << reflect::kOutcomeNames[picture.outcome(i)] << " expected "
@@ -365,6 +412,80 @@ TEST_P(OutcomeTest, hitDistanceIsThatInTheWorld) {
         ASSERT_NEAR(picture.hitDistance[i * 4], expected, 0.01 * expected + 0.01) << i;
     }
     EXPECT_GT(hits, 1000u);
+}
+
+TEST_F(LibraryTest, coarseCellsAnswerForSurfacesAlone) {
+    // Posts before a wall: cells of several pixels show both, and the air between.
+    SyntheticCamera camera;
+    camera.position = {0.3, 1, 3};
+    Stage scene = floorAndWall();
+    for (int i = -4; i <= 4; ++i)
+        scene.cards.push_back({.low = {0.5 * i, 0}, .high = {0.5 * i + 0.1, 1.2}, .z = -0.5});
+    for (const int minLevel : {1, 2, 3}) {
+        Settings settings = plainSettings(March::Hiz);
+        settings.screen.thicknessMode = ThicknessMode::Constant;
+        settings.screen.thickness = 0;
+        settings.hiz.depthBias = 0;
+        settings.hiz.minLevel = minLevel;
+        const Picture picture = trace(scene, camera, kWidth, kHeight, settings);
+        size_t hits = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            const glm::dvec3 origin = camera.originThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+            const glm::dvec3 direction = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+            const auto surface = scene(origin, direction);
+            if (!surface || surface->f0.x == 0 || !picture.hit(i))
+                continue;
+            ++hits;
+            const glm::dvec3 reflected = glm::reflect(direction, surface->normalWS);
+            const double z =
+                (origin + direction * surface->distance + reflected * static_cast<double>(picture.hitDistance[i * 4]))
+                    .z;
+            ASSERT_TRUE(std::abs(z + 0.5) < 0.05 || std::abs(z + 3) < 0.05)
+                << "in mid-air at z = " << z << ", pixel " << i % kWidth << "," << i / kWidth << ", level " << minLevel;
+        }
+        EXPECT_GT(hits, 1000u) << minLevel;
+    }
+}
+
+TEST_F(LibraryTest, whereAWallMirrorMeetsTheFloorItShowsIt) {
+    // Cells in the corner show both surfaces: rays that leave one close above the other hit it at once.
+    constexpr uint32_t kAcross = 320;
+    constexpr uint32_t kDown = 180;
+    const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
+        const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
+        const double toWall = direction.x < 0 ? (-1.5 - origin.x) / direction.x : 1e9;
+        SyntheticSurface hit;
+        hit.distance = std::min(toFloor, toWall);
+        hit.normalWS = toFloor < toWall ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+        hit.f0 = glm::vec3(toFloor < toWall ? 0 : 1);
+        return hit.distance < 20 ? std::optional(hit) : std::nullopt;
+    };
+    for (const double height : {0.9, 1.2, 1.5, 2.0}) {
+        SyntheticCamera camera;
+        camera.position = {0.2, height, 3.2};
+        camera.target = camera.position + glm::dvec3(-0.146, -0.132, -0.98);
+        camera.fovY = 0.87;
+        const Picture picture = trace(scene, camera, kAcross, kDown, plainSettings(March::Hiz));
+        size_t met = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            const glm::dvec3 direction = camera.rayThrough(i % kAcross, i / kAcross, kAcross, kDown);
+            const auto surface = scene(camera.position, direction);
+            if (!surface || surface->f0.x == 0 || direction.y >= 0)
+                continue;
+            const glm::dvec3 start = camera.position + direction * surface->distance;
+            const glm::dvec3 reflected(-direction.x, direction.y, direction.z);
+            const glm::dvec3 onFloor = start - reflected * (start.y / reflected.y);
+            const glm::dvec2 end = camera.project(onFloor, kAcross, kDown);
+            if (onFloor.z < -3) // farther away a step from pixel to pixel may be an edge
+                continue;
+            if (end.x < 2 || end.y < 2 || end.x > kAcross - 2 || end.y > kDown - 2)
+                continue;
+            ++met;
+            EXPECT_TRUE(picture.hit(i)) << reflect::kOutcomeNames[picture.outcome(i)] << " at " << i % kAcross << ","
+                                        << i / kAcross << ", eye at " << height;
+        }
+        EXPECT_GT(met, 1000u);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, OutcomeTest, testing::Range<size_t>(0, reflect::techniques().size()),

@@ -1,4 +1,4 @@
-// shaders/lib: what is packed comes back within the bounds that the files state. Oracle: double precision here.
+// shaders/lib: packed values unpack within the bounds that the files state. Oracle: double precision here.
 #include "gpu/support/gpu_test.hpp"
 
 #include "shared/outcome.h"
@@ -11,7 +11,7 @@
 namespace glint::test {
 namespace {
 
-/// As tests/gpu/shaders/packing.comp has it.
+/// Layout of tests/gpu/shaders/packing.comp.
 struct Packed {
     glm::vec4 direction;
     glm::vec4 decoded;

@@ -1,5 +1,5 @@
-// The pass layer: what a rehearsal catches, what a recorded pass does, and the barriers between passes as they reach
-// the driver (the validation layer does not see hazards on storage buffers from dispatch to dispatch).
+// The pass layer: the errors that a rehearsal catches, the effect of a recorded pass, and the barriers between passes
+// as they reach the driver (the validation layer does not detect hazards on storage buffers from dispatch to dispatch).
 #include "gpu/support/gpu_test.hpp"
 
 #include <glm/glm.hpp>
@@ -46,7 +46,7 @@ protected:
         std::memcpy(out.data(), bytes.data(), bytes.size());
         return out;
     }
-    /// What a rehearsal of `record` says; "" if it has nothing to say.
+    /// The error of a rehearsal of `record`; "" if there is none.
     template <class Record>
     static std::string rehearse(Record record) {
         gpu::Frame frame = gpu::Frame::rehearsal(gpu());
@@ -56,7 +56,7 @@ protected:
     }
 };
 
-/// Listens to the barriers that reach the driver.
+/// Logs the barriers that reach the driver.
 class BarrierLog {
 public:
     explicit BarrierLog(gpu::Context& context) : api_(const_cast<gpu::Api&>(context.api())) {
@@ -257,6 +257,7 @@ TEST_F(PassTest, imagesGoFromStoreToSampleAndBack) {
     gpu::Buffer half = uniform(glm::vec4(0.5f));
     const VkClearColorValue start = {{8, 16, 32, 64}};
     std::vector<gpu::WrittenImage> written;
+    written.reserve(8); // recording allocates nothing
     run([&](VkCommandBuffer commands) {
         gpu::Frame frame(gpu(), commands, nullptr, &written);
         frame.clear(a, start);

@@ -1,4 +1,4 @@
-// The source `planar` as a host meets it: pictures handed over, what they answer for, and what cannot be.
+// The source `planar` from a host's side: images that the host provides, the pixels that they answer, and errors.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
 
@@ -10,7 +10,7 @@
 namespace glint::test {
 namespace {
 
-/// A room whose walls show their own place; its floor, y = 0, is a mirror.
+/// A room whose walls' colour is their position; its floor, y = 0, is a mirror.
 constexpr glm::dvec3 kCenter = {0.5, 1.5, -1};
 constexpr glm::dvec3 kHalf = {2, 1.5, 2.5};
 const glm::dvec3 kShown = {2.5, 1, 4.5}; ///< added, so that no channel is negative
@@ -37,7 +37,7 @@ PlanarMirror floorMirror() {
 
 class PlanarSourceTest : public LibraryTest {
 protected:
-    /// What a host draws with this view of the room: radiance and device depth.
+    /// A host's rendering of the room in this view: radiance and device depth.
     struct Drawn {
         gpu::Image radiance;
         gpu::Image depth;
@@ -56,7 +56,7 @@ protected:
                 const glm::dvec4 far = clipToWorld * glm::dvec4(ndc, 0.01, 1);
                 const glm::dvec3 from = glm::dvec3(near) / near.w;
                 const glm::dvec3 direction = glm::normalize(glm::dvec3(far) / far.w - from);
-                // The eye is below the floor: what is above it shows.
+                // The eye is below the floor: surfaces above the floor are visible.
                 const glm::dvec3 start = direction.y > 0 ? from - direction * (from.y / direction.y) : from;
                 const glm::dvec3 at = wallPoint(start + direction * 1e-6, direction);
                 const glm::dvec4 clip = worldToClip * glm::dvec4(at, 1);
@@ -89,7 +89,8 @@ protected:
     const SyntheticCamera camera_ = {.position = {1.7, 2.2, 1.2}, .target = {0.1, 0, -1.6}, .fovY = 1.1};
     SyntheticGBuffer g_ = SyntheticGBuffer::render(gpu(), room, camera_, kWidth, kHeight);
 
-    /// Metres between what floor pixels show and what a mirror shows there: the largest, or -1 if some show nothing.
+    /// Largest distance in metres between the point that a floor pixel shows and the point that a mirror shows there;
+    /// -1 if some pixels show none.
     double worst(PlanarMirrors& planar, const Settings& settings = planarAlone()) {
         Reflections reflections = LibraryTest::reflections(kWidth, kHeight, settings);
         must(reflections.setInputs(g_.gbuffer, {}));
@@ -116,7 +117,7 @@ protected:
 
 TEST_F(PlanarSourceTest, aRoomsFloorShowsWhatIsAboveIt) {
     PlanarMirrors planar = mirrors({floorMirror()});
-    EXPECT_EQ(worst(planar), -1); // no picture yet
+    EXPECT_EQ(worst(planar), -1); // no image yet
     const View view = camera_.view(kWidth, kHeight);
     ASSERT_TRUE(facesView(floorMirror(), view));
     Drawn drawn = draw(mirroredView(view, floorMirror()), kWidth, kHeight);
@@ -135,14 +136,14 @@ TEST_F(PlanarSourceTest, pixelsOffItsOutlineAreNotItsOwn) {
     Drawn drawn = draw(mirroredView(camera_.view(kWidth, kHeight), small), kWidth, kHeight);
     run([&](VkCommandBuffer commands) { must(planar.record(commands, 0, drawn.picture)); });
     EXPECT_EQ(worst(planar), -1);
-    // Two together, the second one for the rest.
+    // Two together, the second one for the remaining weight.
     PlanarMirrors both = mirrors({small, floorMirror()});
     run([&](VkCommandBuffer commands) {
         must(both.record(commands, 0, drawn.picture));
         must(both.record(commands, 1, drawn.picture));
     });
     EXPECT_LT(worst(both), 0.01);
-    // It has moved: its picture is of where it was.
+    // The mirror has moved: its image is from the old place.
     must(both.setMirrors(std::vector<PlanarMirror>{small, floorMirror()}));
     EXPECT_EQ(worst(both), -1);
 }
@@ -165,11 +166,11 @@ TEST_F(PlanarSourceTest, noMirrorsCostNothing) {
         EXPECT_NE(time.name, "planar/reflect");
 }
 
-/// Half of the room's floor is a mirror of which there is a picture; rays find a shining ceiling.
+/// Half of the room's floor is a mirror with an image; rays hit an emissive ceiling.
 class RaysAfterMirrorsTest : public PlanarSourceTest {
 protected:
-    /// The screen's weight is below 1 on the floor, and rays take back its hits on the walls, which shine. These are
-    /// too rough for rays of their own.
+    /// The screen's weight is below 1 on the floor, and rays replace its hits on the walls, which are emissive. The
+    /// walls are too rough for rays of their own.
     static std::optional<SyntheticSurface> roughRoom(const glm::dvec3& origin, const glm::dvec3& direction) {
         std::optional<SyntheticSurface> surface = room(origin, direction);
         const bool floor = surface->f0.x > 0;
@@ -222,8 +223,8 @@ protected:
                 if (wallPoint(camera_.position, camera_.rayThrough(x, y, kWidth, kHeight)).y > 1e-9)
                     --beside_;
     }
-    bool isInMirror(size_t pixel) const { return mirror_.reflection[pixel * 4] > 0; } ///< its picture is nowhere black
-    /// The mirror's pixels as it shows them alone, to the bit, and the others as in `others`.
+    bool isInMirror(size_t pixel) const { return mirror_.reflection[pixel * 4] > 0; } ///< its image is nowhere black
+    /// The mirror's pixels equal, to the bit, those of the mirror alone; the other pixels equal those of `others`.
     void expectMirrorIn(const Picture& picture, const Picture& others) const {
         for (size_t i = 0; i < picture.pixels(); ++i)
             for (size_t c = 0; c < 4; ++c) {
@@ -270,7 +271,7 @@ TEST_F(RaysAfterMirrorsTest, raysThatComeBeforeAreTracedForAll) {
     EXPECT_EQ(look(settings).statistics.scene.pixels, inMirror_ + beside_);
 }
 
-/// Between screen and rays: the screen's answer is taken back although the mirror leaves nothing for rays.
+/// Between screen and rays: the screen's answer is replaced although the mirror leaves no weight for rays.
 TEST_F(RaysAfterMirrorsTest, aMirrorGetsWhatRaysTakeBackFromTheScreen) {
     Settings settings = raysAnd(true, true);
     settings.order.screen = 0;
@@ -291,7 +292,7 @@ TEST_F(RaysAfterMirrorsTest, framesThatAreAddedUpLeaveTheMirrorAlone) {
     };
     const Picture without = secondFrame(others);
     const Picture with = secondFrame(settings);
-    EXPECT_LE(with.statistics.scene.pixels, beside_); // some get no ray, as theirs would go below the surface
+    EXPECT_LE(with.statistics.scene.pixels, beside_); // some get no ray, because it would go below the surface
     expectMirrorIn(with, without);
 }
 

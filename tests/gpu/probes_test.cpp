@@ -1,4 +1,4 @@
-// The source `probes`: where it puts reflections, how much of a pixel it takes, and that it never takes too much.
+// The source `probes`: where it places reflections, its weight in a pixel, and that its weight is never too large.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/probe_oracle.hpp"
 #include "gpu/support/surface_scene.hpp"
@@ -33,7 +33,7 @@ Probe probeOf(const TestEnvironment& cube) {
     return probe;
 }
 
-/// A mirror floor that nothing stands on.
+/// A mirror floor without objects.
 SyntheticScene mirrorFloor(float perceptualRoughness = 0) {
     return [=](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
         const double distance = -origin.y / direction.y;
@@ -67,7 +67,7 @@ protected:
 
 // ---------------------------------------------------------------- where
 
-/// A room of 4 x 3 x 5 m whose walls show their own place; its floor is a mirror.
+/// A room of 4 x 3 x 5 m whose walls' colour is their position; its floor is a mirror.
 constexpr glm::dvec3 kRoomCenter = {0.5, 1.5, -1};
 constexpr glm::dvec3 kRoomHalf = {2, 1.5, 2.5};
 
@@ -90,7 +90,7 @@ struct Misplaced {
     int corners = 0;
 };
 
-/// How far from its right place on screen each pixel of the floor shows what it shows.
+/// Distance on screen between each floor pixel's reflection and its correct place.
 Misplaced misplaced(const Picture& picture, const SyntheticCamera& camera) {
     Misplaced out;
     const uint32_t width = picture.width;
@@ -144,7 +144,7 @@ TEST_F(ProbesTest, aBoxRoomIsReflectedInItsPlace) {
         return SyntheticSurface{glm::length(at - origin), floor ? glm::dvec3(0, 1, 0) : -direction,
                                 glm::vec3(floor ? 1.f : 0.f), 0, glm::vec3(0)};
     };
-    // Off the room's middle, so that nothing falls into its place by symmetry.
+    // Off the room's middle, so that no reflection is correct by symmetry.
     const SyntheticCamera camera = {.position = {1.7, 2.2, 1.2}, .target = {0.1, 0, -1.6}, .fovY = 1.1};
     const Picture picture = look({probe}, room, camera, 192, 128, probesAlone());
     const Misplaced right = misplaced(picture, camera);
@@ -158,9 +158,9 @@ TEST_F(ProbesTest, aBoxRoomIsReflectedInItsPlace) {
 
     Settings far = probesAlone();
     far.probes.parallax = false;
-    EXPECT_GT(misplaced(look({probe}, room, camera, 192, 128, far), camera).worstPX, 20); // the test sees parallax
+    EXPECT_GT(misplaced(look({probe}, room, camera, 192, 128, far), camera).worstPX, 20); // the test detects parallax
 
-    // The same room told in other axes: turned by a quarter about y, x and z change places.
+    // The same room in other axes: turned by a quarter about y, x and z swap.
     Probe turned = probe;
     const float s = std::sqrt(0.5f);
     turned.influence.rotation = turned.proxyVolume.rotation = {0, s, 0, s};
@@ -169,7 +169,7 @@ TEST_F(ProbesTest, aBoxRoomIsReflectedInItsPlace) {
     EXPECT_LT(misplaced(look({turned}, room, camera, 192, 128, probesAlone()), camera).worstPX, 2);
 }
 
-/// No box: a ball above the floor, half a wall and the open sky, each of its colour.
+/// No box: a ball above the floor, half a wall and the open sky, each in its own colour.
 struct Seen {
     glm::vec3 radiance = {0, 0, 1}; // the sky
     double distance = std::numeric_limits<double>::infinity();
@@ -200,7 +200,7 @@ TEST_F(ProbesTest, withDistancesWhatIsNoBoxIsReflectedInItsPlace) {
     probe.capturePositionWS = {0.6f, 1.4f, 0.5f};
     probe.influence = {{0, 0, 0}, {0, 0, 0, 1}, {50, 50, 50}};
     probe.proxyVolume = {{0, 1.5f, 0}, {0, 0, 0, 1}, {6, 1.5f, 4}}; // the floor and the wall
-    const TestEnvironment sky = constantCube(gpu(), {0, 0, 1});     // which gets what the probe's wall and ball hide
+    const TestEnvironment sky = constantCube(gpu(), {0, 0, 1});     // the answer where the probe's wall and ball hide
     const SyntheticCamera camera = {.position = {0.3, 1.6, 3}, .target = {0, 0, -0.6}, .fovY = 0.9};
     constexpr uint32_t kWidth = 192, kHeight = 128;
     const auto wrongShare = [&](bool distances, int steps) {
@@ -223,7 +223,7 @@ TEST_F(ProbesTest, withDistancesWhatIsNoBoxIsReflectedInItsPlace) {
                 const glm::dvec3 toMet = std::isinf(met.distance) ? r : at + met.distance * r - capture;
                 const double shown = openPlace(capture, glm::normalize(toMet)).distance;
                 if (std::isinf(met.distance) ? !std::isinf(shown) : shown < 0.99 * glm::length(toMet))
-                    continue; // the probe's picture does not have it
+                    continue; // the probe's cube does not show it
                 const glm::dvec3 right = met.radiance;
                 wrong += glm::distance(reflected(picture, size_t{y} * kWidth + x), right) > 0.3 ? 1 : 0;
                 ++pixels;
@@ -235,9 +235,9 @@ TEST_F(ProbesTest, withDistancesWhatIsNoBoxIsReflectedInItsPlace) {
     const double proxied = wrongShare(true, 0);
     RecordProperty("marched", std::to_string(marched));
     RecordProperty("proxied", std::to_string(proxied));
-    // Measured: 0.041 and 0.174. What is left are silhouettes, and rays that pass behind the ball.
+    // Measured: 0.041 and 0.174. The remaining errors are silhouettes, and rays that pass behind the ball.
     EXPECT_LT(marched, 0.06);
-    EXPECT_GT(proxied, 0.15); // the test sees what distances are for
+    EXPECT_GT(proxied, 0.15); // the test detects the effect of distances
     EXPECT_EQ(wrongShare(false, Settings().probes.steps), proxied);
 }
 
@@ -246,7 +246,7 @@ TEST_F(ProbesTest, whatIsNearItsReflectionIsSharper) {
     const TestEnvironment cube = TestEnvironment::make(
         gpu(), 64, kMips, [](const glm::dvec3&, uint32_t mip) { return glm::vec3(static_cast<float>(mip)); });
     const SyntheticCamera camera = {.position = {0.3, 1.2, 1.5}, .target = {0, 0, -0.5}, .fovY = 1};
-    for (const ProbeProxy proxy : {ProbeProxy::Box, ProbeProxy::Sphere, ProbeProxy::None})
+    for (const ProbeProxy proxy : {ProbeProxy::Box, ProbeProxy::Sphere, ProbeProxy::Infinite})
         for (const float roughness : {0.f, 0.3f, 0.6f, 1.f}) {
             Probe probe = probeOf(cube);
             probe.capturePositionWS = {-0.4f, 1, 0.2f};
@@ -264,7 +264,7 @@ TEST_F(ProbesTest, whatIsNearItsReflectionIsSharper) {
                     const glm::dvec3 at = camera.position + direction * surface->distance;
                     const glm::dvec3 r = {direction.x, -direction.y, direction.z};
                     double sharper = roughness;
-                    if (proxy != ProbeProxy::None) {
+                    if (proxy != ProbeProxy::Infinite) {
                         const double toHit = oracle::proxyDistance(probe, at, r);
                         const double fromCapture =
                             glm::distance(at + r * toHit, oracle::toDvec(probe.capturePositionWS));
@@ -298,7 +298,7 @@ std::vector<Probe> scattered(const std::vector<TestEnvironment>& cubes, std::mt1
         }
         probe.capturePositionWS = {probe.influence.centerWS[0], 1, probe.influence.centerWS[2]};
         probe.weight = unit(random) < 0.5f ? 1 : unit(random);
-        probe.proxy = ProbeProxy::None;
+        probe.proxy = ProbeProxy::Infinite;
         probes.push_back(probe);
     }
     return probes;
@@ -313,7 +313,7 @@ TEST_F(ProbesTest, weightsAreThoseOfTheFormulas) {
         std::vector<TestEnvironment> cubes;
         std::vector<glm::vec3> radiances;
         for (size_t i = 0; i < count; ++i) {
-            radiances.emplace_back(unit(random), unit(random), 1.f); // blue tells the sum of the weights
+            radiances.emplace_back(unit(random), unit(random), 1.f); // blue is the sum of the weights
             cubes.push_back(constantCube(gpu(), radiances.back()));
         }
         std::vector<Probe> probes = scattered(cubes, random);
@@ -373,11 +373,11 @@ TEST_F(ProbesTest, aWhiteFurnaceIsNeverAboveOne) {
                 EXPECT_LE(picture.color(i).r, 1.005) << "roughness " << roughness;
             }
             const double middle = reflected(picture, size_t{30} * 48 + 24).r;
-            EXPECT_NEAR(middle, 1, 2e-3); // and the sky fills what probes leave
+            EXPECT_NEAR(middle, 1, 2e-3); // and the sky takes the remaining weight
         }
 }
 
-/// A white metal floor before a white wall that shines, in white surroundings.
+/// A white metal floor before an emissive white wall, in white surroundings.
 TEST_F(ProbesTest, everyCombinationOfSourcesStaysAtOne) {
     SurfaceScene scene;
     scene.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.1f));
@@ -416,7 +416,7 @@ TEST_F(ProbesTest, everyCombinationOfSourcesStaysAtOne) {
             ASSERT_LE(reflected(picture, i).r, 1.002) << "sources " << on << ", pixel " << i;
             if ((on & 8) != 0 && picture.composite[i * 4 + 3] > 0 && reflected(picture, i).r > 0) {
                 ASSERT_NEAR(reflected(picture, i).r, 1, 2e-3)
-                    << "sources " << on << ", pixel " << i; // the sky fills up
+                    << "sources " << on << ", pixel " << i; // the sky takes the remaining weight
             }
         }
         EXPECT_EQ(ran(picture, "probes/reflect"), (on & 4) != 0);
@@ -443,7 +443,7 @@ TEST_F(ProbesTest, noProbesCostNothing) {
 // ---------------------------------------------------------------- filtering
 
 TEST_F(ProbesTest, cubesAreFilteredForEveryRoughness) {
-    // Light from above, dark below; and texels that are no light at all.
+    // Light from above, dark below; and texels that are no valid radiance.
     const TestEnvironment raw = TestEnvironment::make(gpu(), 32, 1, [](const glm::dvec3& direction, uint32_t) {
         const bool broken = std::abs(direction.x - 0.2) < 0.01;
         return broken ? glm::vec3(std::numeric_limits<float>::quiet_NaN()) : glm::vec3(direction.y > 0 ? 1.f : 0.f);
@@ -497,7 +497,7 @@ TEST_F(ProbesTest, aCubeThatTheHostDrewAnewIsFilteredAnew) {
         frame.hand(cube.cube, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
                                VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
     });
-    EXPECT_NEAR(floorShows(), 0.25, 1e-3); // until it is told
+    EXPECT_NEAR(floorShows(), 0.25, 1e-3); // until the change is declared
     probes.refilter(0);
     EXPECT_NEAR(floorShows(), 0.75, 1e-3);
     probe.strength = 2;
@@ -528,9 +528,9 @@ TEST_F(ProbesTest, whatCannotBeIsNamed) {
     EXPECT_THAT(errorOf([](Probe& p) { p.cube = {}; }), testing::HasSubstr("cube"));
     EXPECT_THAT(errorOf([](Probe& p) { p.cube.layout = VK_IMAGE_LAYOUT_GENERAL; }), testing::HasSubstr("READ_ONLY"));
     EXPECT_THAT(errorOf([](Probe&) {}, 48), testing::HasSubstr("power of two"));
-    // What is not used is not looked at.
+    // Unused fields are not checked.
     EXPECT_EQ(errorOf([](Probe& p) {
-                  p.proxy = ProbeProxy::None;
+                  p.proxy = ProbeProxy::Infinite;
                   p.proxyVolume.halfExtents[0] = kNan;
               }),
               "");

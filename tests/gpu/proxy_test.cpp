@@ -1,9 +1,9 @@
-// What only march proxy promises: the place that its volume predicts, at one lookup a ray, and no answer where that
+// The promises of march proxy alone: the hit that its volume predicts, at one lookup a ray, and no answer where that
 // lookup shows that the volume must be wrong.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
-#include "reflect/outcomes.hpp"
+#include "reflect/trace/outcomes.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,7 +18,7 @@ constexpr uint32_t kHeight = 128;
 /// A room of 4 x 3 x 5 m.
 constexpr glm::dvec3 kRoomCenter = {0.5, 1.5, -1};
 constexpr glm::dvec3 kRoomHalf = {2, 1.5, 2.5};
-/// Off the room's middle, so that nothing falls into its place by symmetry.
+/// Off the room's middle, so that no reflection is correct by symmetry.
 const SyntheticCamera kInRoom = {.position = {1.7, 2.2, 1.2}, .target = {0.1, 0, -1.6}, .fovY = 1.1};
 
 /// Where a ray from inside leaves the room, and through which face.
@@ -42,9 +42,9 @@ Wall wallOf(const glm::dvec3& origin, const glm::dvec3& direction) {
     return {origin + direction * t, normal};
 }
 
-const glm::dvec3 kShown = {3, 1, 4.5}; ///< added to places that are shown as colours, so that none is negative
+const glm::dvec3 kShown = {3, 1, 4.5}; ///< added to positions that are shown as colours, so that no channel is negative
 
-/// Its floor is a mirror, its walls show their own place.
+/// The floor is a mirror; the walls' colour is their position.
 std::optional<SyntheticSurface> room(const glm::dvec3& origin, const glm::dvec3& direction) {
     const Wall wall = wallOf(origin, direction);
     const bool floor = wall.normal.y > 0;
@@ -100,10 +100,10 @@ protected:
         size_t behind = 0;
         size_t offScreen = 0;
         double worstPX = 0;    ///< of hits, from the place predicted
-        double worstColor = 0; ///< metres between the place that a hit shows and that which it should
+        double worstColor = 0; ///< metres between the position that a hit shows and the correct one
     };
 
-    /// Every mirror pixel against `end(start, direction)`, the place that its ray meets.
+    /// Every mirror pixel against `end(start, direction)`, the hit of its ray.
     template <class End>
     static Seen check(const Picture& picture, const SyntheticScene& scene, const SyntheticCamera& camera, End end) {
         Seen seen;
@@ -147,7 +147,7 @@ protected:
             const glm::dvec3 found(picture.reflection[i * 4], picture.reflection[i * 4 + 1],
                                    picture.reflection[i * 4 + 2]);
             const glm::dvec2 inTexel = expected - glm::floor(expected) - 0.5;
-            if (std::max(std::abs(inTexel.x), std::abs(inTexel.y)) < 0.45) // else it may be the neighbour's
+            if (std::max(std::abs(inTexel.x), std::abs(inTexel.y)) < 0.45) // otherwise it may be the neighbour's texel
                 seen.worstColor = std::max(seen.worstColor, glm::distance(found, glm::dvec3(shown->radiance)));
             if (HasFailure())
                 break;
@@ -169,7 +169,7 @@ TEST_F(ProxyTest, aBoxRoomIsReflectedInItsPlaceAtOneLookup) {
     EXPECT_EQ(picture.statistics.lookups95, 1u);
     RecordProperty("worstPX", std::to_string(seen.worstPX));
 
-    // The same room told in other axes: turned by a quarter about y, x and z change places.
+    // The same room in other axes: turned by a quarter about y, x and z swap.
     Probe turned = roomVolume();
     const float s = std::sqrt(0.5f);
     turned.influence.rotation = turned.proxyVolume.rotation = {0, s, 0, s};
@@ -177,7 +177,7 @@ TEST_F(ProxyTest, aBoxRoomIsReflectedInItsPlaceAtOneLookup) {
     turned.proxyVolume.halfExtents = {2.5f, 1.5f, 2};
     EXPECT_LT(check(show({turned}, room, kInRoom), room, kInRoom, end).worstPX, 0.05);
 
-    // Wrong by as much as the volume is: a wall half a metre farther off shows elsewhere.
+    // The error is the volume's error: a wall half a metre farther off moves the hit.
     Probe larger = roomVolume();
     larger.proxyVolume.halfExtents[2] += 0.5f;
     const Picture wrong = show({larger}, room, kInRoom);
@@ -198,7 +198,7 @@ TEST_F(ProxyTest, aDomeIsReflectedInItsPlace) {
 }
 
 TEST_F(ProxyTest, raysThatComeBackEndBehindTheCamera) {
-    // A mirror on the far wall shows the room behind the camera, which no picture has, and its sides.
+    // A mirror on the far wall shows the room behind the camera, which no frame shows, and the room's sides.
     const SyntheticScene mirror = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         auto surface = room(origin, direction);
         surface->f0 = glm::vec3(surface->normalWS.z > 0 ? 1 : 0);
@@ -215,7 +215,7 @@ TEST_F(ProxyTest, withoutAProxyTheDirectionAloneCounts) {
     const SyntheticCamera camera;
     const Stage stage = floorAndWall();
     Probe noProxy = wallVolume();
-    noProxy.proxy = ProbeProxy::None;
+    noProxy.proxy = ProbeProxy::Infinite;
     Probe elsewhere = wallVolume();
     elsewhere.influence = {{0, -5, 0}, {0, 0, 0, 1}, {100, 1, 100}};
     Probe silent = wallVolume();
@@ -250,7 +250,7 @@ TEST_F(ProxyTest, withoutAProxyTheDirectionAloneCounts) {
     EXPECT_GT(hits, 1000u);
 
     SyntheticCamera orthographic;
-    orthographic.orthoHeight = 3; // no picture of parallel rays shows what is infinitely far in another direction
+    orthographic.orthoHeight = 3; // no orthographic frame shows what is infinitely far in another direction
     const Picture parallel = trace(stage, orthographic, kWidth, kHeight, settings());
     EXPECT_EQ(parallel.counted("offScreen"), parallel.statistics.rays);
     EXPECT_GT(parallel.statistics.rays, 1000u);
@@ -321,9 +321,10 @@ TEST_F(ProxyTest, volumesThatTheHostMovesMoveAlong) {
     EXPECT_EQ(trace(made, camera.view(kWidth, kHeight)).hitUV, before.hitUV);
 }
 
-// ---------------------------------------------------------------- what the lookup refuses
+// ---------------------------------------------------------------- what the lookup rejects
 
-/// Pixels of the floor whose ray ends, in the volume of the wall at z = -3, where the picture shows what `is` says.
+/// Pixels of the floor whose ray ends, in the volume of the wall at z = -3, where the frame shows a surface for which
+/// `is` returns true.
 template <class Is>
 size_t countWhere(const Picture& picture, const Stage& stage, const SyntheticCamera& camera, uint32_t outcome, Is is) {
     size_t count = 0;
@@ -365,7 +366,7 @@ TEST_F(ProxyTest, whatIsNearerThanAllOfTheRayIsNotMet) {
         const double cardZ = nearer ? 1 : 0;
         stage.cards.push_back({.low = {-0.5, 0.25}, .high = {0.5, 1.6}, .z = cardZ});
         const Picture picture = show({wallVolume()}, stage, camera);
-        // Where it stands on the ray's way, the ray may have met it.
+        // Where the card is in the ray's path, the ray may have hit it.
         const uint32_t outcome = nearer ? shared::kOutcomeHidden : shared::kOutcomeHit;
         const auto showsCard = [&](const glm::dvec3& start, const auto& shown, const glm::dvec3& toPixel) {
             const glm::dvec3 at = camera.position + toPixel * (shown ? shown->distance : 0);
@@ -377,7 +378,7 @@ TEST_F(ProxyTest, whatIsNearerThanAllOfTheRayIsNotMet) {
 }
 
 TEST_F(ProxyTest, aMirrorIsNotItsOwnReflection) {
-    // A volume that ends long before the wall: low down the picture shows the floor there.
+    // A volume that ends long before the wall: low in the image the frame shows the floor there.
     const SyntheticCamera camera;
     const Stage stage = floorAndWall();
     Probe small = wallVolume();
@@ -396,7 +397,7 @@ TEST_F(ProxyTest, aMirrorIsNotItsOwnReflection) {
 // ---------------------------------------------------------------- the inspector
 
 TEST_F(ProxyTest, theInspectorNamesTheProxyAndHowFarItIs) {
-    // A pixel whose ray ends well inside the picture.
+    // A pixel whose ray ends well inside the image.
     glm::uvec2 pixel(0);
     glm::dvec3 start(0);
     glm::dvec3 end(0);

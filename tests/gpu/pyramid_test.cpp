@@ -1,5 +1,5 @@
-// shaders/prepare/pyramid: every cell of every level bounds what the picture shows in it, and closely. The pass runs
-// alone, on depths of the tests' own; all pixels of all cells are gone through here, in double precision.
+// shaders/prepare/pyramid: every cell of every level bounds the surfaces that the frame shows in it, and tightly. The
+// pass runs alone, on the tests' own depths; the test visits all pixels of all cells in double precision.
 #include "gpu/support/synthetic_gbuffer.hpp"
 
 #include "shared/frame_constants.h"
@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <random>
@@ -15,11 +16,11 @@ namespace glint::test {
 namespace {
 
 constexpr float kBackground = shared::kBackgroundZ;
-/// As lib/pyramid.glsl has them.
+/// As in lib/pyramid.glsl.
 constexpr float kEmptyCell = -1.0e37f;
 constexpr float kBroken = 1.0e37f;
 
-/// As tests/gpu/shaders/pyramid_cells.comp writes it.
+/// Layout of tests/gpu/shaders/pyramid_cells.comp's output.
 struct Cell {
     float front;
     float depth;
@@ -30,15 +31,14 @@ struct Cell {
     bool broken() const { return depth >= kBroken; }
 };
 
-/// Rounding of nearness, as a share of it: what the hiz marcher allows for.
+/// Rounding of nearness, as a fraction of it: the tolerance of the hiz marcher.
 constexpr double kRounding = 2e-6;
 
 struct Depths {
     glm::ivec2 size;
     std::vector<float> viewZ; ///< row by row
     bool orthographic = false;
-    glm::ivec2 backSize = {1, 1};
-    std::vector<float> backViewZ = {kBackground};
+    std::vector<float> backViewZ; ///< of the pixels' objects, or kBackground
     bool backFaces = false;
     float thickness = 0;
     float thicknessRelative = 0;
@@ -53,11 +53,9 @@ struct Depths {
         const double z = static_cast<double>(viewZ[static_cast<size_t>(px.y * size.x + px.x)]);
         double reach = z;
         if (backFaces) {
-            const glm::dvec2 uv = (glm::dvec2(px) + 0.5) / glm::dvec2(size);
-            const glm::ivec2 at = glm::min(glm::ivec2(uv * glm::dvec2(backSize)), backSize - 1);
-            const double back = static_cast<double>(backViewZ[static_cast<size_t>(at.y * backSize.x + at.x)]);
-            if (back < static_cast<double>(kBackground) && back >= z * 0.999)
-                reach = std::max(back, z);
+            const double back = static_cast<double>(backViewZ[static_cast<size_t>(px.y * size.x + px.x)]);
+            if (back < static_cast<double>(kBackground))
+                reach = back;
         }
         return nearness(reach + static_cast<double>(thickness) + static_cast<double>(thicknessRelative) * z);
     }
@@ -70,7 +68,7 @@ glm::ivec2 levelSize(glm::ivec2 size, int level) {
 /// levels[i] is level i + 1.
 using Levels = std::vector<std::vector<Cell>>;
 
-/// Pixels of a cell's quarter, or of all of it; clipped to the picture.
+/// Pixels of a cell's quarter, or of the whole cell; clipped to the image.
 template <class Visit>
 void forPixels(glm::ivec2 size, glm::ivec2 low, int side, Visit visit) {
     const glm::ivec2 high = glm::min(low + side, size);
@@ -96,8 +94,13 @@ protected:
                                    static_cast<uint32_t>(size.y), bytesOf(texels));
         };
         gpu::Image viewZ = image("test/viewZ", in.size, in.viewZ);
-        gpu::Image backViewZ = image("test/backViewZ", in.backSize, in.backViewZ);
-        // As FrameState::createPyramid makes them.
+        gpu::Image backViewZ = in.backFaces ? image("test/backViewZ", in.size, in.backViewZ)
+                                            : image("test/backViewZ", {1, 1}, {kBackground});
+        // Every surface faces the eye, so the pyramid has no information about what lies between two pixels.
+        gpu::Image surface = uploadTestImage(gpu(), "test/surface", VK_FORMAT_R32G32_UINT,
+                                             static_cast<uint32_t>(in.size.x), static_cast<uint32_t>(in.size.y),
+                                             bytesOf(std::vector<glm::uvec2>(in.viewZ.size(), glm::uvec2(0))));
+        // As FrameState::createPyramid creates them.
         const auto longest = static_cast<uint32_t>(std::max(in.size.x, in.size.y));
         const uint32_t levels =
             std::clamp(static_cast<uint32_t>(std::bit_width(longest - 1)), 1u, shared::kMaxPyramidLevels - 1);
@@ -132,6 +135,7 @@ protected:
                     .read("frame", frameConstants)
                     .read("viewZ", viewZ)
                     .read("backViewZ", backViewZ)
+                    .read("surface", surface)
                     .write("pyramid", cells)
                     .readWrite("tiles", tileCells)
                     .push(shared::PyramidConstants{in.thickness, in.thicknessRelative,
@@ -166,7 +170,7 @@ protected:
         }
     }
 
-    /// How far below a cell's plane, about which its bounds are, something of nearness `n` lies at a pixel.
+    /// How far a point of nearness `n` at a pixel lies below the cell's plane, about which its bounds are.
     static double below(const Cell& cell, int level, glm::ivec2 low, glm::ivec2 px, double n) {
         const glm::dvec2 d = glm::dvec2(px - low) + 0.5 - 0.5 * (1 << level);
         return static_cast<double>(cell.front) + glm::dot(glm::dvec2(cell.slope), d) - n;
@@ -204,7 +208,7 @@ protected:
         });
     }
 
-    /// The bounds are, but for what packing rounds, the very least and most.
+    /// Except for packing's rounding, the bounds are the exact minimum and maximum.
     static void expectTight(const Depths& in, const Levels& levels) {
         constexpr double kPacked = 1.26; // two bits of mantissa, up
         forCells(in, levels, [&](const Cell& cell, int level, glm::ivec2 low) {
@@ -257,7 +261,7 @@ protected:
         return out;
     }
 
-    /// Half of the time back faces of a size of their own, some of them in front of the front, some not there.
+    /// Back faces half of the time, some of them unknown.
     static void addSlabs(Depths& in, bool backFaces, std::mt19937& random) {
         std::uniform_real_distribution<float> unit(0, 1);
         in.backFaces = backFaces;
@@ -265,10 +269,9 @@ protected:
         in.thicknessRelative = 0.01f;
         if (!backFaces)
             return;
-        in.backSize = glm::max(in.size / 3, 1);
         in.backViewZ.clear();
-        for (int i = 0; i < in.backSize.x * in.backSize.y; ++i)
-            in.backViewZ.push_back(random() % 4 == 0 ? kBackground : 0.5f + 12 * unit(random));
+        for (const float z : in.viewZ)
+            in.backViewZ.push_back(random() % 4 == 0 ? kBackground : z + 12 * unit(random));
     }
 };
 
@@ -290,7 +293,7 @@ TEST_F(PyramidTest, BoundsHoldForAnyDepths) {
             }
 }
 
-/// Planes, balls and edges between them, and a background: the depths of pictures.
+/// Planes, balls and edges between them, and a background: depths as in rendered frames.
 double roomDepth(glm::ivec2 px, glm::ivec2 size) {
     const glm::dvec3 d = glm::normalize(glm::dvec3((px.x + 0.5) / size.x - 0.5, 0.3 - (px.y + 0.5) / size.y, -1));
     double z = static_cast<double>(kBackground);
@@ -324,7 +327,7 @@ TEST_F(PyramidTest, BoundsHoldForPictures) {
 }
 
 TEST_F(PyramidTest, NoBoundIsLooserThanItsRounding) {
-    // Depths with nothing but edges: no cell is tilted, so its bounds are the least and the most there is.
+    // Depths with edges only: no cell is tilted, so its bounds are the minimum and maximum.
     std::mt19937 random(9);
     constexpr double kDepths[] = {1, 2, 4};
     for (const glm::ivec2 size : kSizes)
@@ -347,7 +350,7 @@ TEST_F(PyramidTest, APlaneIsFlatAtEveryLevel) {
         for (const glm::dvec2 tilt : {glm::dvec2(0), glm::dvec2(0.2, 0), glm::dvec2(-0.1, 0.3)}) {
             const glm::dvec2 slope = tilt / glm::dvec2(size);
             if (std::max(std::abs(slope.x), std::abs(slope.y)) > 0.04 * 0.4)
-                continue; // so steep a step is taken for an edge
+                continue; // so steep a step counts as an edge
             SCOPED_TRACE(fmt::format("{}x{}, tilt {},{}", size.x, size.y, tilt.x, tilt.y));
             const Depths in = depths(size, [&](glm::ivec2 px) { // nearness is linear on screen
                 const glm::dvec2 uv = (glm::dvec2(px) + 0.5) / glm::dvec2(size);
@@ -357,8 +360,8 @@ TEST_F(PyramidTest, APlaneIsFlatAtEveryLevel) {
             expectValid(in, levels);
             forCells(in, levels, [&](const Cell& cell, int level, glm::ivec2 low) {
                 if (glm::any(glm::greaterThan(low + (1 << level), in.size)))
-                    return; // over the picture's end cells have no slope
-                // Slopes are halves: a cell's depth is what that leaves across it, and depth's own rounding.
+                    return; // cells across the image's end have no slope
+                // Slopes are halves: a cell's depth is the slope's rounding across the cell, plus depth's own rounding.
                 const double left = glm::dot(glm::abs(slope), glm::dvec2(1 << level)) / 1024;
                 ASSERT_LE(cell.depth, left + 1e-6) << "level " << level << ", cell at " << low.x << "," << low.y;
             });

@@ -1,8 +1,9 @@
-// RayScene: both back ends find what an oracle finds that tries every triangle in double precision.
+// RayScene: both back ends find the hits of an oracle that tests every triangle in double precision.
 #include "gpu/support/ray_test.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <random>
 
 namespace glint::test {
@@ -44,7 +45,7 @@ TEST_P(RaySceneTest, oneTriangleIsMetWhereItIs) {
     EXPECT_FALSE(hits[2].frontFace);
 }
 
-/// Triangles of all sizes about the origin, several meshes, instances moved, turned, squeezed and mirrored.
+/// Triangles of all sizes about the origin, several meshes, instances moved, rotated, scaled and mirrored.
 TestScene randomScene(uint32_t seed, float scale) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(-1, 1);
@@ -98,8 +99,8 @@ std::vector<TestRay> randomRays(uint32_t seed, size_t count, float scale) {
     return rays;
 }
 
-/// How many rays the back end answers differently than the oracle, those left out that pass so close to an edge, or to
-/// the ends of the range, that single precision may decide either way.
+/// Number of rays that the back end answers differently from the oracle. Excludes rays that pass so close to an edge,
+/// or to the ends of the range, that single precision may decide either way.
 struct Disagreement {
     size_t judged = 0;
     size_t met = 0;
@@ -190,7 +191,7 @@ TestMesh sheet(uint32_t cells, float bump) {
 TEST_P(RaySceneTest, noRaySlipsThroughSharedEdgesAndVertices) {
     TestScene scene;
     scene.meshes.push_back(sheet(32, 0.02f));
-    RayInstance instance; // turned, so that nothing is along an axis
+    RayInstance instance; // rotated, so that no edge is along an axis
     const glm::mat4 turned = {{0.36f, 0.48f, -0.8f, 0}, {-0.8f, 0.6f, 0, 0}, {0.48f, 0.64f, 0.6f, 0}, {3, -2, 1, 1}};
     std::copy_n(glm::value_ptr(turned), 16, instance.localToWorld.begin());
     for (const bool moved : {false, true}) {
@@ -214,7 +215,7 @@ TEST_P(RaySceneTest, noRaySlipsThroughSharedEdgesAndVertices) {
         size_t slipped = 0;
         for (const TestHit& hit : hits)
             slipped += hit.met() && hit.occluded ? 0 : 1;
-        // A driver's own test may not be watertight: Mesa's lavapipe lets about 2 in 1000 of such rays through.
+        // A driver's own test may not be watertight: Mesa's lavapipe lets about 2 in 1000 of such rays pass.
         const size_t allowed = GetParam() == RayBackend::Query ? rays.size() / 100 : 0;
         EXPECT_LE(slipped, allowed) << "of " << rays.size() << (moved ? ", turned" : "");
     }
@@ -253,7 +254,7 @@ TEST_P(RaySceneTest, whatIsNotANumberIsNotThere) {
         }
     mesh.addTriangle({0, 0, -1}, {0, 0, -1}, {0, 0, -1});    // a point
     mesh.addTriangle({-1, 0, -1}, {1, 0, -1}, {0, 0, -1});   // a line
-    mesh.addTriangle({-1, -1, -5}, {1, -1, -5}, {0, 1, -5}); // and one more that is there
+    mesh.addTriangle({-1, -1, -5}, {1, -1, -5}, {0, 1, -5}); // and one valid triangle
     for (const float wrong : {kNan, kInfinity, 0.0f})
         for (const int element : {0, 5, 12}) {
             RayInstance instance;
@@ -272,7 +273,7 @@ TEST_P(RaySceneTest, whatIsNotANumberIsNotThere) {
     rays.push_back({.directionWS = {0, 0, 0}});
     rays.push_back({.tMin = -1});
     rays.push_back({.tMin = 3, .tMax = 2});
-    rays.push_back({.tMax = kInfinity}); // this one is a ray
+    rays.push_back({.tMax = kInfinity}); // a valid ray
     const std::vector<TestHit> hits = trace(scene, rays);
     for (size_t i = 0; i < hits.size(); ++i) {
         const bool meets = i < good || i + 1 == hits.size();
@@ -352,7 +353,7 @@ TEST_P(RaySceneTest, aMeshDeforms) {
             for (glm::vec3& position : positions)
                 position += glm::vec3(unit(random), unit(random), unit(random)) * 0.2f;
             std::vector<glm::vec3> given = positions;
-            if (step == 1) { // not a place: the vertex stays where it was
+            if (step == 1) { // not a valid position: the vertex stays where it was
                 positions[1] -= glm::vec3(0.5f);
                 must(built->deform(m, &positions[0].x, static_cast<uint32_t>(positions.size()), sizeof(glm::vec3)));
                 given = positions;

@@ -1,4 +1,4 @@
-// The source `rays` over many frames: the mean of all samples, and when it starts anew.
+// The source `rays` over many frames: the mean of all samples, and when accumulation restarts.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
 
@@ -82,7 +82,7 @@ TEST_F(RaysAccumulateTest, ErrorFallsWithTheRootOfTheSamples) {
         Reflections reflections = start(true);
         const double now = error(last(reflections, frames), truth);
         if (frames > 1) {
-            EXPECT_LT(now, before * 0.6) << frames; // a half by chance alone; the sequence does better
+            EXPECT_LT(now, before * 0.6) << frames; // a half by chance alone; the sequence is better
         }
         before = now;
     }
@@ -92,7 +92,7 @@ TEST_F(RaysAccumulateTest, ErrorFallsWithTheRootOfTheSamples) {
 TEST_F(RaysAccumulateTest, FramesOrSamplesAreTheSame) {
     Reflections inFrames = start(true, 4);
     Reflections atOnce = start(true, 32);
-    // Half floats in the picture.
+    // The image stores half floats.
     EXPECT_LT(error(last(inFrames, 8), last(atOnce, 1)), 1e-3);
 }
 

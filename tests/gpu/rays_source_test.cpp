@@ -3,11 +3,13 @@
 #include "gpu/support/surface_scene.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace glint::test {
 namespace {
 
-/// What an engine would bring: a pipeline made without Glint's help, on tests/gpu/shaders/shade_hits.comp.
+/// The host's own shading, as in an engine: a pipeline made without Glint's help, from
+/// tests/gpu/shaders/shade_hits.comp.
 class HostShading {
 public:
     explicit HostShading(gpu::Context& context) : context_(context) {
@@ -140,13 +142,13 @@ TEST_P(RaysSourceTest, aMirrorShowsWhatStandsBehindTheCamera) {
     EXPECT_EQ(picture.statistics.rays, hits);
 }
 
-/// Mirrors at x = -1 and 1, both `height` high, under a shining ceiling: each mirror of a path is one nearer to it.
+/// Mirrors at x = -1 and 1, both `height` high, under an emissive ceiling: each mirror of a path is one nearer to it.
 TEST_P(RaysSourceTest, twoMirrorsShowAsManyBouncesAsAsked) {
     SurfaceScene scene;
     scene.addQuad({-1, 0, -50}, {0, 9.5f, 0}, {0, 0, 100}, whiteMetal(0));
     scene.addQuad({1, 0, -50}, {0, 0, 100}, {0, 9.5f, 0}, whiteMetal(0));
     scene.addQuad({-300, 20, -300}, {0, 0, 600}, {600, 0, 0}, emitting(glm::vec3(1)));
-    // What a picture shows is the mirror at x = 1 alone; its pixels look up ever steeper.
+    // The frame shows the mirror at x = 1 alone; its pixels' rays rise ever more steeply.
     SyntheticCamera camera = {.position = {0, 0.05, 0}, .target = {1, 1.2, 0}, .fovY = 1.5};
     const SyntheticScene seen = [](const glm::dvec3& origin,
                                    const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
@@ -171,7 +173,7 @@ TEST_P(RaysSourceTest, twoMirrorsShowAsManyBouncesAsAsked) {
                     continue;
                 const double rise = direction.y / direction.x * 2; // from mirror to mirror
                 double at = eye.y + direction.y * surface->distance;
-                int mirrors = 0; // after the one that the picture shows
+                int mirrors = 0; // after the one that the frame shows
                 bool doubtful = rise <= 1e-3;
                 for (at += rise; at < 9.5 && mirrors < 20; at += rise) {
                     ++mirrors;
@@ -196,7 +198,7 @@ TEST_P(RaysSourceTest, aWhiteFurnaceStaysWhite) {
     for (const float roughness : {0.f, 0.1f, 0.3f, 0.5f, 0.7f, 0.9f, 1.f}) {
         SurfaceScene scene;
         scene.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(roughness));
-        scene.addQuad({-1, 0, -2}, {2, 0, 0}, {0, 2, 0}, whiteMetal(roughness)); // stands on it, seen in it
+        scene.addQuad({-1, 0, -2}, {2, 0, 0}, {0, 2, 0}, whiteMetal(roughness)); // stands on it, reflected in it
         Settings settings = raySettings();
         settings.rays.samples = 16;
         settings.rays.bounces = 3;
@@ -209,7 +211,7 @@ TEST_P(RaysSourceTest, aWhiteFurnaceStaysWhite) {
     }
 }
 
-/// A box, white outside in every direction: whatever shines inside has leaked.
+/// A box, white outside in every direction: any light inside has leaked.
 TEST_P(RaysSourceTest, closedBoxesStayDarkAtAnyScale) {
     TestEnvironment environment = whiteEnvironment();
     SurfaceScene box;
@@ -252,7 +254,7 @@ TEST_P(RaysSourceTest, closedBoxesStayDarkAtAnyScale) {
     }
 }
 
-/// Emitting things about a mirror, seen at three scales.
+/// Emissive objects around a mirror, at three scales.
 TEST_P(RaysSourceTest, scaledScenesGiveTheSamePicture) {
     SurfaceScene scene;
     scene.addQuad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, whiteMetal(0));
@@ -273,7 +275,7 @@ TEST_P(RaysSourceTest, scaledScenesGiveTheSamePicture) {
         size_t differing = 0;
         for (size_t i = 0; i < pictures[0].pixels(); ++i)
             differing += glm::distance(pictures[0].color(i), pictures[p].color(i)) > 1.f / 255;
-        EXPECT_LE(differing, pictures[0].pixels() / 1000); // edges fall this way or that
+        EXPECT_LE(differing, pictures[0].pixels() / 1000); // edges round either way
     }
 }
 
@@ -338,11 +340,138 @@ TEST_P(RaysSourceTest, aLightShinesOnWhatAMirrorShowsUnlessSomethingStandsBetwee
     }
 }
 
+/// A mirror that shows a wall behind the camera through objects before the wall. All surfaces are black except for
+/// their emission, transmission and absorption.
+class RaysTransparentsTest : public RaysSourceTest {
+protected:
+    void SetUp() override {
+        RaysSourceTest::SetUp();
+        scene_.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+    }
+    SurfaceScene& addWall(float left, float right, const glm::vec3& radiance) {
+        return scene_.addQuad({right, -20, 9}, {left - right, 0, 0}, {0, 40, 0}, emitting(radiance));
+    }
+    /// Two faces `thickness` apart, parts of one mesh; the first one at z = 5 in the middle, rotated about the
+    /// vertical.
+    void addSlab(float thickness, float angle, const SurfaceMaterial& material) {
+        const glm::vec3 side(std::cos(angle), 0, std::sin(angle));
+        const glm::vec3 inward(-std::sin(angle), 0, std::cos(angle));
+        const glm::vec3 up(0, 10, 0);
+        const glm::vec3 near = glm::vec3(0, -5, 5) - 5.f * side;
+        scene_.addQuad(near + 10.f * side, -10.f * side, up, material);
+        TestMesh& mesh = scene_.triangles.meshes.back();
+        const glm::vec3 far = near + thickness * inward;
+        mesh.addTriangle(far, far + 10.f * side, far + 10.f * side + up);
+        mesh.addTriangle(far, far + 10.f * side + up, far + up);
+        scene_.triangles.instances.back().doubleSided = false;
+    }
+    static SurfaceMaterial glass(float ior) {
+        SurfaceMaterial material = blackMatte();
+        material.baseColorFactor = {1, 1, 1, 1};
+        material.roughnessFactor = 0;
+        material.transmissionFactor = 1;
+        material.ior = ior;
+        return material;
+    }
+    glm::vec3 middle(int transparents = 8, const EnvironmentMap& environment = {}) const {
+        Settings settings = raySettings();
+        settings.rays.transparents = transparents;
+        return reflected(look(scene_, {.position = {0, 0, 3}, .target = {0, 0, 0}}, 33, 17, settings, environment),
+                         33 * 8 + 16);
+    }
+    static void expectColor(const glm::vec3& found, const glm::vec3& expected) {
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(found[c], expected[c], 4e-3) << c;
+    }
+
+    SurfaceScene scene_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, RaysTransparentsTest, testing::Values(RayBackend::Query, RayBackend::Bvh),
+                         [](const auto& backend) { return backend.param == RayBackend::Query ? "query" : "bvh"; });
+
+TEST_P(RaysTransparentsTest, thinWallsTintAndBlendedOnesCover) {
+    SurfaceMaterial pane = glass(1.5f);
+    pane.baseColorFactor = {0.5f, 1, 0.25f, 1};
+    addWall(-20, 20, {1, 2, 4}).addQuad({5, -5, 5}, {-10, 0, 0}, {0, 10, 0}, pane);
+    SurfaceMaterial veil = emitting({2, 0, 0});
+    veil.alpha = SurfaceAlpha::Blend;
+    veil.baseColorFactor[3] = 0.25f;
+    scene_.addQuad({5, -5, 7}, {-10, 0, 0}, {0, 10, 0}, veil);
+    const glm::vec3 veiled = glm::vec3(2, 0, 0) * 0.25f + glm::vec3(1, 2, 4) * 0.75f;
+    expectColor(middle(), glm::vec3(0.5f, 1, 0.25f) * veiled);
+    expectColor(middle(1), glm::vec3(0.5f, 1, 0.25f) * glm::vec3(1, 2, 4)); // the second one is not visible
+    expectColor(middle(0), {1, 2, 4});
+}
+
+TEST_P(RaysTransparentsTest, bodiesAbsorbByTheWayInside) {
+    SurfaceMaterial body = glass(1);
+    body.thicknessFactor = 3;
+    body.attenuationColor = {0.5f, 0.25f, 1};
+    body.attenuationDistance = 1.5f;
+    addWall(-20, 20, {1, 1, 1});
+    addSlab(2, 0.7f, body);
+    const float way = 2 / std::cos(0.7f) / 1.5f;
+    expectColor(middle(), {std::pow(0.5f, way), std::pow(0.25f, way), 1});
+}
+
+TEST_P(RaysTransparentsTest, anOpenBodyIsAsThickAsItsMaterialSays) {
+    SurfaceMaterial body = glass(1);
+    body.thicknessFactor = 0.5f;
+    body.attenuationColor = {0.5f, 0.25f, 1};
+    body.attenuationDistance = 1;
+    addWall(-20, 20, {1, 1, 1}).addQuad({5, -5, 5}, {-10, 0, 0}, {0, 10, 0}, body);
+    expectColor(middle(), {std::sqrt(0.5f), 0.5f, 1});
+}
+
+TEST_P(RaysTransparentsTest, aSlabShiftsWhatStandsBehindIt) {
+    // By t sin(a) (1 - cos(a) / (n cos(a'))) with sin(a) = n sin(a'): 0.658 m at 45 degrees, n = 1.5 and t = 2.
+    addWall(-0.6f, 0.6f, {1, 0, 0});
+    addWall(0.6f, 0.72f, {0, 1, 0});
+    addWall(-0.72f, -0.6f, {0, 1, 0});
+    SurfaceMaterial body = glass(1.5f);
+    body.specularFactor = 0; // no reflection
+    body.thicknessFactor = 2;
+    addSlab(2, 0.7853982f, body);
+    expectColor(middle(), {0, 1, 0});
+    scene_.materials.back().ior = 1;
+    expectColor(middle(), {1, 0, 0});
+}
+
+TEST_P(RaysTransparentsTest, aWhiteFurnaceStaysWhite) {
+    TestEnvironment environment = whiteEnvironment();
+    for (const float roughness : {0.f, 0.5f})
+        for (const float thickness : {0.f, 1.f}) {
+            scene_ = {};
+            scene_.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
+            SurfaceMaterial body = glass(1.5f);
+            body.roughnessFactor = roughness;
+            body.thicknessFactor = thickness;
+            addSlab(1, 0.5f, body);
+            EXPECT_NEAR(middle(8, environment.map).g, 1, 0.01) << roughness << ", " << thickness;
+        }
+}
+
+/// Shadows equal the renderer's: glass casts none.
+TEST_P(RaysTransparentsTest, glassCastsNoShadow) {
+    SurfaceMaterial matte = blackMatte();
+    matte.baseColorFactor = {0.5f, 0.5f, 0.5f, 1};
+    scene_.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, matte);
+    SurfaceLight sun;
+    sun.color = {2, 2, 2};
+    sun.directionWS = {0, -std::sqrt(0.5f), std::sqrt(0.5f)};
+    scene_.lights.push_back(sun);
+    const glm::vec3 lit = middle();
+    EXPECT_GT(lit.r, 0.1f);
+    scene_.addQuad({-50, 30, -50}, {100, 0, 0}, {0, 0, 100}, glass(1.5f));
+    expectColor(middle(), lit);
+}
+
 /// The host's shading: a compute pass of the test's own over the hits.
 TEST_P(RaysSourceTest, hitsAreHandedOutToBeShadedByTheHost) {
     SurfaceScene scene;
     scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0));
-    scene.addQuad({20, -20, 6}, {-20, 0, 0}, {0, 40, 0}, blackMatte()); // the right half of what lies behind the camera
+    scene.addQuad({20, -20, 6}, {-20, 0, 0}, {0, 40, 0}, blackMatte()); // the right half of the view behind the camera
     const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
     constexpr uint32_t w = 65;
     constexpr uint32_t h = 33;

@@ -10,7 +10,7 @@
 namespace glint::test {
 namespace {
 
-/// As tests/gpu/shaders/refraction.comp has it.
+/// Layout of tests/gpu/shaders/refraction.comp.
 struct Item {
     glm::vec3 normal;
     glm::vec3 toEye;
@@ -23,8 +23,8 @@ struct Item {
     uint32_t isTotal = 0;
 };
 
-/// Where light goes on behind a surface of normal `n`, which faces it; zero if it is reflected. `eta`: index before
-/// over index behind.
+/// Direction of light behind a surface whose normal `n` faces it; zero for total reflection. `eta`: index before over
+/// index behind.
 glm::dvec3 snell(const glm::dvec3& d, const glm::dvec3& n, double eta) {
     const double cosine = -glm::dot(d, n);
     const double sine2 = eta * eta * (1 - cosine * cosine);
@@ -50,7 +50,7 @@ Expected oracle(const Item& item) {
         return {{}, d - 2 * glm::dot(d, n) * n, 0, true};
     if (item.model == shared::kRefractionSphere) {
         const glm::dvec3 center = -n * (t / 2);
-        const double path = -2 * glm::dot(inside, -center); // the sphere again, behind the start
+        const double path = -2 * glm::dot(inside, -center); // second intersection with the sphere, behind the start
         const glm::dvec3 exit = inside * path;
         return {exit, snell(inside, glm::normalize(center - exit), item.ior), path, false};
     }
@@ -88,7 +88,7 @@ TEST_F(RefractionModelTest, LightGoesAsSnellSays) {
         if (glm::dot(n, v) < 0.02f)
             continue;
         const auto model = static_cast<uint32_t>(list.size() % 4);
-        // Below 1 too, as bubbles are; not where the refracted ray grazes, which any rounding turns.
+        // Indices below 1 too, as for bubbles; not where the refracted ray grazes, since rounding may turn such a ray.
         const float ior = 0.5f + 2 * unit(random);
         const double sine = std::sqrt(1 - double(glm::dot(n, v)) * double(glm::dot(n, v))) / double(ior);
         if (std::abs(sine - 1) < 1e-3)
@@ -111,9 +111,9 @@ TEST_F(RefractionModelTest, LightGoesAsSnellSays) {
 
 TEST_F(RefractionModelTest, NothingIsBentByWhatIsNotThere) {
     for (const uint32_t model : {shared::kRefractionSphere, shared::kRefractionPlane, shared::kRefractionStraight}) {
-        const std::vector<Item> got = evaluate({{at(0), at(70), model, 1, 0.5f},   // as dense as air
+        const std::vector<Item> got = evaluate({{at(0), at(70), model, 1, 0.5f},   // index of air
                                                 {at(0), at(70), model, 1.5f, 0},   // without thickness
-                                                {at(0), at(70), model, 0, 0.5f}}); // infinitely dense: a mirror
+                                                {at(0), at(70), model, 0, 0.5f}}); // infinite index: a mirror
         for (const Item& item : got) {
             EXPECT_LT(glm::distance(item.direction, -at(70)), 1e-6);
             EXPECT_EQ(item.isTotal, 0u);
@@ -139,7 +139,7 @@ TEST_F(RefractionModelTest, ABubbleReflectsTotallyFromItsAngleOn) {
     EXPECT_LT(glm::distance(got[1].direction, at(-(critical + 0.5))), 1e-5);
 }
 
-/// Normal maps turn normals away from the eye: whatever comes of it, it is a direction into the body.
+/// Normal maps turn normals away from the eye: the result is a direction into the body in any case.
 TEST_F(RefractionModelTest, NormalsThatLookAwayDoNoHarm) {
     for (const float degrees : {89.99f, 90.f, 95.f, 135.f, 180.f})
         for (const uint32_t model : {shared::kRefractionSphere, shared::kRefractionPlane, shared::kRefractionThin})

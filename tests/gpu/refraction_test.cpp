@@ -1,15 +1,16 @@
-// Transparent layers as a host hands them over: what comes through, what is reflected, and what cannot be.
+// Transparent layers as a host provides them: transmission, reflection, and errors.
 #include "gpu/support/library_test.hpp"
 
 #include <glm/gtc/color_space.hpp>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glint::test {
 namespace {
 
-/// A room whose walls show their own place.
+/// A room whose walls' colour is their position.
 constexpr glm::dvec3 kCenter = {0, 0, -3};
 constexpr glm::dvec3 kHalf = {4, 3, 4};
 const glm::dvec3 kShown = {5, 4, 8}; ///< added, so that no channel is negative
@@ -32,7 +33,7 @@ std::optional<SyntheticSurface> room(const glm::dvec3& origin, const glm::dvec3&
     return SyntheticSurface{glm::length(at - origin), glm::normalize(normal), glm::vec3(0), 0, glm::vec3(at + kShown)};
 }
 
-/// What stands at a pixel of a layer.
+/// The layer's surface at a pixel.
 struct LayerSurface {
     double distance = 0; ///< metres along the ray
     glm::dvec3 normalWS = {0, 0, 1};
@@ -43,9 +44,10 @@ struct LayerSurface {
     glm::vec4 absorption = glm::vec4(1, 1, 1, 0);
     float ior = 1.5f;
     float thickness = 0;
+    float dispersion = 0;
     BodyShape shape = BodyShape::Straight;
-    bool missesCenter = false; ///< of the pixel, though something covers a part
-    float coverage = 1;        ///< where there is nothing: 0; a layer without parts hands over none
+    bool missesCenter = false; ///< the layer misses the pixel's centre but covers a part
+    float coverage = 1;        ///< 0: no surface; a layer with 1 everywhere provides no coverage
 };
 using LayerScene = std::function<std::optional<LayerSurface>(const glm::dvec3&, const glm::dvec3&)>;
 
@@ -72,7 +74,7 @@ struct DrawnLayer {
             radiance.push_back(s.radiance);
             transmittance.push_back(s.transmittance);
             absorption.push_back(s.absorption);
-            body.emplace_back(s.ior, s.thickness, static_cast<float>(s.shape), 1);
+            body.emplace_back(s.ior, s.thickness, static_cast<float>(s.shape), s.dispersion);
             coverage.push_back(hit ? s.coverage : 0);
             hasParts |= s.coverage < 1 || s.missesCenter;
         }
@@ -104,6 +106,41 @@ LayerScene pane(double z, const LayerSurface& surface) {
     };
 }
 
+glm::dvec3 snell(const glm::dvec3& d, const glm::dvec3& n, double eta) {
+    const double cosine = -glm::dot(d, n);
+    return eta * d + (eta * cosine - std::sqrt(1 - eta * eta * (1 - cosine * cosine))) * n;
+}
+
+struct GlassBall {
+    glm::dvec3 center = {0.1, -0.1, -2};
+    double radius = 0.8;
+    double ior = 1.5;
+    double dispersion = 0;
+
+    std::optional<LayerSurface> operator()(const glm::dvec3& origin, const glm::dvec3& direction) const {
+        const double b = glm::dot(origin - center, direction);
+        const double c = glm::dot(origin - center, origin - center) - radius * radius;
+        if (b * b < c)
+            return std::nullopt;
+        LayerSurface s;
+        s.distance = -b - std::sqrt(b * b - c);
+        s.normalWS = (origin + direction * s.distance - center) / radius;
+        s.ior = static_cast<float>(ior);
+        s.thickness = static_cast<float>(2 * radius);
+        s.dispersion = static_cast<float>(dispersion);
+        s.shape = BodyShape::Sphere;
+        return s;
+    }
+
+    /// The point of the wall that a ray sees through the ball, which it hits at `hit`.
+    glm::dvec3 wallBehind(const glm::dvec3& origin, const glm::dvec3& direction, const LayerSurface& hit) const {
+        const glm::dvec3 entry = origin + direction * hit.distance;
+        const glm::dvec3 inside = snell(direction, hit.normalWS, 1 / ior);
+        const glm::dvec3 exit = entry - 2 * glm::dot(inside, entry - center) * inside;
+        return wallPoint(exit, snell(inside, (center - exit) / radius, ior));
+    }
+};
+
 class RefractionTest : public LibraryTest {
 protected:
     static constexpr uint32_t kWidth = 160;
@@ -117,11 +154,11 @@ protected:
         settings.sky.enabled = false;
         settings.refraction.borderWidth = 0;
         settings.refraction.reflections = false;
-        settings.fade.border = FadeBorder::None;
+        settings.fade.border = FadeBorder::None_;
         return settings;
     }
 
-    /// The picture after the layers, the farthest first.
+    /// The image after the layers, the farthest first.
     std::vector<float> over(const std::vector<LayerScene>& scenes, const Settings& settings,
                             const EnvironmentMap& environment = {}) {
         std::vector<DrawnLayer> layers;
@@ -162,27 +199,10 @@ TEST_F(RefractionTest, WithIor1OrWithoutThicknessNothingIsSeen) {
         }
 }
 
-/// Every pixel of a glass ball shows the very point of the wall that its light comes from, if the picture shows it.
+/// Every pixel of a glass ball shows the exact point of the wall that its light comes from, if the frame shows that
+/// point.
 TEST_F(RefractionTest, ABallShowsWhatSnellSays) {
-    const glm::dvec3 center(0.1, -0.1, -2);
-    const double radius = 0.8, ior = 1.5;
-    const auto ball = [&](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<LayerSurface> {
-        const double b = glm::dot(origin - center, direction);
-        const double c = glm::dot(origin - center, origin - center) - radius * radius;
-        if (b * b < c)
-            return std::nullopt;
-        LayerSurface s;
-        s.distance = -b - std::sqrt(b * b - c);
-        s.normalWS = (origin + direction * s.distance - center) / radius;
-        s.ior = static_cast<float>(ior);
-        s.thickness = static_cast<float>(2 * radius);
-        s.shape = BodyShape::Sphere;
-        return s;
-    };
-    const auto snell = [](const glm::dvec3& d, const glm::dvec3& n, double eta) {
-        const double cosine = -glm::dot(d, n);
-        return eta * d + (eta * cosine - std::sqrt(1 - eta * eta * (1 - cosine * cosine))) * n;
-    };
+    const GlassBall ball;
     const std::vector<float> picture = over({ball}, settings());
     std::vector<double> errors;
     for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
@@ -190,10 +210,7 @@ TEST_F(RefractionTest, ABallShowsWhatSnellSays) {
         const std::optional<LayerSurface> hit = ball(camera_.position, direction);
         if (!hit || -glm::dot(hit->normalWS, direction) < 0.2) // at the rim a pixel sees half of the room
             continue;
-        const glm::dvec3 entry = camera_.position + direction * hit->distance;
-        const glm::dvec3 inside = snell(direction, hit->normalWS, 1 / ior);
-        const glm::dvec3 exit = entry - 2 * glm::dot(inside, entry - center) * inside;
-        const glm::dvec3 wall = wallPoint(exit, snell(inside, (center - exit) / radius, ior));
+        const glm::dvec3 wall = ball.wallBehind(camera_.position, direction, *hit);
         const glm::dvec2 px = camera_.project(wall, kWidth, kHeight);
         const bool seen = px.x > 2 && px.y > 2 && px.x < kWidth - 2 && px.y < kHeight - 2 && camera_.viewZ(wall) > 0.1;
         if (seen)
@@ -203,9 +220,80 @@ TEST_F(RefractionTest, ABallShowsWhatSnellSays) {
     std::sort(errors.begin(), errors.end());
     std::printf("%zu pixels: median %.4f m, 95 %% %.4f m, worst %.4f m\n", errors.size(), errors[errors.size() / 2],
                 errors[errors.size() * 95 / 100], errors.back());
-    // A pixel of the far wall, 7.8 m away, is 0.09 m wide; pictures are read at a pixel's centre or between four.
+    // A pixel of the far wall, 7.8 m away, is 0.09 m wide; the frame is sampled at a pixel's centre or between four.
     EXPECT_LT(errors[errors.size() / 2], 0.05);
     EXPECT_LT(errors[errors.size() * 95 / 100], 0.15);
+}
+
+/// Stripes that the frame resolves and the ball shrinks: each pixel is nearer to their mean over the pixel than the
+/// single point in its middle is.
+TEST_F(RefractionTest, WhatABallShrinksIsAveraged) {
+    const auto stripes = [](const glm::dvec3& at) {
+        return 1.0 + std::copysign(1.0, std::sin(5 * at.x) * std::sin(5 * at.y) * std::sin(5 * at.z));
+    };
+    const auto striped = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        std::optional<SyntheticSurface> surface = room(origin, direction);
+        surface->radiance = glm::vec3(static_cast<float>(stripes(wallPoint(origin, direction))));
+        return surface;
+    };
+    g_ = SyntheticGBuffer::render(gpu(), striped, camera_, kWidth, kHeight);
+    const GlassBall ball;
+    const std::vector<float> picture = over({ball}, settings());
+    constexpr uint32_t kSub = 15;
+    double filtered = 0;
+    double pointwise = 0;
+    size_t pixels = 0;
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        double mean = 0;
+        double middle = 0;
+        bool known = true;
+        for (uint32_t s = 0; s < kSub * kSub && known; ++s) {
+            const glm::dvec3 direction = camera_.rayThrough(
+                (i % kWidth) * kSub + s % kSub, (i / kWidth) * kSub + s / kSub, kWidth * kSub, kHeight * kSub);
+            const std::optional<LayerSurface> hit = ball(camera_.position, direction);
+            known = hit && -glm::dot(hit->normalWS, direction) > 0.1;
+            if (!known)
+                break;
+            const glm::dvec3 wall = ball.wallBehind(camera_.position, direction, *hit);
+            const glm::dvec2 px = camera_.project(wall, kWidth, kHeight);
+            known = px.x > 2 && px.y > 2 && px.x < kWidth - 2 && px.y < kHeight - 2 && camera_.viewZ(wall) > 0.1;
+            mean += stripes(wall) / (kSub * kSub);
+            if (s == kSub * kSub / 2)
+                middle = stripes(wall);
+        }
+        if (!known)
+            continue;
+        ++pixels;
+        filtered += std::pow(shown(picture, i).x - mean, 2);
+        pointwise += std::pow(middle - mean, 2);
+    }
+    ASSERT_GT(pixels, 1000u);
+    std::printf("%zu pixels: error %.3f, of one point %.3f\n", pixels, std::sqrt(filtered / double(pixels)),
+                std::sqrt(pointwise / double(pixels)));
+    EXPECT_LT(filtered, pointwise / 2); // the averaged frame itself has one point a pixel
+}
+
+TEST_F(RefractionTest, DispersionBendsEveryColourByItsOwnIndex) {
+    // KHR_materials_dispersion: green has the index itself, red and blue differ by half of (n - 1) / 20 * dispersion.
+    const double half = 0.5 * 0.025 * 8;
+    std::vector<std::vector<float>> colors;
+    for (const double ior : {1.5 - half, 1.5, 1.5 + half})
+        colors.push_back(over({GlassBall{.ior = ior}}, settings()));
+    const std::vector<float> dispersed = over({GlassBall{.dispersion = 8}}, settings());
+    Settings asked = settings();
+    asked.refraction.dispersion = 8;
+    const std::vector<float> set = over({GlassBall{}}, asked);
+    asked.refraction.dispersion = 0;
+    EXPECT_EQ(over({GlassBall{.dispersion = 8}}, asked), colors[1]);
+    float worst = 0;
+    float change = 0;
+    for (size_t i = 0; i < dispersed.size(); ++i) {
+        worst = std::max(worst, i % 4 < 3 ? std::abs(dispersed[i] - colors[i % 4][i]) : 0);
+        change = std::max(change, std::abs(dispersed[i] - colors[1][i]));
+    }
+    EXPECT_LT(worst, 0.12f); // a pixel: roundings of the index may sample the next one
+    EXPECT_GT(change, 0.5f);
+    EXPECT_EQ(set, dispersed);
 }
 
 TEST_F(RefractionTest, APlateShiftsWhatIsBehindItAndTurnsNothing) {
@@ -228,7 +316,7 @@ TEST_F(RefractionTest, APlateShiftsWhatIsBehindItAndTurnsNothing) {
 
 TEST_F(RefractionTest, LightIsAbsorbedByDistance) {
     const std::vector<float> plain = without(settings());
-    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2; // straight on, nearly
+    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2; // nearly head-on
     for (const float thickness : {0.0f, 0.5f, 1.0f, 2.0f}) {
         LayerSurface surface;
         surface.shape = BodyShape::Plane;
@@ -240,7 +328,7 @@ TEST_F(RefractionTest, LightIsAbsorbedByDistance) {
         const glm::dvec3 expected = shown(plain, middle) * glm::dvec3(std::pow(0.5, path), std::pow(0.25, path), 1);
         const glm::dvec3 got = shown(over({pane(-0.5, surface)}, settings()), middle);
         EXPECT_LT(glm::distance(got, expected), 0.004 * glm::length(expected)) << thickness;
-        // The user's distance in the host's place, and none at all.
+        // The user's distance instead of the host's, and none at all.
         Settings other = settings();
         other.refraction.absorptionDistance = 2;
         const glm::dvec3 half = shown(plain, middle) * glm::dvec3(std::pow(0.5, path / 2), std::pow(0.25, path / 2), 1);
@@ -260,7 +348,7 @@ TEST_F(RefractionTest, TotalReflectionShowsTheMirrorImage) {
     size_t looked = 0;
     for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
         const glm::dvec3 d = camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
-        if (-glm::dot(d, surface.normalWS) < 0.05) // such a surface would not be seen
+        if (-glm::dot(d, surface.normalWS) < 0.05) // such a surface would not be visible
             continue;
         const glm::dvec3 at = camera_.position + d * ((-1.5 - camera_.position.z) / d.z);
         const glm::dvec3 wall = wallPoint(at, glm::reflect(d, surface.normalWS));
@@ -284,7 +372,7 @@ TEST_F(RefractionTest, WhatStandsInFrontOfALayerHidesIt) {
 }
 
 TEST_F(RefractionTest, LayersLieOverEachOther) {
-    LayerSurface dark; // half of what is behind comes through; a blended one covers half
+    LayerSurface dark; // transmittance of one half; a blended one covers half
     dark.transmittance = glm::vec4(0.5f);
     LayerSurface veil;
     veil.transmittance = glm::vec4(0, 0, 0, 1);
@@ -298,7 +386,7 @@ TEST_F(RefractionTest, LayersLieOverEachOther) {
 }
 
 TEST_F(RefractionTest, ALayerBehindAnotherDoesNotGrow) {
-    // Both cover all of their pixels, so no pixel gets anything of a layer that misses its centre.
+    // Both cover all of their pixels, so no pixel blends in a layer that misses its centre.
     LayerSurface tinted;
     tinted.transmittance = glm::vec4(0.5f);
     const auto half = [&](bool right, double z) -> LayerScene {
@@ -317,7 +405,8 @@ TEST_F(RefractionTest, ALayerBehindAnotherDoesNotGrow) {
 }
 
 TEST_F(RefractionTest, EdgesAreMixedByCoverage) {
-    // A bright pane left of a slanted line; of the pixels on it one holds the pane at its centre, the next does not.
+    // A bright pane left of a slanted line. Of two adjacent pixels on the line, the pane covers one's centre and not
+    // the other's.
     LayerSurface bright;
     bright.transmittance = glm::vec4(0);
     bright.radiance = {9, 5, 3, 1};
@@ -344,7 +433,7 @@ TEST_F(RefractionTest, EdgesAreMixedByCoverage) {
             const size_t pixel = static_cast<size_t>(y * int(kWidth) + int(kWidth) / 2 + y - inside);
             const double part = inside > 0 ? 1 : inside == 0 ? 0.5 : inside == -1 ? 0.25 : 0;
             for (int c = 0; c < 3; ++c) {
-                // Halves (2^-11), decoded (2.4 times that), and the neighbours' mixture undone (twice).
+                // Halves (2^-11), decoded (2.4 times that), and the neighbours' blend undone (twice).
                 const double expected = glm::mix(double(plain[pixel * 4 + c]), double(bright.radiance[c]), part);
                 EXPECT_NEAR(linear(picture[pixel * 4 + c]), expected, 0.003 * expected) << inside << " " << c;
             }
@@ -352,7 +441,7 @@ TEST_F(RefractionTest, EdgesAreMixedByCoverage) {
     }
 }
 
-/// All that is seen is 1: so is what comes through and what is reflected, together.
+/// All visible radiance is 1, so transmission and reflection together are 1.
 TEST_F(RefractionTest, AWhiteFurnaceStaysWhite) {
     g_ = SyntheticGBuffer::render(
         gpu(),
@@ -403,6 +492,7 @@ TEST_F(RefractionTest, EverySettingActs) {
                                                                                      {"hizMinLevel", "4"},
                                                                                      {"hizMaxIterations", "2"},
                                                                                      {"ior", "1.2"},
+                                                                                     {"dispersion", "5"},
                                                                                      {"thickness", "0.1"},
                                                                                      {"thicknessMultiplier", "2"},
                                                                                      {"absorptionDistance", "0"}}) {
@@ -417,7 +507,7 @@ TEST_F(RefractionTest, EverySettingActs) {
     Settings half; // one of the three alone is no colour
     half.refraction.transmittanceRed = 1;
     EXPECT_EQ(over({pane(-2, surface)}, half, sky.map), plain);
-    Settings coarse; // faster, the same picture
+    Settings coarse; // faster, the same image
     coarse.refraction.hizMaxLevel = 0;
     coarse.refraction.hizMaxIterations = 1024;
     const std::vector<float> fine = over({pane(-2, surface)}, coarse, sky.map);
@@ -464,7 +554,7 @@ TEST_F(RefractionTest, WithoutReflectionsTheSolidPictureIsTheHosts) {
         [](const glm::dvec3& origin, const glm::dvec3& direction) {
             std::optional<SyntheticSurface> s = room(origin, direction);
             s->f0 = glm::vec3(0.5f);
-            s->radiance = glm::vec3(1, 2, 3); // halves hold it
+            s->radiance = glm::vec3(1, 2, 3); // a half stores it exactly
             return s;
         },
         camera_, kWidth, kHeight);

@@ -1,4 +1,4 @@
-// Hosts that draw with several samples a pixel: one surface speaks for each pixel, and edges have no rims.
+// Hosts with several samples a pixel: one surface represents each pixel, and edges have no rims.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/samples.hpp"
 #include "gpu/support/scenes.hpp"
@@ -16,7 +16,7 @@ protected:
         GBuffer gbuffer;
     };
 
-    /// What each sample shows, and the picture of it; nothing: the background.
+    /// The surface of each sample, and its image; empty: the background.
     using SampleScene = std::function<std::optional<SyntheticSurface>(uint32_t x, uint32_t y, uint32_t sample)>;
 
     static Host makeHost(const SyntheticCamera& camera, const SampleScene& scene,
@@ -185,8 +185,8 @@ TEST_F(SamplesTest, edgesAreTheMixOfTheirSurfaces) {
 }
 
 TEST_F(SamplesTest, thinThingsKeepTheirReflection) {
-    // A wire of one sample a pixel before the background: it is no surface's neighbour, and still reflects by its
-    // share.
+    // A wire of one sample a pixel before the background: it has no neighbour of its surface, and still reflects by its
+    // coverage.
     const TestEnvironment environment =
         TestEnvironment::make(gpu(), 4, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(2); });
     SyntheticCamera camera;

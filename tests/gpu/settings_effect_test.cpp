@@ -1,5 +1,5 @@
-// Every setting changes the picture as its meaning says, and by the formula where there is one. What a setting does to
-// a ray is measured on views: weight, hit position, lookups, outcome.
+// Every setting changes the image as documented, and by the formula where there is one. A setting's effect on a ray is
+// measured on views: weight, hit position, lookups, outcome.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
@@ -32,7 +32,7 @@ protected:
         return camera.position - d * (camera.position.y / d.y);
     }
 
-    /// How many iterations each hit took, as the fade by iterations tells; settings with at most 1000 of them.
+    /// Number of iterations of each hit, from the fade by iterations; for settings with at most 1000 of them.
     static std::vector<uint32_t> iterations(Settings settings) {
         settings.fade.iterations = true;
         const double most = settings.screen.march == March::Linear     ? settings.screen.maxSteps
@@ -60,7 +60,7 @@ protected:
     }
 };
 
-// A half's step below 1 is 2^-11; hit UVs come back in steps of 2^-16.
+// A half's step below 1 is 2^-11; hit UVs are stored in steps of 2^-16.
 constexpr double kWeightStep = 1.0 / 1024;
 
 // ---------------------------------------------------------------- screen
@@ -99,7 +99,7 @@ TEST_F(SettingsEffectTest, iterationsAreNeverExceededAndTheLastOneCounts) {
         limitIterations(settings, 1000);
         const Picture enough = show(settings);
         const std::vector<uint32_t> needed = iterations(settings);
-        // A hit looks up its own pixel once more; a cell of hiz may look up that of its plane besides.
+        // A hit fetches its own pixel once more; a cell of hiz may fetch its plane's pixel besides.
         const uint32_t lookupsEach = march == March::Linear ? 1 : 3;
         uint64_t last = 0;
         for (const uint32_t limit : march == March::Linear ? std::array{14u, 25u, 38u} : std::array{1u, 3u, 6u}) {
@@ -133,8 +133,8 @@ TEST_F(SettingsEffectTest, stepSkipsPixels) {
 }
 
 TEST_F(SettingsEffectTest, smoothFindsWhatCoarseStepsPass) {
-    // A low card before the wall: a coarse step that goes behind both is answered by the wall, or by nothing, unless it
-    // is gone over again.
+    // A low card before the wall: a coarse step that goes behind both hits the wall, or nothing, unless the step is
+    // refined.
     const SyntheticCamera camera;
     Stage stage = floorAndWall();
     stage.cards.push_back({.low = {-9, -9}, .high = {9, 0.2}, .z = -1.5});
@@ -163,7 +163,7 @@ TEST_F(SettingsEffectTest, smoothFindsWhatCoarseStepsPass) {
     EXPECT_GT(smooth.statistics.lookupsMean, rough.statistics.lookupsMean);
     settings.screen.step = 1;
     const Picture one = show(stage, settings);
-    // What lies between two samples that are both in front of the picture is missed either way.
+    // Both miss a surface between two samples that are both in front of the depth buffer.
     EXPECT_GT(rightOnes(one), 0.99);
     EXPECT_GT(rightOnes(smooth), 0.9);
     EXPECT_LT(1 - rightOnes(smooth), (1 - rightOnes(rough)) / 2);
@@ -171,14 +171,14 @@ TEST_F(SettingsEffectTest, smoothFindsWhatCoarseStepsPass) {
     EXPECT_EQ(one.hitUV, show(stage, settings).hitUV) << "acts only with step > 1";
 }
 
-/// A card before the wall; rays that pass behind it run into its side if it is taken for thick.
+/// A card before the wall; rays that pass behind it hit its side if it is assumed to be thick.
 Stage withCard() {
     Stage stage = floorAndWall();
     stage.cards.push_back({.low = {-0.5, 0.25}, .high = {0.5, 0.9}, .z = 1});
     return stage;
 }
 
-/// Rays that ended so on a card of `stage`.
+/// Number of rays with this outcome on a card of `stage`.
 uint64_t endedOn(const Picture& picture, const Stage& stage, size_t card, uint32_t outcome) {
     const SyntheticCamera camera;
     uint64_t count = 0;
@@ -197,7 +197,7 @@ TEST_F(SettingsEffectTest, thicknessDecidesWhatPassesBehind) {
     const Stage stage = withCard();
     for (const reflect::Technique& technique : reflect::techniques()) {
         if (!technique.walks)
-            continue; // surfaces have no thickness where nobody passes behind them
+            continue; // surfaces have no thickness where no ray passes behind them
         SCOPED_TRACE(technique.name);
         Settings settings = plainSettings(technique.march);
         settings.hiz.depthBias = 0;
@@ -223,7 +223,7 @@ TEST_F(SettingsEffectTest, thicknessRelativeGrowsWithDistance) {
     const Stage stage = withCard();
     for (const reflect::Technique& technique : reflect::techniques()) {
         if (!technique.walks)
-            continue; // surfaces have no thickness where nobody passes behind them
+            continue; // surfaces have no thickness where no ray passes behind them
         SCOPED_TRACE(technique.name);
         Settings settings = plainSettings(technique.march);
         const auto sides = [&] {
@@ -238,7 +238,7 @@ TEST_F(SettingsEffectTest, thicknessRelativeGrowsWithDistance) {
         const double thick = sides();
         EXPECT_LT(thin, 20);
         EXPECT_GT(thick, thin + 50);
-        // 0.5 of the card's viewZ is as much as that in metres: the same rays, but for the depth across the card.
+        // 0.5 of the card's viewZ equals that many metres: the same rays, except for the depth across the card.
         settings.screen.thicknessMode = ThicknessMode::Constant;
         settings.screen.thickness = 0.5f * 2.03f;
         EXPECT_NEAR(sides(), thick, thick * 0.1);
@@ -273,7 +273,7 @@ TEST_F(SettingsEffectTest, selfCollisionSkipLeavesOutTheFirstIterations) {
         constexpr uint32_t kSkip = 3;
         Settings settings = plainSettings(technique.march);
         limitIterations(settings, 1000);
-        settings.adaptive.steps = 16; // of some pixels each, as the first ones are to meet something
+        settings.adaptive.steps = 16; // of some pixels each, so that the first steps hit
         settings.screen.selfCollisionSkip = 0;
         const Picture none = show(settings);
         const std::vector<uint32_t> without = iterations(settings);
@@ -292,7 +292,8 @@ TEST_F(SettingsEffectTest, selfCollisionSkipLeavesOutTheFirstIterations) {
                 ASSERT_EQ(with[i], without[i]) << i;
                 ASSERT_EQ(some.hitUV[i * 4 + 1], none.hitUV[i * 4 + 1]) << i;
             } else if (technique.march != March::Hiz && some.answered(i)) {
-                // What was crossed meanwhile is met at once by the first that counts, and where it was crossed.
+                // A surface crossed in skipped iterations is hit at once by the first that counts, at the place of the
+                // crossing.
                 ASSERT_EQ(with[i], kSkip + 1) << i;
                 ASSERT_TRUE(some.hit(i)) << i;
                 ASSERT_NEAR(some.hitDistance[i * 4], none.hitDistance[i * 4], 0.01) << i;
@@ -309,7 +310,7 @@ TEST_F(SettingsEffectTest, clipToFrustumSavesNoHitAndChangesNone) {
     };
     for (const reflect::Technique& technique : reflect::techniques()) {
         if (!technique.walks)
-            continue; // it looks nowhere but at the end
+            continue; // it samples only the end
         SCOPED_TRACE(technique.name);
         Settings settings = plainSettings(technique.march);
         limitIterations(settings, 1000);
@@ -327,8 +328,8 @@ TEST_F(SettingsEffectTest, clipToFrustumSavesNoHitAndChangesNone) {
         }
         EXPECT_GT(both, 1000u);
     }
-    // A ray of march linear that leaves is looked up to the border's own pixels, not to the last whole step before; one
-    // of march adaptive has all of its steps on screen.
+    // A ray of march linear that leaves is sampled up to the border's own pixels, not to the last whole step before; a
+    // ray of march adaptive has all of its steps on screen.
     for (const March march : {March::Linear, March::Adaptive}) {
         Settings settings = plainSettings(march);
         const Picture clipped = show(settings);
@@ -483,7 +484,7 @@ TEST_F(SettingsEffectTest, noiseMovesWithFrameAndSeed) {
 
 TEST_F(SettingsEffectTest, borderFadesByTheirFormulas) {
     Settings settings = plainSettings();
-    settings.fade.border = FadeBorder::None;
+    settings.fade.border = FadeBorder::None_;
     expectWeights(
         show(settings), [](glm::dvec2, uint32_t) { return 1; }, 0);
 
@@ -540,7 +541,8 @@ TEST_F(SettingsEffectTest, iterationsFadeToTheLastOne) {
         },
         1.0 / 90 + kWeightStep);
 
-    // Of the others only that it is a whole number of iterations, no more than lookups, over the marcher's own limit.
+    // For the other marchers, only that it is a whole number of iterations, no more than lookups, over the marcher's
+    // own limit.
     for (const auto& [march, most] : {std::pair(March::Hiz, 60), std::pair(March::Adaptive, 128)}) {
         settings = plainSettings(march);
         settings.fade.iterations = true;
@@ -561,7 +563,7 @@ TEST_F(SettingsEffectTest, iterationsFadeToTheLastOne) {
 }
 
 TEST_F(SettingsEffectTest, facingCameraFadesReturningRays) {
-    // A steep look down at the floor: reflected rays come back part of the way.
+    // A steep view down at the floor: reflected rays partly return.
     SyntheticCamera camera;
     camera.position = {0, 1.5, 1.5};
     camera.target = {0, 0, 0};
@@ -592,13 +594,13 @@ TEST_F(SettingsEffectTest, facingCameraFadesReturningRays) {
 }
 
 TEST_F(SettingsEffectTest, backfaceFadesHitsFromBehind) {
-    // The wall's normals lean so that rays meet it ever more edge-on, and a little from behind.
+    // The wall's normals tilt so that rays hit it ever more edge-on, and a little from behind.
     const SyntheticCamera camera;
     const auto leaning = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         auto hit = floorAndWall()(origin, direction);
         if (hit && hit->f0.x == 0) {
             const double angle = 1.45 + 0.1 * (origin + direction * hit->distance).x;
-            hit->normalWS = {std::sin(angle), 0, std::cos(angle)}; // sideways: leaning up it could be the floor's own
+            hit->normalWS = {std::sin(angle), 0, std::cos(angle)}; // sideways: tilted up it could be the floor's own
         }
         return hit;
     };
@@ -692,17 +694,25 @@ TEST_F(SettingsEffectTest, debugOutcomeShowsHowRaysEnded) {
             ++green;
             break;
         case shared::kOutcomeOutOfSteps: ASSERT_EQ(color, glm::vec3(1, 0, 0)); break;
-        case shared::kOutcomeOffScreen: ASSERT_EQ(color, glm::vec3(1, 1, 0)); break;
+        case shared::kOutcomeOffScreen: ASSERT_EQ(color, glm::vec3(0, 0, 1)) << "clipped, as in Babylon.js"; break;
         case shared::kOutcomeMaxDistance: ASSERT_EQ(color, glm::vec3(0, 0, 1)); break;
         default: break;
         }
     }
+    settings.screen.clipToFrustum = false;
+    const Picture free = show(settings);
+    for (uint32_t i = 0; i < free.pixels(); ++i)
+        if (free.outcome(i) == shared::kOutcomeOffScreen) {
+            ASSERT_EQ(free.color(i), glm::vec3(1, 1, 0));
+        }
+    EXPECT_GT(free.counted("offScreen"), 0u);
+    settings.screen.clipToFrustum = true;
     EXPECT_GT(green, 1000u);
     EXPECT_GT(picture.counted("offScreen"), 0u);
     EXPECT_GT(picture.counted("outOfSteps"), 0u);
 
     settings.screen.march = March::Hiz;
-    settings.hiz.maxIterations = 20; // brightness is of the marcher's own limit
+    settings.hiz.maxIterations = 20; // brightness is relative to the marcher's own limit
     const Picture hiz = show(settings);
     for (uint32_t i = 0; i < hiz.pixels(); ++i)
         if (hiz.hit(i)) {

@@ -1,5 +1,5 @@
-// What every marcher promises, on synthetic pictures with known answers. Runs over the registry: a new technique is
-// tested by being listed.
+// The promises of every marcher, on synthetic frames with known answers. Runs over the registry: a new technique is
+// tested once it is listed.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWallZ = -3;
 
-/// A floor mirror at y = 0 and a wall at z = -3 whose colour is its own position: red = x, green = y.
+/// A floor mirror at y = 0 and a wall at z = -3 whose colour is its position: red = x, green = y.
 std::optional<SyntheticSurface> mirrorAndWall(const glm::dvec3& origin, const glm::dvec3& direction) {
     const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
     const double toWall = direction.z < 0 ? (kWallZ - origin.z) / direction.z : 1e9;
@@ -39,8 +39,8 @@ protected:
     static Settings plainSettings() {
         Settings settings;
         settings.screen.march = technique().march;
-        settings.fade.border = FadeBorder::None;
-        settings.probes.enabled = false; // they are there for their volumes
+        settings.fade.border = FadeBorder::None_;
+        settings.probes.enabled = false; // only their volumes are used
         return settings;
     }
 
@@ -93,7 +93,7 @@ TEST_P(TechniqueTest, reflectionLandsWithinOnePixelOfThePrediction) {
                 const glm::dvec2 expected = camera.project(end, size.x, size.y);
                 const bool visible =
                     expected.x > 1 && expected.y > 1 && expected.x < size.x - 1.0 && expected.y < size.y - 1.0;
-                // One lookup tells nothing of the wall where its pixel shows the floor.
+                // One lookup cannot detect the wall where its pixel shows the floor.
                 const auto shown = mirrorAndWall(camera.position,
                                                  camera.rayThrough(static_cast<uint32_t>(expected.x),
                                                                    static_cast<uint32_t>(expected.y), size.x, size.y));
@@ -185,8 +185,7 @@ TEST_P(TechniqueTest, exhaustedStepsAreNeverAHit) {
     for (const Statistics::Outcome& outcome : picture.statistics.outcomes)
         if (outcome.name == "outOfSteps")
             outOfSteps = outcome.count;
-    // Beside its steps a ray looks up its hit's own pixel once, adaptive its refinements, hiz the pixel that a flat
-    // cell is asked for.
+    // Besides its steps a ray fetches its hit's own pixel once, adaptive its refinements, hiz the pixel of a flat cell.
     uint32_t most = 3 + 1;
     if (technique().march == March::Adaptive)
         most = 6 + 3 * static_cast<uint32_t>(settings.adaptive.refinements) + 1; // up to twice the steps

@@ -1,4 +1,4 @@
-// Upload and download: every format that is read back, mips and layers, and what is refused.
+// Upload and download: every format that is read back, mips and layers, and errors.
 #include "gpu/support/gpu_test.hpp"
 
 #include <gmock/gmock.h>

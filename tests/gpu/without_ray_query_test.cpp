@@ -1,4 +1,4 @@
-// A device without ray queries: rays still work, and nothing that needs the extension is made.
+// A device without ray queries: rays still work, and no object that needs the extension is created.
 #include "gpu/support/ray_test.hpp"
 #include "gpu/support/test_shaders.hpp"
 

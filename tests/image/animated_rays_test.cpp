@@ -1,5 +1,5 @@
-// Scenes that move while rays go through them: the ray scene is fitted to the new pose, and shows what one that was
-// made for that pose shows.
+// Scenes that move while rays are traced through them: the ray scene is refitted to the new pose, and gives the same
+// image as a ray scene built for that pose.
 #include "base/file.hpp"
 #include "image/job_test.hpp"
 #include "support/gltf_builder.hpp"
@@ -12,7 +12,7 @@
 namespace glint::test {
 namespace {
 
-/// A mirror floor, a square that is carried over it, and one whose upper corners are pulled sideways (a morph target).
+/// A mirror floor, a square that moves over it, and a square whose upper corners are pulled sideways (a morph target).
 std::string movingScene(const std::string& path) {
     GltfBuilder builder;
     const std::vector<uint16_t> faces = {0, 1, 2, 0, 2, 3};
@@ -67,7 +67,7 @@ protected:
             GTEST_SKIP() << device().info().name << " has no ray query";
         JobTest::SetUp();
     }
-    static std::vector<float> picture(render::JobSession& session) {
+    static std::vector<float> picture(render::ReflectionSession& session) {
         EXPECT_TRUE(session.renderFrame(0));
         return must(session.readView("composite")).rgba;
     }
@@ -82,20 +82,20 @@ TEST_P(AnimatedRaysTest, aPoseLaterIsAsIfMadeForIt) {
     job.views = {"composite"};
     job.settings = settingsOf({"screen.enabled=false", "rays.enabled=true", "lights.shadows=rays",
                                std::string("rays.backend=") + GetParam()});
-    render::JobSession moved = must(render::JobSession::create(device(), job));
+    render::ReflectionSession moved = must(render::openJob(device(), job));
     std::vector<float> before = picture(moved);
     for (const double time : {0.4, 1.0, 0.0, 0.7}) {
         ASSERT_TRUE(moved.setTime(time));
         const std::vector<float> later = picture(moved);
         job.time = time;
-        render::JobSession made = must(render::JobSession::create(device(), job));
+        render::ReflectionSession made = must(render::openJob(device(), job));
         const std::vector<float> expected = picture(made);
         ASSERT_EQ(later.size(), expected.size());
         size_t different = 0;
         for (size_t i = 0; i < later.size(); i += 4)
             different += std::equal(&later[i], &later[i] + 4, &expected[i]) ? 0 : 1;
-        EXPECT_LE(different, later.size() / 4 / 1000) << time; // where two triangles are met at the same distance
-        EXPECT_NE(later, before) << time;                      // the test sees that something moves
+        EXPECT_LE(different, later.size() / 4 / 1000) << time; // where a ray hits two triangles at the same distance
+        EXPECT_NE(later, before) << time;                      // the test detects motion
         before = later;
     }
 }

@@ -1,5 +1,5 @@
-// Benchmarks: points as planned, times that belong to the effect, and a share of mirrors that is the share asked for.
-#include "bench.hpp"
+// Benchmarks: points as planned, times of the effect alone, and the requested fraction of mirrors.
+#include "bench_output.hpp"
 #include "gpu/context.hpp"
 #include "support/must.hpp"
 
@@ -17,21 +17,21 @@ render::ProgramSettings settings(const std::vector<std::string>& assignments) {
 
 TEST(Bench, MeasuresEveryPointForEveryConfig) {
     const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
-    cli::BenchScene scene;
+    measure::BenchScene scene;
     scene.job.scene = "builtin:mirror";
     scene.configs = {{"fine", settings({"screen.march=linear"})},
                      {"coarse", settings({"screen.march=linear", "screen.step=16"})}};
-    cli::BenchPlan plan;
+    measure::BenchPlan plan;
     plan.sizes = {{160, 90}, {320, 180}};
     plan.shares = {0, 0.5f, 1};
     plan.warmUp = 1;
     plan.frames = 3;
-    const cli::BenchResult result = must(cli::runBench(*context, {scene}, plan));
+    const measure::BenchResult result = must(measure::runBench(*context, {scene}, plan));
     for (const std::string& message : context->validationMessages())
         ADD_FAILURE() << "validation: " << message;
 
     ASSERT_EQ(result.points.size(), 5u);
-    for (const cli::BenchPoint& point : result.points) {
+    for (const measure::BenchPoint& point : result.points) {
         ASSERT_EQ(point.figures.size(), 2u);
         for (const measure::SeriesFigures& figures : point.figures) {
             EXPECT_EQ(figures.times.frames(), 3u);
@@ -47,7 +47,7 @@ TEST(Bench, MeasuresEveryPointForEveryConfig) {
     EXPECT_NEAR(rays(3) / rays(4), 0.5, 0.03);
     const auto& all = result.points[4].figures;
     EXPECT_GT(all[0].stats.lookupsPerRay, all[1].stats.lookupsPerRay * 3);
-    if (context->info().software) { // 57600 rays of some 100 lookups: far above any noise
+    if (context->info().software) { // 57600 rays of about 100 lookups: far above any noise
         EXPECT_GT(all[0].times.total().median, result.points[2].figures[0].times.total().median);
         EXPECT_GT(all[0].times.floorMultiple(), 2);
         EXPECT_NEAR(all[0].wallMs.median / all[0].times.total().median, 1, 0.5);
@@ -64,15 +64,15 @@ TEST(Bench, MeasuresEveryPointForEveryConfig) {
 
 TEST(Bench, ABudgetMeansFewerFrames) {
     const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = false}));
-    cli::BenchScene scene;
+    measure::BenchScene scene;
     scene.job.scene = "builtin:mirror";
     scene.configs = {{"balanced", settings({})}};
-    cli::BenchPlan plan;
+    measure::BenchPlan plan;
     plan.sizes = {{64, 36}};
     plan.frames = 100000;
     plan.warmUp = 100000;
     plan.budgetSeconds = 0.2;
-    const cli::BenchResult result = must(cli::runBench(*context, {scene}, plan));
+    const measure::BenchResult result = must(measure::runBench(*context, {scene}, plan));
     EXPECT_GE(result.points[0].figures[0].times.frames(), 1u);
     EXPECT_LT(result.points[0].figures[0].times.frames(), 10000u);
 }

@@ -1,4 +1,4 @@
-// Comparing settings on a built-in scene: figures as they must be, and a report that is complete.
+// Compares settings on a built-in scene: the figures are as expected, and the report is complete.
 #include "comparison_output.hpp"
 #include "config_option.hpp"
 #include "gpu/context.hpp"
@@ -14,8 +14,8 @@
 namespace glint::test {
 namespace {
 
-cli::ComparedConfig config(const std::string& scene, const std::string& text) {
-    cli::ComparedConfig config;
+measure::ComparedConfig config(const std::string& scene, const std::string& text) {
+    measure::ComparedConfig config;
     config.name = text;
     config.job.scene = scene;
     config.job.width = 320;
@@ -24,11 +24,11 @@ cli::ComparedConfig config(const std::string& scene, const std::string& text) {
     return config;
 }
 
-/// One comparison for all tests: of a marcher that sees every pixel, one that sees every 16th, and none.
-const cli::Comparison& comparison() {
-    static const cli::Comparison made = [] {
+/// One comparison for all tests: a marcher that tests every pixel, one that tests every 16th, and none.
+const measure::Comparison& comparison() {
+    static const measure::Comparison made = [] {
         const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
-        cli::Comparison result = must(cli::compareConfigs(
+        measure::Comparison result = must(measure::compareConfigs(
             *context,
             {config("builtin:exact", "screen.march=linear,fade.border=none"),
              config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
@@ -57,7 +57,7 @@ TEST(Compare, FiguresFollowTheSettings) {
     EXPECT_EQ(none.recall(), 0);
     ASSERT_TRUE(configs[0].exact && configs[1].exact && configs[2].exact);
     EXPECT_LT(configs[0].exact->oneBounceShare(), configs[1].exact->oneBounceShare());
-    EXPECT_EQ(configs[2].exact->share(), 1); // without reflections every pixel that they change is wrong
+    EXPECT_EQ(configs[2].exact->share(), 1); // without reflections every reflecting pixel is wrong
 }
 
 TEST(Compare, PicturesAreHeldAgainstTheReference) {
@@ -69,12 +69,12 @@ TEST(Compare, PicturesAreHeldAgainstTheReference) {
     EXPECT_GT(configs[1].reference->psnrMirrors, configs[2].reference->psnrMirrors);
     EXPECT_LT(configs[2].reference->psnrMirrors, configs[2].reference->psnr); // only mirrors differ
     const auto json = nlohmann::json::parse(cli::comparisonJson(comparison()));
-    EXPECT_TRUE(json["configs"][0]["reference"]["psnr"].is_null()); // equal pictures have none
+    EXPECT_TRUE(json["configs"][0]["reference"]["psnr"].is_null()); // equal images have none
     EXPECT_GT(json["configs"][1]["reference"]["psnr"], 0);
 }
 
 TEST(Compare, TimesAreThoseOfTheEffectAlone) {
-    for (const cli::ConfigFigures& figures : comparison().configs) {
+    for (const measure::ConfigFigures& figures : comparison().configs) {
         EXPECT_EQ(figures.times.frames(), 2u);
         EXPECT_GT(figures.times.floor().median, 0);
         for (const measure::PassSpread& pass : figures.times.passes())

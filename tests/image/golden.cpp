@@ -39,7 +39,7 @@ Result<void> write(const std::string& path, const measure::DisplayPicture& pictu
     return scene::writePng(path, picture.width, picture.height, 3, picture.rgb);
 }
 
-/// NAME.actual.png and its companions, those of them that there are.
+/// NAME.actual.png and its companions, as far as they exist.
 class FailurePictures {
 public:
     FailurePictures(const ImageCase& imageCase, const GoldenPlaces& places)
@@ -119,7 +119,7 @@ Verdict compareWithGolden(const ImageCase& imageCase, const measure::DisplayPict
 
 Result<void> writeGolden(const ImageCase& imageCase, const measure::DisplayPicture& actual,
                          const GoldenPlaces& places) {
-    std::error_code ignored; // writing says what is wrong with the folder
+    std::error_code ignored; // the write reports what is wrong with the folder
     std::filesystem::create_directories(places.goldens, ignored);
     return write(goldenPath(imageCase, places), actual);
 }

@@ -1,4 +1,4 @@
-// Goldens: pictures that were looked at once and that later ones are held against.
+// Goldens: images that a person checked once and that later images are compared with.
 #pragma once
 
 #include "image/image_case.hpp"
@@ -11,13 +11,13 @@ namespace glint::test {
 
 struct GoldenPlaces {
     std::string goldens;  ///< folder of NAME.png
-    std::string failures; ///< folder for what went wrong: NAME.actual.png, NAME.golden.png, NAME.flip.png
+    std::string failures; ///< folder for failures: NAME.actual.png, NAME.golden.png, NAME.flip.png
 };
 
 struct Verdict {
     bool good = false;
-    std::string message;            ///< what was measured; what to do where it is not good
-    std::optional<double> meanFlip; ///< where there was a golden of the same size
+    std::string message;            ///< what was measured; what to do after a failure
+    std::optional<double> meanFlip; ///< set if there was a golden of the same size
 };
 
 /// Holds `actual` against its golden, and leaves in `failures` what helps to see why it does not match; what an earlier

@@ -1,4 +1,4 @@
-// The image tests' own parts, without a device: reading cases, judging pictures.
+// The image tests' own parts, without a device: reading cases, judging images.
 #include "base/file.hpp"
 #include "image/golden.hpp"
 #include "support/temp_folder.hpp"
@@ -23,7 +23,7 @@ protected:
         EXPECT_NE(read.error().message.find("a_case.json"), std::string::npos) << read.error().message;
     }
 
-    /// 20 x 10 of one grey, `changed` of its pixels brighter by 100.
+    /// An image of 20 x 10 in one grey, `changed` of its pixels brighter by 100.
     std::vector<uint8_t> grey(size_t changed) const {
         std::vector<uint8_t> rgb(size_t(20) * 10 * 3, 100);
         std::fill_n(rgb.begin(), 3 * changed, uint8_t(200));

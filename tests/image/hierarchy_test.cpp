@@ -1,5 +1,5 @@
-// The hierarchy on whole scenes: at each pixel the source that wins is the best there is, and where one takes over from
-// another a seam is seldom seen. docs/techniques/composite.md has the figures.
+// The hierarchy on whole scenes: at each pixel the source that wins is the best one, and where one source takes over
+// from another a seam is rarely visible. docs/techniques/composite.md has the figures.
 #include "image/source_regret.hpp"
 #include "image/source_seams.hpp"
 
@@ -59,8 +59,8 @@ protected:
                 record(prefix + kMeasuredNames[one] + " to " + kMeasuredNames[other], seams.between[one][other]);
     }
 
-    /// The order is right: on the pixels that a source wins, any other that has an answer there would be worse on the
-    /// whole.
+    /// The order is right: on the pixels that a source wins, any other source with an answer there would be worse
+    /// overall.
     static void expectTheBest(const Regret& regret) {
         EXPECT_GT(regret.best, 0.9) << "of the pixels nothing is noticeably better";
         for (size_t w = 0; w < kMeasured; ++w)
@@ -73,7 +73,7 @@ protected:
 
     static Seams measure(const std::string& prefix, const SourcePictures& pictures) {
         const Regret regret = regretOf(pictures);
-        for (const size_t source : {size_t{0}, kMeasured - 2}) // the screen and probes
+        for (const size_t source : {kScreenHits, kProbeLookups})
             EXPECT_GT(regret.winners[source].pixels, 500u) << kMeasuredNames[source];
         record(prefix, regret);
         expectTheBest(regret);
@@ -82,8 +82,8 @@ protected:
         return seams;
     }
 
-    /// Steps in a row are what the eye sees as a seam. `most`: of all takeovers, a third above what was measured when
-    /// this was written (1.4 %, without mirrors 3.5 %), so that it does not become worse.
+    /// The eye sees steps in a row as a seam. `most`: of all takeovers, a third above the value measured when this was
+    /// written (1.4 %, without mirrors 3.5 %), so that it does not become worse.
     static void expectFewSeams(const Seams& seams, double most) {
         EXPECT_GT(seams.all.across.steps.size(), 1000u);
         EXPECT_LE(seams.all.inRow(), most);
@@ -96,7 +96,7 @@ TEST_F(HierarchyTest, TheBestWinsWithFewSeamsInAHall) {
     expectFewSeams(measure("no mirrors: ", withoutMirrors(pictures)), 0.047);
 }
 
-// Seams are seen here, and recorded: docs/techniques/composite.md says where.
+// Seams are visible here, and documented: docs/techniques/composite.md says where.
 TEST_F(HierarchyTest, TheBestWinsInTheOpen) {
     GLINT_NEED_ASSET(path, "scenes/stage1.glb");
     const SourcePictures pictures = drawSources(device(), openJob(path, 320, 180), 16);

@@ -1,7 +1,7 @@
-// The hybrid on whole scenes: screen first, rays for what is left, and hardly worse than rays for everything.
-#include "exact_report.hpp"
+// The hybrid on whole scenes: screen first, rays for the remaining weight, and hardly worse than rays for everything.
 #include "image/job_test.hpp"
 #include "measure/image_error.hpp"
+#include "measure/job_exact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,9 +27,9 @@ protected:
         job.statistics = true;
         job.settings = settingsOf(std::move(assignments));
         const render::RenderResult result = must(render::runJob(device(), job));
-        return {must(cli::measureExact(job, result)), result.stats.scene};
+        return {must(measure::measureExact(job, result)), result.stats.scene};
     }
-    /// Of the mirror pixels whose paths have at most `bounces` of them.
+    /// Fraction of wrong pixels among the mirror pixels whose paths have at most `bounces` bounces.
     static double wrongShare(const measure::MirrorError& error, size_t bounces) {
         double pixels = 0;
         double wrong = 0;

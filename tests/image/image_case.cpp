@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr size_t kLongestCase = 1 << 16; ///< bytes
 constexpr std::string_view kAssets = "assets:";
 
-/// Reads the file's keys one by one; the first that is wrong is the error.
+/// Reads the file's keys one by one; the first invalid key is the error.
 class CaseReader {
 public:
     CaseReader(const std::string& path, const std::string& assets) : path_(path), assets_(assets) {
@@ -23,7 +23,7 @@ public:
     }
 
     Result<ImageCase> read(const Json& json) {
-        // GoogleTest's filters give '-' and others a meaning.
+        // GoogleTest's filters interpret '-' and other characters.
         const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
         if (!std::ranges::all_of(case_.name, plain))
             return invalidInput("{}: a case's name has small letters, digits and _ only", path_);

@@ -15,9 +15,9 @@
 namespace glint::test {
 
 struct Tolerance {
-    double maxAbsDiff = 0.02;       ///< a pixel fails if one of its channels is off by more, [0, 1]
+    double maxAbsDiff = 0.02;       ///< a pixel fails if one of its channels differs by more, [0, 1]
     double failingFraction = 0.001; ///< of the pixels may fail
-    double meanFlip = 0.05; ///< instead of both on drivers other than the software one, which the goldens are made with
+    double meanFlip = 0.05;         ///< replaces both on drivers other than the software driver that made the goldens
 };
 
 struct ImageCase {
@@ -31,7 +31,7 @@ struct ImageCase {
 /// Errors: NotFound, Io; InvalidInput names the file and the key that is unknown, missing or of another type.
 Result<ImageCase> readImageCase(const std::string& path, const std::string& assets);
 
-/// The same as the command line would have it, to try a case by hand.
+/// The equivalent command line, to try a case by hand.
 std::string commandOf(const ImageCase& imageCase);
 
 } // namespace glint::test

@@ -1,5 +1,5 @@
-// One test a file in cases/: renders what it says, with validation on, and holds the picture against its golden.
-// GLINT_UPDATE_GOLDENS=1 writes the goldens instead; look at each before it is committed.
+// One test for each file in cases/: renders the case with validation on, and compares the image with its golden.
+// GLINT_UPDATE_GOLDENS=1 writes the goldens instead; check each before committing it.
 #include "image/golden.hpp"
 #include "image/image_case.hpp"
 #include "image/job_test.hpp"
@@ -30,7 +30,7 @@ std::string assetsFolder() {
 
 std::vector<std::string> caseNames() {
     std::vector<std::string> names;
-    std::error_code ignored; // without the folder there is no case
+    std::error_code ignored; // without the folder there are no cases
     for (const auto& entry : std::filesystem::directory_iterator(kImageFolder + "cases", ignored))
         if (entry.path().extension() == ".json")
             names.push_back(entry.path().stem().string());
@@ -38,7 +38,7 @@ std::vector<std::string> caseNames() {
     return names;
 }
 
-/// As the program writes it to a PNG file.
+/// The image as the program writes it to a PNG file.
 Result<std::vector<uint8_t>> displayed(const render::RenderedView& view) {
     GLINT_TRY(info, render::findView(view.name));
     return info->kind == render::ViewKind::Radiance ? view.rgb8 : render::displayBytes(info->kind, view.rgba);

@@ -13,7 +13,7 @@
 
 namespace glint::test {
 
-/// The table's defaults, and what is set on top: "screen.step=4", ...
+/// The table's defaults with assignments on top: "screen.step=4", ...
 inline render::ProgramSettings settingsOf(std::vector<std::string> assignments) {
     return must(
         render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = std::move(assignments)}));

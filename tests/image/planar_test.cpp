@@ -1,8 +1,8 @@
-// --planar on whole scenes: flat mirrors show what rays show, mirrors in mirrors too, and sources go together.
+// --planar on whole scenes: flat mirrors show the same as rays, mirrors in mirrors too, and sources combine.
 #include "base/file.hpp"
-#include "exact_report.hpp"
 #include "image/job_test.hpp"
 #include "measure/image_error.hpp"
+#include "measure/job_exact.hpp"
 #include "support/gltf_builder.hpp"
 #include "support/temp_folder.hpp"
 
@@ -27,15 +27,15 @@ protected:
         job.settings = settingsOf(assignments);
         return job;
     }
-    static const std::vector<float>& view(const render::RenderResult& result, const std::string& name) {
+    static const std::vector<float>& view(const render::RenderResult& result, const char* name) {
         const auto found = std::ranges::find(result.views, name, &render::RenderedView::name);
         EXPECT_NE(found, result.views.end()) << name;
         return found->rgba;
     }
 };
 
-/// A room of three emissive walls in stripes on a floor of metal whose normals wave by `tilt` (a slope), roughness
-/// `roughness`. Returns `path`.
+/// A room of three striped emissive walls on a metal floor whose normals wave by `tilt` (a slope) and whose roughness
+/// is `roughness`. Returns `path`.
 std::string wavyRoom(const std::string& path, double tilt, double roughness) {
     GltfBuilder builder;
     Json nodes = Json::array();
@@ -97,19 +97,19 @@ std::string wavyRoom(const std::string& path, double tilt, double roughness) {
     return path;
 }
 
-/// Pixels of the mirror, by the picture that rays make.
+/// Errors on the mirror's pixels, against the image that rays make.
 struct FloorError {
-    double wrong = 0; ///< share that is off by more than 0.1
+    double wrong = 0; ///< fraction whose error exceeds 0.1
     double rms = 0;
-    double bias = 0; ///< mean of planar less rays
+    double bias = 0; ///< mean of planar minus rays
 };
 
-/// Three mirrors at right angles, alone, against the exact picture: seen directly, in each other, and once more.
+/// Three mirrors at right angles, alone, against the exact image: seen directly, in each other, and once more.
 TEST_F(PlanarTest, MirrorsInMirrorsAreRightAsDeepAsTheyAreDrawn) {
     for (const int depth : {1, 2, 3}) {
         const auto job =
             makeJob("builtin:exact", {"screen.enabled=false", "mirrors.depth=" + std::to_string(depth)}, 640, 360);
-        const measure::MirrorError error = must(cli::measureExact(job, must(render::runJob(device(), job))));
+        const measure::MirrorError error = must(measure::measureExact(job, must(render::runJob(device(), job))));
         ASSERT_EQ(error.byBounces.size(), 3u);
         for (int bounce = 1; bounce <= 3; ++bounce) {
             const auto& of = error.byBounces[static_cast<size_t>(bounce) - 1];
@@ -123,7 +123,7 @@ TEST_F(PlanarTest, MirrorsInMirrorsAreRightAsDeepAsTheyAreDrawn) {
     }
 }
 
-/// The bound for a mirror of roughness 0: 40 dB from what rays find.
+/// The bound for a mirror of roughness 0: 40 dB against rays.
 TEST_F(PlanarTest, AFlatMirrorIsThePictureThatRaysMake) {
     for (const char* resolution : {"1", "0.5"}) {
         const std::vector<std::string> common = {"screen.enabled=false", "mirrors.reflections=false",
@@ -143,7 +143,7 @@ TEST_F(PlanarTest, AFlatMirrorIsThePictureThatRaysMake) {
     }
 }
 
-/// Bent rays are followed in the picture's depth; rough ones read it blurred.
+/// Bent rays are marched in the image's depth; rough rays sample it blurred.
 TEST_F(PlanarTest, WavesAndRoughnessLookAsByRays) {
     const TempFolder folder;
     const auto errorOf = [&](double tilt, double roughness, int samples) {
@@ -186,11 +186,11 @@ TEST_F(PlanarTest, WavesAndRoughnessLookAsByRays) {
         EXPECT_LT(std::abs(error.bias), 0.005);
 }
 
-/// Every way to switch the five sources on and off; none adds light: a pixel's weights sum to 1 at most.
+/// Every combination of the five sources; none adds light: a pixel's weights sum to 1 at most.
 TEST_F(PlanarTest, AnySourcesGoTogether) {
     auto job = makeJob("builtin:mirror", {}, 80, 45);
     job.environment = "sky";
-    render::JobSession session = must(render::JobSession::create(device(), job));
+    render::ReflectionSession session = must(render::openJob(device(), job));
     for (unsigned sources = 0; sources < 32; ++sources) {
         Settings& settings = job.settings.reflections;
         settings.screen.enabled = (sources & 1) != 0;
@@ -216,7 +216,7 @@ TEST_F(PlanarTest, AnySourcesGoTogether) {
     }
 }
 
-/// In the user's order planar comes before rays, and takes what it has pictures of.
+/// In the user's order planar comes before rays, and answers the pixels that it has images for.
 TEST_F(PlanarTest, TheOrderDecidesWhoAnswers) {
     auto job = makeJob("builtin:mirror", {"rays.enabled=true", "order.planar=0"}, 160, 90);
     job.views = {"weightPlanar", "weightRays", "roughness"};

@@ -1,7 +1,7 @@
-// glint bake and --probes on whole scenes: probes show what is there, and a file that does not belong is refused.
+// glint bake and --probes on whole scenes: probes show the scene, and a file of another scene is rejected.
 #include "base/file.hpp"
-#include "hits_report.hpp"
 #include "image/job_test.hpp"
+#include "measure/job_hits.hpp"
 #include "render/bake_job.hpp"
 #include "render/probe_world.hpp"
 #include "support/gltf_builder.hpp"
@@ -37,7 +37,7 @@ protected:
     }
 };
 
-/// Mean difference of two pictures of reflections as displayed, over smooth surfaces.
+/// Mean difference of two reflection images as displayed, over smooth surfaces.
 double difference(const render::RenderResult& a, const render::RenderResult& b) {
     double sum = 0;
     size_t count = 0;
@@ -78,7 +78,7 @@ TEST_F(BakedProbesTest, aHallIsReflectedFromAFileAlmostAsByRays) {
         most = std::max<double>(most, looked.views[2].rgba[i]);
     EXPECT_EQ(most, 1);
 
-    // Another light, another scene, a damaged file, none at all.
+    // Another light, another scene, a damaged file, no file.
     render::RenderJob other = probes;
     other.settings.render.environment.strength = 3;
     EXPECT_THAT(errorOf(other), testing::HasSubstr("another light"));
@@ -125,7 +125,7 @@ std::string colouredRoom(const std::string& path) {
     return path;
 }
 
-/// What the room shows in a direction; black through its open side and above, and its floor, with nothing to reflect.
+/// The room's radiance in a direction; black through its open side and above. Its floor has nothing to reflect.
 glm::vec3 wallSeen(const glm::dvec3& from, const glm::dvec3& direction) {
     const glm::dvec3 toX = from + direction * (((direction.x > 0 ? 2 : -2) - from.x) / direction.x);
     if (direction.x != 0 && toX.y > 0 && toX.y < 3 && std::abs(toX.z) < 3)
@@ -142,7 +142,7 @@ glm::dvec3 cubeDirection(uint32_t face, double a, double b) {
     return directions[face];
 }
 
-/// Looks into it from its open side.
+/// A camera that looks into the room from its open side.
 render::RenderJob lookInto(const TempFolder& folder, render::RenderJob job) {
     job.camera = folder + "camera.json";
     EXPECT_TRUE(writeFile(job.camera, R"({"position": [0.3, 2.5, -6], "target": [0, 0.5, 0], "fovY": 40})"));
@@ -172,13 +172,13 @@ TEST_F(BakedProbesTest, everyFaceShowsItsOwnSide) {
                 const glm::vec3 wanted = through(0.5, 0.5);
                 if (through(-0.3, -0.3) != wanted || through(1.3, -0.3) != wanted || through(-0.3, 1.3) != wanted ||
                     through(1.3, 1.3) != wanted)
-                    continue; // an edge runs through it
+                    continue; // an edge runs through the texel
                 const glm::vec3 found(glm::unpackHalf4x16(baked.texels[(size_t{face} * 32 + y) * 32 + x]));
                 ASSERT_LT(glm::length(found - wanted), 0.05) << "face " << face << " at " << x << ", " << y;
                 ++compared;
             }
     EXPECT_GT(compared, 4500u); // of 6144
-    // The proxy: its walls, where walls are.
+    // The proxy's walls are the room's walls.
     const ProbeVolume& proxy = baked.probe.proxyVolume;
     EXPECT_NEAR(proxy.centerWS[0] + proxy.halfExtents[0], 2, 0.1);
     EXPECT_NEAR(proxy.centerWS[0] - proxy.halfExtents[0], -2, 0.1);
@@ -198,8 +198,8 @@ TEST_F(BakedProbesTest, marchProxyFindsTheRoomByItsBakedProxy) {
     options.bounces = 1;
     const render::ProbeSet set = must(render::runBakeJob(device(), job, options));
     ASSERT_TRUE(writeFile(job.probes, render::encodeProbes(set)));
-    const render::RenderJob measured = cli::hitJob(job);
-    const measure::HitFigures hits = must(cli::measureHits(measured, must(render::runJob(device(), measured)))).all;
+    const render::RenderJob measured = measure::hitJob(job);
+    const measure::HitFigures hits = must(measure::measureHits(measured, must(render::runJob(device(), measured)))).all;
     EXPECT_GT(hits.visibleTruths, 10000u);
     EXPECT_GT(hits.precision(), 0.98);
     EXPECT_GT(hits.recall(), 0.98);
@@ -231,7 +231,7 @@ TEST_F(BakedProbesTest, placesAreTakenAsTheyAreGiven) {
     EXPECT_NEAR(proxy.centerWS[0] + proxy.halfExtents[0], 2, 0.1);
     EXPECT_NEAR(proxy.centerWS[1] - proxy.halfExtents[1], 0, 0.1);
     EXPECT_EQ(set.probes[1].probe.shape, ProbeShape::Sphere);
-    EXPECT_EQ(set.probes[1].probe.proxy, ProbeProxy::None);
+    EXPECT_EQ(set.probes[1].probe.proxy, ProbeProxy::Infinite);
     options.places[1].probe.influence.rotation = {1, 1, 1, 1};
     const auto wrong = render::runBakeJob(device(), job, options);
     ASSERT_FALSE(wrong);
@@ -242,7 +242,7 @@ TEST_F(BakedProbesTest, aSceneThatReflectsNothingGetsNone) {
     const TempFolder folder;
     render::RenderJob job = lookInto(folder, makeJob(colouredRoom(folder + "room.glb"), {}));
     ASSERT_TRUE(
-        writeFile(job.camera, R"({"position": [0, 2, -6], "target": [0, 2, -20], "fovY": 40})")); // away from it
+        writeFile(job.camera, R"({"position": [0, 2, -6], "target": [0, 2, -20], "fovY": 40})")); // away from the room
     const render::ProbeSet set = must(render::runBakeJob(device(), job, {}));
     EXPECT_TRUE(set.probes.empty());
     const render::RenderResult without = must(render::runJob(device(), job));
@@ -257,7 +257,7 @@ TEST_F(BakedProbesTest, autoTakesTheFileBesideTheSceneOrBakes) {
     render::RenderJob job = lookInto(folder, makeJob(scene, {"screen.enabled=false"}));
     job.probes = "auto";
     const render::RenderResult baked = must(render::runJob(device(), job));
-    render::BakeOptions coarse; // one can tell these from what auto bakes
+    render::BakeOptions coarse; // distinguishes these from the probes that auto bakes
     coarse.most = 1;
     coarse.faceSize = 16;
     const render::ProbeSet set = must(render::runBakeJob(device(), job, coarse));

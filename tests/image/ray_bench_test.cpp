@@ -1,6 +1,7 @@
-// Times of the ray back ends: every figure there, the same rays met by both, and a scene with the triangles asked for.
+// Times of the ray back ends: every figure is present, both hit with the same rays, and the scene has the requested
+// triangles.
 #include "gpu/context.hpp"
-#include "ray_bench.hpp"
+#include "ray_bench_output.hpp"
 #include "support/must.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,8 @@ namespace {
 
 TEST(RayBench, TimesEveryBackEndOnTheSameRays) {
     const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
-    const cli::RayBenchResult result =
-        must(cli::runRayBench(*context, {.triangles = {1000, 3000}, .rays = 1024, .repeats = 2}));
+    const measure::RayBenchResult result =
+        must(measure::runRayBench(*context, {.triangles = {1000, 3000}, .rays = 1024, .repeats = 2}));
     for (const std::string& message : context->validationMessages())
         ADD_FAILURE() << "validation: " << message;
 
@@ -44,7 +45,7 @@ TEST(RayBench, TimesEveryBackEndOnTheSameRays) {
         }
         EXPECT_LE(point.differing(), 2u);
     }
-    EXPECT_TRUE(cli::checkSameHits(result));
+    EXPECT_TRUE(measure::checkSameHits(result));
 
     const auto json = nlohmann::json::parse(cli::rayBenchJson(result));
     ASSERT_EQ(json["points"].size(), 2u);
@@ -58,23 +59,23 @@ TEST(RayBench, TimesEveryBackEndOnTheSameRays) {
 TEST(RayBench, WithoutRayQueriesTheHierarchyAloneIsTimed) {
     const std::unique_ptr<gpu::Context> context =
         must(gpu::Context::create({.device = {}, .validation = false, .rayQuery = false}));
-    const cli::RayBenchResult result =
-        must(cli::runRayBench(*context, {.triangles = {1000}, .rays = 64, .repeats = 1}));
+    const measure::RayBenchResult result =
+        must(measure::runRayBench(*context, {.triangles = {1000}, .rays = 64, .repeats = 1}));
     ASSERT_EQ(result.points[0].backends.size(), 1u);
     EXPECT_EQ(result.points[0].backends[0].backend, RayBackend::Bvh);
     EXPECT_NE(cli::rayBenchText(result).find("no ray queries: only bvh is timed"), std::string::npos);
 }
 
 TEST(RayBench, OtherHitsAreAnError) {
-    cli::RayBenchResult result;
+    measure::RayBenchResult result;
     measure::RayBackendFigures figures;
     figures.camera.rays = 10000;
     figures.camera.differ = 10;
     result.points.resize(1);
     result.points[0].backends = {figures};
-    EXPECT_TRUE(cli::checkSameHits(result));
+    EXPECT_TRUE(measure::checkSameHits(result));
     result.points[0].backends[0].camera.differ = 11;
-    EXPECT_FALSE(cli::checkSameHits(result));
+    EXPECT_FALSE(measure::checkSameHits(result));
 }
 
 } // namespace

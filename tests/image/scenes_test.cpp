@@ -1,10 +1,10 @@
-// What the program promises on whole scenes, in figures: mirrors where geometry puts them, wrong pixels against the
-// exact picture, nothing changed when nothing reflects, and no validation message on any sample model.
-#include "exact_report.hpp"
-#include "hits_report.hpp"
+// The program's promises on whole scenes, in figures: mirror images where geometry puts them, wrong pixels against the
+// exact image, no change where no surface reflects, and no validation message on any sample model.
 #include "image/job_test.hpp"
 #include "inspect_output.hpp"
 #include "inspect_overlay.hpp"
+#include "measure/job_exact.hpp"
+#include "measure/job_hits.hpp"
 #include "render/job_inputs.hpp"
 #include "render/view.hpp"
 #include "scene/builtin.hpp"
@@ -36,7 +36,7 @@ protected:
     static render::RenderResult run(const render::RenderJob& job) { return must(render::runJob(device(), job)); }
 };
 
-/// Where a world point is in the picture, pixels (centres at .5).
+/// Position of a world point in the image, pixels (centres at .5).
 glm::dvec2 project(const render::View& view, const glm::dvec3& positionWS) {
     const glm::dvec4 clip = glm::dmat4(view.worldToClip) * glm::dvec4(positionWS, 1);
     return {(clip.x / clip.w * 0.5 + 0.5) * view.width, (0.5 - clip.y / clip.w * 0.5) * view.height};
@@ -81,17 +81,17 @@ TEST_F(ScenesTest, fewMirrorPixelsOfTheExactSceneAreWrong) {
     const render::RenderJob job =
         makeJob("builtin:exact", 640, 360, {"composite"}, {"fade.border=none", "screen.march=linear"});
     const render::RenderResult result = run(job);
-    const measure::MirrorError error = must(cli::measureExact(job, result));
+    const measure::MirrorError error = must(measure::measureExact(job, result));
     EXPECT_GT(error.oneBouncePixels, 20000u);
-    // Measured 4.0 %; most of it are single pixels along edges. Babylon.js has 7.5 % on such a scene.
+    // Measured 4.0 %; most of them are single pixels along edges. Babylon.js has 7.5 % on such a scene.
     EXPECT_LT(error.oneBounceShare(), 0.05);
     RecordProperty("oneBounceWrongPercent", std::to_string(100 * error.oneBounceShare()));
     RecordProperty("wrongPercent", std::to_string(100 * error.share()));
 }
 
 TEST_F(ScenesTest, mostRaysFindWhatTheExactOnesFind) {
-    const render::RenderJob job = cli::hitJob(makeJob("builtin:exact", 640, 360, {}, {"screen.march=linear"}));
-    const measure::HitReport report = must(cli::measureHits(job, run(job)));
+    const render::RenderJob job = measure::hitJob(makeJob("builtin:exact", 640, 360, {}, {"screen.march=linear"}));
+    const measure::HitReport report = must(measure::measureHits(job, run(job)));
     EXPECT_GT(report.all.visibleTruths, 40000u);
     EXPECT_GT(report.all.precision(), 0.98); // measured 0.986
     EXPECT_GT(report.all.recall(), 0.92);    // measured 0.927
@@ -104,9 +104,9 @@ TEST_F(ScenesTest, mostRaysFindWhatTheExactOnesFind) {
 
 TEST_F(ScenesTest, theDefaultMarcherFindsNineteenOfTwenty) {
     for (const char* scene : {"builtin:hall", "builtin:mirror", "builtin:exact"}) {
-        const render::RenderJob job = cli::hitJob(makeJob(scene, 640, 360, {}, {}));
-        const measure::HitReport report = must(cli::measureHits(job, run(job)));
-        EXPECT_GE(report.all.precision(), 0.95) << scene; // of the hall .956; .943 while rims had no backs
+        const render::RenderJob job = measure::hitJob(makeJob(scene, 640, 360, {}, {}));
+        const measure::HitReport report = must(measure::measureHits(job, run(job)));
+        EXPECT_GE(report.all.precision(), 0.95) << scene; // .956 in the hall; .943 while rims had no backs
         EXPECT_GE(report.all.recall(), 0.95) << scene;
         EXPECT_LE(report.all.lookupsMean, 24) << scene;
     }

@@ -1,4 +1,4 @@
-// Whole scenes drawn with chosen sources of reflections, and by rays for everything, which those are held against.
+// Whole scenes rendered with selected sources of reflections, and the reference: rays for everything.
 #pragma once
 
 #include "base/file.hpp"
@@ -30,8 +30,8 @@ inline render::ProgramSettings referenceOf(render::ProgramSettings settings, uin
     return settings;
 }
 
-/// Displayed, with all sources at hand: planar mirrors are looked for, and two bounces are followed, as probes have
-/// them.
+/// As displayed, with all sources available: planar mirrors are searched for, and two bounces are traced, as probes
+/// have them.
 inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     render::RenderJob job;
     job.scene = "builtin:hall";
@@ -40,13 +40,13 @@ inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     job.display = true;
     job.planar = render::MirrorSearch::Auto;
     job.settings = settingsOf({"rays.bounces=2"});
-    for (const scene::BuiltinInfo& info : scene::builtinScenes()) // lit as our programs light it
+    for (const scene::BuiltinInfo& info : scene::builtinScenes()) // lit as in our programs
         if (info.name == "hall")
             job.settings.render.environment.strength = info.environmentStrength;
     return job;
 }
 
-/// The same of spheres and a wall on an open floor.
+/// The same for spheres and a wall on an open floor.
 inline render::RenderJob openJob(const std::string& scene, uint32_t width, uint32_t height) {
     render::RenderJob job = hallJob(width, height);
     job.scene = scene;
@@ -56,7 +56,7 @@ inline render::RenderJob openJob(const std::string& scene, uint32_t width, uint3
     return job;
 }
 
-/// Bakes probes for the job, keeps them in `folder` and hands them to it.
+/// Bakes probes for the job, stores them in `folder` and sets them in the job.
 inline void bakeProbes(gpu::Context& device, render::RenderJob& job, const TempFolder& folder) {
     render::BakeOptions options;
     options.most = 4;

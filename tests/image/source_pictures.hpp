@@ -1,4 +1,4 @@
-// What is measured of a hierarchy: its picture, the pictures of its sources alone, and a reference.
+// The measured images of a hierarchy: its own, those of its sources alone, and a reference.
 #pragma once
 
 #include "image/source_choices.hpp"
@@ -10,19 +10,19 @@
 
 namespace glint::test {
 
-/// Rays are not among them: one sample is noise, and with many they are the reference.
+/// Rays are excluded: with one sample they are noise, and with many they are the reference.
 constexpr size_t kMeasured = 4;
 constexpr std::array<const char*, kMeasured> kMeasuredNames = {"screen", "planar", "probes", "sky"};
 
-constexpr size_t kPlanarMirrors = 1;
+constexpr size_t kScreenHits = 0, kPlanarMirrors = 1, kProbeLookups = 2;
 
-/// Bytes of 255. Steps of one surface are seen from about 1 % of its luminance on (Barten 1999), which is near one byte
-/// anywhere on the sRGB curve; rounding adds up to one to either side of a difference.
+/// Bytes of 255. Steps on one surface are visible from about 1 % of its luminance on (Barten 1999), which is near one
+/// byte anywhere on the sRGB curve; rounding adds up to one to either side of a difference.
 constexpr double kNoticeable = 3;
 
 using Rgb = std::array<double, 3>; ///< sRGB bytes
 
-/// The picture and each source's share of it.
+/// The image and each source's weight in it.
 struct SourcePicture {
     std::vector<Rgb> rgb;
     std::vector<std::array<float, kMeasured>> shares;
@@ -30,20 +30,20 @@ struct SourcePicture {
 
 struct SourcePictures {
     measure::PixelCamera camera;
-    SourcePicture whole;          ///< in the order that the settings say
+    SourcePicture whole;          ///< in the order of the settings
     SourcePicture withoutMirrors; ///< the same with planar mirrors off
-    /// Each source with nothing asked before it. Planar mirrors are first in the whole, and theirs is the picture of
-    /// that: mirrors show what the other sources say of what is in them.
+    /// Each source with no source before it. Planar mirrors are first in the whole, and their image is the whole's:
+    /// mirrors show the other sources' answers for what they reflect.
     std::array<SourcePicture, kMeasured> alone;
     std::vector<Rgb> reference;
     std::vector<double> noise; ///< bytes: standard error of the reference, of all channels
     std::vector<float> depth, normal, roughness, reflectivity; ///< RGBA of the views
-    std::vector<bool> reflective;                              ///< something answered, and no glass stands before it
+    std::vector<bool> reflective;                              ///< a source answered, and no glass covers the pixel
 
     size_t pixels() const { return reflective.size(); }
 };
 
-/// The hierarchy that has no planar mirrors, held against the same reference.
+/// The hierarchy without planar mirrors, compared with the same reference.
 inline SourcePictures withoutMirrors(SourcePictures pictures) {
     pictures.whole = pictures.withoutMirrors;
     pictures.alone[kPlanarMirrors] = pictures.whole; // which has none of their answers
@@ -65,7 +65,7 @@ inline std::vector<Rgb> toRgb(const std::vector<uint8_t>& bytes) {
     return out;
 }
 
-inline SourcePicture readSources(render::JobSession& session) {
+inline SourcePicture readSources(render::ReflectionSession& session) {
     SourcePicture out;
     out.rgb = toRgb(must(session.readView("composite")).rgb8);
     const std::vector<float> weights = must(session.readView("weights")).rgba; // screen, sky, rays, probes
@@ -75,8 +75,8 @@ inline SourcePicture readSources(render::JobSession& session) {
     return out;
 }
 
-/// The standard error of `all` samples, half of which made `half`: their difference, averaged over 3 x 3 pixels, as one
-/// pixel's two halves may agree by chance.
+/// The standard error of `all` samples, half of which made `half`: their difference, averaged over 3 x 3 pixels,
+/// because one pixel's two halves may agree by chance.
 inline std::vector<double> noiseOf(const std::vector<Rgb>& half, const std::vector<Rgb>& all, size_t width) {
     std::vector<double> out(all.size());
     const size_t height = all.size() / width;
@@ -95,13 +95,13 @@ inline std::vector<double> noiseOf(const std::vector<Rgb>& half, const std::vect
 inline SourcePictures drawSources(gpu::Context& device, render::RenderJob job, uint32_t samples) {
     const TempFolder folder;
     bakeProbes(device, job, folder);
-    render::JobSession session = must(render::JobSession::create(device, job));
+    render::ReflectionSession session = must(render::openJob(device, job));
     SourcePictures out{.camera = measure::PixelCamera(session.view())};
 
     must(session.setSettings(referenceOf(job.settings, samples)));
     must(session.renderFrame(0));
     const std::vector<Rgb> half = toRgb(must(session.readView("composite")).rgb8);
-    must(session.renderFrame(1)); // adds as many
+    must(session.renderFrame(1)); // adds as many samples
     out.reference = toRgb(must(session.readView("composite")).rgb8);
     out.noise = noiseOf(half, out.reference, job.width);
 

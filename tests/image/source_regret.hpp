@@ -1,4 +1,4 @@
-// For each pixel, was the source that won the best there was?
+// For each pixel: whether the source that won was the best one.
 #pragma once
 
 #include "image/source_pictures.hpp"
@@ -6,25 +6,25 @@
 namespace glint::test {
 
 struct Regret {
-    /// On the pixels of one winner that another source answers too, alone.
+    /// For the pixels of one winner where another source answers too, alone.
     struct Instead {
         size_t pixels = 0;
-        double error = 0;  ///< bytes: of the picture
+        double error = 0;  ///< bytes: of the image
         double itsOwn = 0; ///< bytes: with that source instead
-        size_t better = 0; ///< pixels where that is noticeably less
+        size_t better = 0; ///< pixels where that error is noticeably less
     };
     struct Winner {
         size_t pixels = 0;
-        double error = 0;  ///< bytes: of the picture, on its pixels
-        double regret = 0; ///< bytes: less the error of the best of all candidates
+        double error = 0;  ///< bytes: of the image, on its pixels
+        double regret = 0; ///< bytes: minus the error of the best of all candidates
         std::array<Instead, kMeasured> instead{};
     };
     std::array<Winner, kMeasured> winners{};
     Winner all;
-    double best = 0; ///< share of all pixels where none is noticeably better than the picture
+    double best = 0; ///< fraction of all pixels where none is noticeably better
 };
 
-/// A source is a candidate where it answered alone: what the picture shows is its own.
+/// A source is a candidate where it answered alone: its image there contains only its own radiance.
 constexpr float kAlone = 0.99f;
 
 inline Regret regretOf(const SourcePictures& pictures) {

@@ -1,8 +1,9 @@
-// Where one source takes over from another on one surface: is there an edge that the reference does not have?
+// Seams: edges where one source takes over from another on one surface, and where the reference has no edge.
 #pragma once
 
 #include "image/source_pictures.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 namespace glint::test {
@@ -12,7 +13,7 @@ struct Steps {
     std::vector<double> steps;
 
     double mean() const { return std::accumulate(steps.begin(), steps.end(), 0.0) / count(); }
-    double seen() const { ///< share that is noticed
+    double seen() const { ///< fraction of visible steps
         return static_cast<double>(std::ranges::count_if(steps, [](double step) { return step > kNoticeable; })) /
                count();
     }
@@ -26,8 +27,8 @@ private:
     double count() const { return static_cast<double>(std::max<size_t>(steps.size(), 1)); }
 };
 
-/// Pairs of pixels where the winner changes, and those that go on from them in line, on either side, where it does not:
-/// these show as much of the scene, and have its errors but no seam.
+/// Pairs of pixels where the winner changes, and the pairs that continue them in line on either side, where it does not
+/// change. The latter show as much of the scene and have its errors, but no seam.
 struct Takeover {
     Steps across, beside;
     size_t rows = 0; ///< pairs across whose step is seen, and two more within two pixels of it
@@ -98,7 +99,7 @@ private:
     }
     size_t pixel(const PixelPair& pair) const { return pair.y * width_ + pair.x; }
     size_t wins(size_t i) const { return winner(pictures_.whole.shares[i]); }
-    /// The pair that goes on from this one in line.
+    /// The pair that continues this one in line.
     static PixelPair next(const PixelPair& pair, int by) {
         const size_t along = static_cast<size_t>(by); // one before the first is beyond the last
         return pair.down ? PixelPair{pair.x, pair.y + along, true} : PixelPair{pair.x + along, pair.y, false};
@@ -123,8 +124,8 @@ private:
         if (!pictures_.reflective[p] || !pictures_.reflective[q])
             return false;
         const glm::dvec3 way = position(q) - position(p);
-        // 6 degrees: the smooth spheres turn by less from pixel to pixel but for their rims, edges by far more. A pixel
-        // of the same surface lies in its plane but for half of what that turns.
+        // 6 degrees: the smooth spheres turn by less from pixel to pixel except at their rims, edges by far more. A
+        // pixel of the same surface lies in its plane, within half of what that angle allows.
         const double kTurn = glm::radians(6.0);
         const bool smooth = glm::dot(normal(p), normal(q)) > std::cos(kTurn) &&
                             std::abs(glm::dot(normal(p), way)) < kTurn * glm::length(way);
@@ -138,8 +139,8 @@ private:
         return std::abs(picture[p][channel] - picture[q][channel]);
     }
 
-    /// Mean of the channels' steps, each less the largest that the reference has within a pixel from there: what is
-    /// reflected a pixel beside its place has edges that are no seams.
+    /// Mean of the channels' steps, each minus the reference's largest step within a pixel: a reflection displaced by a
+    /// pixel has edges that are no seams.
     double step(const PixelPair& pair) const {
         double sum = 0;
         for (size_t channel = 0; channel < 3; ++channel) {

@@ -1,6 +1,6 @@
-// Sources together on whole scenes, held against rays for everything: each of the 32 choices of the five renders, and
-// with another one on top the picture is not worse. Rays, one a pixel, add their noise; with sixteen they make it
-// better. docs/techniques/composite.md has the figures.
+// Combined sources on whole scenes, against rays for everything: each of the 32 combinations of the five renders, and
+// adding a source does not make the image worse. Rays, one a pixel, add their noise; with sixteen they improve the
+// image. docs/techniques/composite.md has the figures.
 #include "image/source_choices.hpp"
 
 #include <array>
@@ -19,7 +19,7 @@ std::string nameOf(unsigned sources) {
 
 class SourcesTest : public JobTest {
 protected:
-    static std::vector<uint8_t> draw(render::JobSession& session, const render::ProgramSettings& settings,
+    static std::vector<uint8_t> draw(render::ReflectionSession& session, const render::ProgramSettings& settings,
                                      uint32_t frames) {
         must(session.setSettings(settings));
         for (uint32_t frame = 0; frame < frames; ++frame)
@@ -36,7 +36,7 @@ protected:
     static Errors errors(render::RenderJob job) {
         const TempFolder folder;
         bakeProbes(device(), job, folder);
-        render::JobSession session = must(render::JobSession::create(device(), job));
+        render::ReflectionSession session = must(render::openJob(device(), job));
         const std::vector<uint8_t> reference = draw(session, referenceOf(job.settings, 16), 4);
         const auto errorOf = [&](unsigned sources, int samples, const std::string& name) {
             render::ProgramSettings settings = job.settings;

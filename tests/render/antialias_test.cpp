@@ -6,6 +6,8 @@
 #include "base/file.hpp"
 #include "support/temp_folder.hpp"
 
+#include <algorithm>
+
 namespace glint::test {
 namespace {
 
@@ -196,7 +198,6 @@ TEST_F(AntialiasTest, LayersOfGlassAreSmoothToo) {
     const double none = errorOf("none", "prepass");
     const double prepass = errorOf("msaa4", "prepass");
     const double geometry = errorOf("msaa4", "geometry");
-    std::printf("none %.4f, msaa4 prepass %.4f, geometry %.4f\n", none, prepass, geometry);
     EXPECT_LT(prepass, 0.8 * none);
     EXPECT_LT(geometry, 0.8 * none);
 }

@@ -1,6 +1,9 @@
 // Tone maps and the sRGB curve against their specifications, in double precision.
 #include "render/support/render_test.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace glint::test {
 namespace {
 

@@ -59,6 +59,7 @@ protected:
         Settings settings;
         settings.screen.enabled = false;
         settings.rays.enabled = true;
+        settings.rays.transparents = 0; // drawOpaque draws none
         return settings;
     }
 

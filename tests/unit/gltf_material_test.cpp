@@ -126,6 +126,8 @@ TEST(GltfMaterial, Extensions) {
     EXPECT_EQ(specular.specularColorTexture.texture, 1);
 
     EXPECT_EQ(readExtension("KHR_materials_transmission", {{"transmissionFactor", 0.75}}).transmissionFactor, 0.75f);
+    EXPECT_EQ(readExtension("KHR_materials_dispersion", {{"dispersion", 0.36}}).dispersion, 0.36f);
+    EXPECT_EQ(readExtension("KHR_materials_ior", {{"ior", 1.33}}).dispersion, 0);
     const Material volume =
         readExtension("KHR_materials_volume",
                       {{"thicknessFactor", 2}, {"attenuationDistance", 3}, {"attenuationColor", {0.5, 1, 1}}});

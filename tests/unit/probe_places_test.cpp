@@ -46,7 +46,7 @@ TEST(ProbePlaces, everyKeyComesThrough) {
     EXPECT_EQ(probe.weight, 0.5f);
     EXPECT_TRUE(parseProbePlaces(probeWith(""), "room.json")->front().fitsProxy);
     EXPECT_EQ(parseProbePlaces(probeWith(R"(, "proxy": {"shape": "none"})"), "room.json")->front().probe.proxy,
-              ProbeProxy::None);
+              ProbeProxy::Infinite);
 }
 
 TEST(ProbePlaces, mistakesAreNamed) {

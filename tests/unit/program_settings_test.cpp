@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <set>
 
 namespace glint::render {
@@ -46,6 +47,15 @@ TEST_F(ProgramSettingsTest, BareAliasesFollowThePreset) {
     EXPECT_EQ(errorOf({{}, "", "", {"thickness=0.25"}}),
               "--set thickness=0.25: 'thickness' is a name in several systems: "
               "write 'babylon:thickness' or 'compute-ssr:thickness'");
+}
+
+TEST_F(ProgramSettingsTest, SamplesUnderRayQueryAreRays) {
+    const auto loaded = loadSettings({{}, "ray-query", "", {"samples=4"}});
+    ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+    EXPECT_EQ(loaded->reflections.rays.samples, 4);
+    EXPECT_EQ(loaded->render.display.antialias, Antialias::None);
+    EXPECT_EQ(errorOf({{}, "", "", {"samples=4"}}), "--set samples=4: 'samples' is a name in several systems: write "
+                                                    "'babylon:samples' or 'ray-query:samples'");
 }
 
 TEST_F(ProgramSettingsTest, NumbersOfOtherSystemsPickAChoice) {

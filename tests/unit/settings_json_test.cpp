@@ -24,7 +24,7 @@ TEST(SettingsJson, TakesNestedAndFlatNamesAndAliases) {
     ASSERT_TRUE(done.ok()) << done.error().message;
     EXPECT_EQ(settings.screen.step, 4);
     EXPECT_FALSE(settings.screen.smooth);
-    EXPECT_EQ(settings.fade.border, FadeBorder::None);
+    EXPECT_EQ(settings.fade.border, FadeBorder::None_);
     EXPECT_EQ(settings.screen.maxDistance, 20.5f);
     EXPECT_EQ(settings.reflect.strength, 2);
     EXPECT_EQ(settings.screen.maxSteps, Settings{}.screen.maxSteps);

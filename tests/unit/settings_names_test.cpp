@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace glint {
 namespace {
@@ -58,7 +59,7 @@ TEST(SettingsNames, AliasesCarryTheirOwnMeaning) {
     ASSERT_TRUE(set(settings, "attenuateScreenBorders", "true").ok());
     EXPECT_EQ(settings.fade.border, FadeBorder::Smooth);
     ASSERT_TRUE(set(settings, "attenuateScreenBorders", "false").ok());
-    EXPECT_EQ(settings.fade.border, FadeBorder::None);
+    EXPECT_EQ(settings.fade.border, FadeBorder::None_);
     ASSERT_TRUE(set(settings, "screenWeightDistance", "0.2").ok());
     EXPECT_EQ(settings.fade.border, FadeBorder::Linear);
     EXPECT_EQ(settings.fade.borderWidth, 0.2f);
@@ -83,11 +84,73 @@ TEST(SettingsNames, AnAliasTakesTheNumbersOfItsSystem) {
     EXPECT_FALSE(set(settings, "screen.targetFormat", "2").ok()) << "the key itself has no numbers";
 }
 
+TEST(SettingsNames, RayQueryHasTheNamesOfItsDocument) {
+    Settings settings;
+    for (const char* prefix : {"", "ray-query:"}) {
+        const auto take = [&](const char* name, const char* value) {
+            EXPECT_TRUE(set(settings, std::string(prefix) + name, value, "ray-query").ok()) << prefix << name;
+        };
+        settings = {};
+        take("MAX_REFLECTIONS_SAMPLES", "8");
+        take("MAX_BOUNCES", "3");
+        take("ray_t_min", "0.01");
+        take("ray_t_max", "50");
+        take("cull_mask", "3");
+        EXPECT_EQ(settings.rays.samples, 8);
+        EXPECT_EQ(settings.rays.bounces, 3);
+        EXPECT_EQ(settings.rays.tMin, 0.01f);
+        EXPECT_EQ(settings.rays.tMax, 50);
+        EXPECT_EQ(settings.rays.cullMask, 3);
+        take("samples", "4");
+        take("bounces", "2");
+        EXPECT_EQ(settings.rays.samples, 4);
+        EXPECT_EQ(settings.rays.bounces, 2);
+    }
+}
+
+TEST(SettingsNames, AColourIsSetAsAWhole) {
+    Settings settings;
+    const auto colour = [&] {
+        const RefractionSettings& r = settings.refraction;
+        return std::array{r.transmittanceRed, r.transmittanceGreen, r.transmittanceBlue};
+    };
+    ASSERT_TRUE(set(settings, "transmittanceColor", "0.9,0.5,0.25").ok());
+    EXPECT_EQ(colour(), (std::array{0.9f, 0.5f, 0.25f}));
+    ASSERT_TRUE(set(settings, "hdrp:transmittanceColor", "0.1 0.2 0.3").ok());
+    EXPECT_EQ(colour(), (std::array{0.1f, 0.2f, 0.3f}));
+    ASSERT_TRUE(set(settings, "transmittanceColor", "0.5").ok());
+    EXPECT_EQ(colour(), (std::array{0.5f, 0.5f, 0.5f}));
+    ASSERT_TRUE(fromJson(settings, R"({"hdrp:transmittanceColor": "1,0.5,0"})", "test").ok());
+    EXPECT_EQ(colour(), (std::array{1.0f, 0.5f, 0.0f}));
+    ASSERT_TRUE(fromJson(settings, R"({"hdrp:transmittanceColor": 0.25})", "test").ok());
+    EXPECT_EQ(colour(), (std::array{0.25f, 0.25f, 0.25f}));
+    for (const char* bad : {"", "red", "1,2", "0.1,0.2,0.3,0.4", "0.1,0.2,x", "true"})
+        EXPECT_EQ(errorOf("transmittanceColor", bad),
+                  "transmittanceColor: expected a colour as R,G,B or one number, got '" + std::string(bad) + "'");
+    EXPECT_NE(errorOf("transmittanceColor", "0.1,0.2,3"), "");
+}
+
+TEST(SettingsNames, AbsorptionDistanceZeroIsTheDarkestUnderHdrpsName) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "hdrp:absorptionDistance", "0").ok());
+    EXPECT_EQ(settings.refraction.absorptionDistance, 1e-6f) << "nothing comes through what is not white";
+    ASSERT_TRUE(set(settings, "hdrp:absorptionDistance", "2").ok());
+    EXPECT_EQ(settings.refraction.absorptionDistance, 2);
+    ASSERT_TRUE(set(settings, "refraction.absorptionDistance", "0").ok());
+    EXPECT_EQ(settings.refraction.absorptionDistance, 0) << "clear";
+    ASSERT_TRUE(set(settings, "indexOfRefraction", "1.4").ok());
+    EXPECT_EQ(settings.refraction.ior, 1.4f);
+    ASSERT_TRUE(set(settings, "hdrp:refractionThickness", "0.5").ok());
+    EXPECT_EQ(settings.refraction.thickness, 0.5f);
+    ASSERT_TRUE(set(settings, "refractionThicknessMultiplier", "2").ok());
+    EXPECT_EQ(settings.refraction.thicknessMultiplier, 2);
+}
+
 TEST(SettingsNames, AnAliasWithABadValueChangesNothing) {
     Settings settings;
     ASSERT_TRUE(set(settings, "fade.border", "none").ok());
     EXPECT_FALSE(set(settings, "screenWeightDistance", "2").ok());
-    EXPECT_EQ(settings.fade.border, FadeBorder::None);
+    EXPECT_EQ(settings.fade.border, FadeBorder::None_);
 }
 
 TEST(SettingsNames, MisspeltNamesGetTheNearestRightOne) {

@@ -16,7 +16,7 @@ namespace {
 /// A value that the setting takes and that is not its default.
 std::string otherValue(const SettingInfo& info) {
     switch (info.type) {
-    case SettingType::Bool: return info.defaultValue != 0 ? "false" : "true";
+    case SettingType::Boolean: return info.defaultValue != 0 ? "false" : "true";
     case SettingType::Int: return info.defaultValue == info.range.max ? "1" : fmt::format("{}", info.range.max);
     case SettingType::Float: return info.defaultValue == info.range.max ? "0.125" : fmt::format("{}", info.range.max);
     case SettingType::Enum: break;
@@ -152,7 +152,7 @@ TEST(SettingsTable, EveryAliasIsTaken) {
                 value = "1";
             else if (alias.transform == AliasTransform::Choice)
                 value = "false";
-            else if (alias.transform == AliasTransform::Always || alias.transform == AliasTransform::Instead)
+            else if (alias.transform == AliasTransform::Fixed || alias.transform == AliasTransform::Instead)
                 value = "0.375"; // these stand beside a number in [0, 0.5]
             Settings settings;
             const std::string name = alias.system + ":" + alias.name;

@@ -164,6 +164,18 @@ TEST(SsrKeys, EachPairGoesUpAndComesBack) {
     EXPECT_FALSE(pressSsrKey('V', model));
 }
 
+TEST(SsrKeys, AFactorThereAndBackLeavesTheNumberAsItWasWritten) {
+    for (const char* value : {"0.2", "12.8", "0.7", "20", "3.3"})
+        for (const std::string_view keys : {"34", "43", "3344"}) {
+            SettingsModel model = makeModel();
+            ASSERT_TRUE(model.assign("screen.maxDistance", value).ok());
+            for (const char key : keys)
+                pressSsrKey(key, model);
+            const double distance = valueOf(model, "screen.maxDistance");
+            EXPECT_EQ(settingText(settingOf("screen.maxDistance"), distance), value) << keys;
+        }
+}
+
 TEST(SsrKeys, StepsStayOnTheirGrid) {
     SettingsModel model = makeModel();
     for (int i = 0; i < 7; ++i)

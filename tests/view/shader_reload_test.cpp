@@ -63,6 +63,30 @@ TEST_F(ShaderReloadTest, CompilesWhatIncludesTheChange) {
     EXPECT_TRUE(reload->compile()->shaders.contains("display/tonemap")); // still in force
 }
 
+TEST_F(ShaderReloadTest, VariantsAreCompiledWithTheirMacros) {
+    auto reload = ShaderReload::create(shaders_);
+    ASSERT_TRUE(reload) << reload.error().message;
+    append("rays/hits_main.glsl", "\n// seen\n");
+    EXPECT_TRUE(reload->look());
+    const auto compiled = reload->compile();
+    ASSERT_TRUE(compiled) << compiled.error().message;
+    EXPECT_EQ(compiled->count, 2u);
+    EXPECT_FALSE(compiled->shaders.at("rays/hits_bvh")->usesRayQuery());
+    EXPECT_TRUE(compiled->shaders.at("rays/hits_query")->usesRayQuery());
+}
+
+TEST_F(ShaderReloadTest, AMistakeInTheTableOfVariantsIsSaid) {
+    auto reload = ShaderReload::create(shaders_);
+    ASSERT_TRUE(reload) << reload.error().message;
+    append("variants.txt", "mistake\n");
+    EXPECT_TRUE(reload->look());
+    EXPECT_FALSE(reload->look());
+    const auto compiled = reload->compile();
+    ASSERT_FALSE(compiled);
+    EXPECT_THAT(compiled.error().message, HasSubstr("variants.txt:"));
+    EXPECT_FALSE(ShaderReload::create(shaders_));
+}
+
 TEST_F(ShaderReloadTest, AMistakeIsSaidInItsFirstLinesUntilItIsMended) {
     auto reload = ShaderReload::create(shaders_);
     ASSERT_TRUE(reload) << reload.error().message;

@@ -1,8 +1,9 @@
-// The inspected pixel: what it shows, what the frame found for it, and its ray, if it has one, as a list of one.
+// Logs the inspected pixel: its surface, what the frame found for it, and its ray, if any, as a list of one.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/prepared.glsl"
 #include "lib/camera.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/resolved_material.glsl"
@@ -13,11 +14,6 @@
 
 layout(local_size_x = 1) in;
 
-layout(scalar, set = 0, binding = 0) uniform FrameBlock {
-    FrameConstants constants;
-} frame;
-layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform usampler2D surface;
 layout(set = 0, binding = 3) uniform sampler2D material;
 layout(set = 0, binding = 4) uniform usampler2D rayRecord;
 layout(set = 0, binding = 5) uniform sampler2D reflected;

@@ -31,6 +31,8 @@ std::vector<std::string> readChoices(std::string_view enumerators) {
     std::vector<std::string> choices;
     for (std::string_view part : split(enumerators, ',')) {
         std::string choice(part.substr(part.find_first_not_of(' ')));
+        if (choice.ends_with('_')) // setting_info.hpp says why
+            choice.pop_back();
         choice[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(choice[0])));
         choices.push_back(std::move(choice));
     }
@@ -84,12 +86,17 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
         alias.transform = AliasTransform::OneMinus;
     } else if (transform == "1/(n+1)") {
         alias.transform = AliasTransform::InverseOnePlus;
+    } else if (info.type == SettingType::Float && (transform == "r" || transform == "g" || transform == "b")) {
+        alias.transform = AliasTransform::Component;
+        alias.component = static_cast<int>(std::string_view("rgb").find(transform));
     } else if (transform.find(':') != transform.npos) {
         alias.transform = AliasTransform::Numbers;
         for (const std::string_view part : split(transform, '|')) {
             const size_t mark = std::min(part.find(':'), part.size() - 1);
+            const std::string_view ours = part.substr(mark + 1);
             alias.numbers.emplace_back(static_cast<int>(readNumber(info.key, part.substr(0, mark))),
-                                       choiceIndex(info, part.substr(mark + 1)));
+                                       info.type == SettingType::Enum ? choiceIndex(info, ours)
+                                                                      : readNumber(info.key, ours));
         }
     } else if (const size_t bar = transform.find('|'); bar != transform.npos) {
         alias.transform = AliasTransform::Choice;
@@ -100,7 +107,7 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
         alias.whenFalse = choiceIndex(info, transform.substr(0, arrow));
         alias.whenTrue = choiceIndex(info, transform.substr(arrow + 1));
     } else {
-        alias.transform = AliasTransform::Always;
+        alias.transform = AliasTransform::Fixed;
         alias.whenTrue = choiceIndex(info, transform);
     }
     return alias;

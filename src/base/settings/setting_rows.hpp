@@ -24,7 +24,7 @@ SettingInfo makeSetting(std::string key, size_t offset, T defaultValue, const Se
                                settingChoices(defaultValue), texts);
     } else {
         static_assert(std::same_as<T, bool> || std::same_as<T, int> || std::same_as<T, float>);
-        constexpr SettingType type = std::same_as<T, bool>  ? SettingType::Bool
+        constexpr SettingType type = std::same_as<T, bool>  ? SettingType::Boolean
                                      : std::same_as<T, int> ? SettingType::Int
                                                             : SettingType::Float;
         return makeSettingInfo(std::move(key), type, static_cast<double>(defaultValue), offset, {}, texts);

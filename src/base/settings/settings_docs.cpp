@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 std::string_view typeName(SettingType type) {
     switch (type) {
-    case SettingType::Bool: return "bool";
+    case SettingType::Boolean: return "bool";
     case SettingType::Int: return "int";
     case SettingType::Float: return "float";
     case SettingType::Enum: break;
@@ -37,9 +37,10 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::InverseOnePlus: return "1/(n+1)";
     case AliasTransform::Choice:
         return fmt::format("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
-    case AliasTransform::Always:
+    case AliasTransform::Fixed:
     case AliasTransform::Instead: return settingText(info, alias.whenTrue);
     case AliasTransform::Numbers: return numbersText(info, alias);
+    case AliasTransform::Component: return std::string(1, "rgb"[alias.component]);
     }
     return {};
 }
@@ -52,12 +53,13 @@ std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::Choice:
         return fmt::format("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
                            settingText(info, alias.whenTrue));
-    case AliasTransform::Always: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
+    case AliasTransform::Fixed: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
     case AliasTransform::Instead:
         return fmt::format("{} (makes {} {})", name, settingText(info, alias.whenFalse),
                            settingText(info, alias.whenTrue));
     case AliasTransform::OneMinus:
     case AliasTransform::Numbers:
+    case AliasTransform::Component:
     case AliasTransform::InverseOnePlus: return fmt::format("{} ({})", name, transformText(info, alias));
     }
     return name;
@@ -65,7 +67,7 @@ std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
 
 /// "(0, 1e6] m", "true, false", "linear"
 std::string allowed(const SettingInfo& info) {
-    if (info.type == SettingType::Bool)
+    if (info.type == SettingType::Boolean)
         return "true, false";
     if (info.type == SettingType::Enum)
         return joinText(info.choices, ", ");

@@ -98,10 +98,11 @@ SettingType writtenType(const Match& match) {
     switch (match.alias ? match.alias->transform : AliasTransform::Same) {
     case AliasTransform::OneMinus: return SettingType::Float;
     case AliasTransform::InverseOnePlus: return SettingType::Int;
-    case AliasTransform::Choice: return SettingType::Bool;
+    case AliasTransform::Choice: return SettingType::Boolean;
     case AliasTransform::Same:
-    case AliasTransform::Always:
+    case AliasTransform::Fixed:
     case AliasTransform::Instead:
+    case AliasTransform::Component:
     case AliasTransform::Numbers: break;
     }
     return match.info->type;
@@ -158,9 +159,31 @@ Result<double> readNumberOrChoice(std::string_view name, const Match& match, con
     return wrongType(name, listText(known, " or "), input);
 }
 
+/// "0.9,0.5,0.2", "0.9 0.5 0.2", or one number for all three.
+Result<double> readComponent(std::string_view name, const SettingAlias& alias, const SettingInput& input) {
+    constexpr std::string_view kExpected = "a colour as R,G,B or one number";
+    constexpr std::string_view kBetween = ", ";
+    std::vector<double> values;
+    for (std::string_view rest = input.text; !rest.empty();) {
+        const std::string_view part = rest.substr(0, rest.find_first_of(kBetween));
+        const auto value = readNumber(name, {part, Kind::Any}, false);
+        if (!value)
+            return wrongType(name, kExpected, input);
+        values.push_back(*value);
+        rest.remove_prefix(part.size());
+        rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
+    }
+    const bool fits = values.size() == 3 ? kindIs(input, Kind::String) : values.size() == 1;
+    if (!fits || input.kind == Kind::Bool)
+        return wrongType(name, kExpected, input);
+    return values.size() == 3 ? values[static_cast<size_t>(alias.component)] : values[0];
+}
+
 Result<double> readValue(std::string_view name, const Match& match, const SettingInput& input) {
+    if (match.alias && match.alias->transform == AliasTransform::Component)
+        return readComponent(name, *match.alias, input);
     switch (writtenType(match)) {
-    case SettingType::Bool: return readBool(name, input);
+    case SettingType::Boolean: return readBool(name, input);
     case SettingType::Int: return readNumber(name, input, true);
     case SettingType::Float: return readNumber(name, input, false);
     case SettingType::Enum: break;
@@ -170,14 +193,19 @@ Result<double> readValue(std::string_view name, const Match& match, const Settin
     return readChoice(name, *match.info, input);
 }
 
-double transformed(const SettingAlias* alias, double value) {
+double transformed(const SettingInfo& info, const SettingAlias* alias, double value) {
+    if (alias && info.type != SettingType::Enum)
+        for (const auto& [theirs, ours] : alias->numbers)
+            if (value == theirs)
+                return ours;
     switch (alias ? alias->transform : AliasTransform::Same) {
     case AliasTransform::OneMinus: return 1 - value;
     case AliasTransform::InverseOnePlus: return 1 / (value + 1);
     case AliasTransform::Choice: return value != 0 ? alias->whenTrue : alias->whenFalse;
-    case AliasTransform::Always:
+    case AliasTransform::Fixed:
     case AliasTransform::Instead: return alias->whenTrue;
     case AliasTransform::Same:
+    case AliasTransform::Component:
     case AliasTransform::Numbers: break;
     }
     return value;
@@ -201,7 +229,7 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
     const SettingInfo& info = *match.info;
     SettingAssignment assignment{&info, match.object, 0, false};
     const AliasTransform transform = match.alias ? match.alias->transform : AliasTransform::Same;
-    if (transform == AliasTransform::Always || transform == AliasTransform::Instead) {
+    if (transform == AliasTransform::Fixed || transform == AliasTransform::Instead) {
         assignment.value = match.alias->whenTrue;
         assignment.implied = true;
         if (transform == AliasTransform::Instead)
@@ -209,7 +237,7 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
         return assignment;
     }
     GLINT_TRY(written, readValue(name, match, input));
-    const double value = transformed(match.alias, written);
+    const double value = transformed(info, match.alias, written);
     assignment.value = narrowed(info, value);
     if (!info.range.text.empty() && !inRange(info.range, value, assignment.value)) {
         Error error = outOfRange(info, fmt::format("{}", value));
@@ -224,7 +252,7 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
 
 double settingValue(const SettingInfo& info, const void* object) {
     const std::byte* const at = static_cast<const std::byte*>(object) + info.offset;
-    if (info.type == SettingType::Bool)
+    if (info.type == SettingType::Boolean)
         return *reinterpret_cast<const bool*>(at) ? 1 : 0;
     if (info.type == SettingType::Float)
         return static_cast<double>(*reinterpret_cast<const float*>(at));
@@ -235,7 +263,7 @@ double settingValue(const SettingInfo& info, const void* object) {
 
 std::string settingText(const SettingInfo& info, double value) {
     switch (info.type) {
-    case SettingType::Bool: return value != 0 ? "true" : "false";
+    case SettingType::Boolean: return value != 0 ? "true" : "false";
     case SettingType::Int: return fmt::format("{}", static_cast<int>(value));
     case SettingType::Float: return fmt::format("{}", static_cast<float>(value));
     case SettingType::Enum: break;
@@ -260,7 +288,7 @@ void assignSettings(std::span<const SettingAssignment> assignments) {
         std::byte* const at = static_cast<std::byte*>(assignment.object) + assignment.info->offset;
         if (assignment.insteadOf && settingValue(*assignment.info, assignment.object) != *assignment.insteadOf)
             continue;
-        if (assignment.info->type == SettingType::Bool) {
+        if (assignment.info->type == SettingType::Boolean) {
             *reinterpret_cast<bool*>(at) = assignment.value != 0;
         } else if (assignment.info->type == SettingType::Float) {
             *reinterpret_cast<float*>(at) = static_cast<float>(assignment.value);

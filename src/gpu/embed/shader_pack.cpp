@@ -1,5 +1,5 @@
-// Build tool: SPIR-V files in, one C++ file out, with each shader's words and its reflected bindings.
-//   glint_shader_pack SET ROOT OUT.cpp ROOT/trace/linear.comp.spv ...
+// Build tool: reads SPIR-V files and writes one C++ file with each shader's words and reflected bindings.
+//   glint_shader_pack SET ROOT OUT.cpp ROOT/trace/classify.comp.spv ...
 #include "gpu/embed/shader_reflection.hpp"
 
 #include <cstdio>
@@ -25,7 +25,7 @@ ReflectedShader readShader(const std::string& path) {
     return *std::move(shader);
 }
 
-/// "ROOT/trace/linear.comp.spv" -> "trace/linear"
+/// "ROOT/trace/classify.comp.spv" -> "trace/classify"
 std::string nameOf(const std::string& path, const std::string& root) {
     std::string name = path.substr(root.size() + 1);
     name.resize(name.size() - std::string(".spv").size());

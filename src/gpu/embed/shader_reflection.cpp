@@ -23,7 +23,7 @@ constexpr Kind kKinds[] = {
     {SPVC_RESOURCE_TYPE_ACCELERATION_STRUCTURE, BindingKind::AccelerationStructure, false, false},
 };
 
-/// NonWritable and NonReadable stand on an image's variable, but on the members of a buffer's block.
+/// An image has NonWritable and NonReadable on its variable, a buffer has them on the members of its block.
 bool hasDecoration(spvc_compiler compiler, const spvc_reflected_resource& resource, bool buffer, SpvDecoration what) {
     if (!buffer)
         return spvc_compiler_has_decoration(compiler, resource.id, what);

@@ -1,4 +1,4 @@
-// The geometry of a planar mirror: include/glint/planar.hpp says what each gives.
+// The geometry of a planar mirror; include/glint/planar.hpp documents the functions.
 #pragma once
 
 #include "glint/planar.hpp"
@@ -8,7 +8,7 @@
 
 namespace glint::reflect {
 
-/// Metres off the plane within which surfaces are the mirror's own.
+/// Returns the distance from the plane, in metres, within which surfaces belong to the mirror.
 inline float toleranceOf(const PlanarMirror& mirror) {
     return mirror.tolerance > 0 ? mirror.tolerance : 2e-4f * std::max(mirror.halfExtents[0], mirror.halfExtents[1]);
 }

@@ -2,9 +2,10 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
-#include "reflect/conventions.hpp"
 #include "reflect/host_image.hpp"
+#include "reflect/input_checks.hpp"
 #include "reflect/planar/mirrored_view.hpp"
+#include "reflect/prepare/conventions.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -36,13 +37,12 @@ Result<void> checkMirrors(std::span<const PlanarMirror> mirrors) {
     return {};
 }
 
-Result<void> checkPicture(const HostImage& image, const char* name, uint32_t mirror) {
+Result<void> checkPicture(const gpu::Context& context, const HostImage& image, const char* name, uint32_t mirror) {
     if (!image.image || !image.view || image.width < 1 || image.height < 1)
         return invalidArgument("mirror {}: its picture's `{}` is missing: hand over an image and its view", mirror,
                                name);
-    if (isInNoLayout(image))
-        return invalidArgument("mirror {}: its picture's `{}` is in no layout, so it shows nothing", mirror, name);
-    return {};
+    return checkImage(context, image, fmt::format("mirror {}: its picture's `{}`", mirror, name),
+                      std::string_view(name) == "depth" ? ImageRole::Depth : ImageRole::Color);
 }
 
 } // namespace
@@ -102,7 +102,7 @@ Result<void> PlanarState::makeSlot(const PlanarMirrorsDesc& desc, const PlanarMi
                                                    gpu::ImageShape::Flat, kUsage}));
     slot.radiance = std::move(radiance);
     slot.viewZ = std::move(viewZ);
-    // The table names them before they hold anything: whoever writes first waits for those who might have looked.
+    // The table refers to the images before they are written: the first writer waits for all possible earlier readers.
     for (gpu::Image* image : {&slot.radiance, &slot.viewZ})
         for (gpu::ResourceState& state : image->states())
             state.readStages = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
@@ -116,7 +116,7 @@ Result<void> PlanarState::setMirrors(std::span<const PlanarMirror> mirrors) {
     GLINT_CHECK(checkMirrors(mirrors));
     for (size_t i = 0; i < mirrors.size(); ++i) {
         slots_[i].mirror = mirrors[i];
-        slots_[i].shown = false; // its picture is of where it was
+        slots_[i].shown = false; // its mirrored view belongs to the old position
     }
     return {};
 }
@@ -129,8 +129,10 @@ void PlanarState::skip(uint32_t mirror) {
 Result<void> PlanarState::record(VkCommandBuffer commands, uint32_t mirror, const PlanarPicture& picture) {
     if (mirror >= slots_.size())
         return invalidArgument("mirror {}: there are {}", mirror, slots_.size());
-    GLINT_CHECK(checkPicture(picture.radiance, "radiance", mirror));
-    GLINT_CHECK(checkPicture(picture.depth, "depth", mirror));
+    GLINT_CHECK(checkPicture(context_, picture.radiance, "radiance", mirror));
+    GLINT_CHECK(checkPicture(context_, picture.depth, "depth", mirror));
+    if (const Result<void> view = checkView(picture.view); !view)
+        return invalidArgument("mirror {}: its picture's {}", mirror, view.error().message);
     if (picture.radiance.samples != 1)
         return invalidArgument("mirror {}: its picture's radiance has {} samples a pixel, but must have 1", mirror,
                                picture.radiance.samples);
@@ -173,8 +175,9 @@ void PlanarState::take(gpu::Frame& frame, Slot& slot, gpu::Image& radiance, gpu:
     frame.hand(slot.viewZ, kHandedOut);
 }
 
-std::vector<shared::PlanarRecord> PlanarState::records(const shared::FrameConstants& constants) const {
-    std::vector<shared::PlanarRecord> records;
+std::span<const shared::PlanarRecord> PlanarState::records(const shared::FrameConstants& constants,
+                                                           std::span<shared::PlanarRecord> room) const {
+    size_t count = 0;
     const glm::dmat4 worldToView(constants.worldToView);
     for (uint32_t i = 0; i < slots_.size(); ++i) {
         const Slot& slot = slots_[i];
@@ -194,9 +197,9 @@ std::vector<shared::PlanarRecord> PlanarState::records(const shared::FrameConsta
         record.picture = i;
         record.size = {slot.viewZ.width(), slot.viewZ.height()};
         record.lastMip = static_cast<float>(slot.radiance.desc().mips - 1);
-        records.push_back(record);
+        room[count++] = record;
     }
-    return records;
+    return room.first(count);
 }
 
 } // namespace glint::reflect

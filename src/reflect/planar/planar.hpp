@@ -1,4 +1,4 @@
-// What stands behind glint::PlanarMirrors: the host's mirrors checked, and Glint's own pictures of what they show.
+// Implements glint::PlanarMirrors: checks the host's mirrors and keeps Glint's copies of their mirrored views.
 #pragma once
 
 #include "glint/planar.hpp"
@@ -11,7 +11,7 @@
 
 namespace glint::reflect {
 
-class PlanarState {
+class PlanarState : gpu::KeepsContext {
 public:
     static Result<std::unique_ptr<PlanarState>> create(gpu::Context& context, const PlanarMirrorsDesc& desc);
 
@@ -21,19 +21,20 @@ public:
 
     uint32_t count() const { return static_cast<uint32_t>(slots_.size()); }
     VkDescriptorSetLayout picturesLayout() const { return table_.layout(); }
-    /// Those with a picture, in the view space of `constants`; at most kMaxPlanarRecords.
-    std::vector<shared::PlanarRecord> records(const shared::FrameConstants& constants) const;
+    /// Returns the mirrors with a mirrored view, in the view space of `constants`; at most kMaxPlanarRecords.
+    std::span<const shared::PlanarRecord> records(const shared::FrameConstants& constants,
+                                                  std::span<shared::PlanarRecord> room) const;
     VkDescriptorSet pictures() const { return table_.set(); }
 
 private:
     struct Slot {
         PlanarMirror mirror;
-        gpu::Image radiance; ///< RGBA16F, with mips: and its weight (shaders/planar/take_main.glsl)
+        gpu::Image radiance; ///< RGBA16F with mips: radiance and its weight (shaders/planar/take_main.glsl)
         gpu::Image viewZ;    ///< R32F
-        bool shown = false;  ///< there is a picture in them
+        bool shown = false;  ///< the slot holds a mirrored view
     };
 
-    explicit PlanarState(gpu::Context& context) : context_(context) {}
+    explicit PlanarState(gpu::Context& context) : KeepsContext(context), context_(context) {}
     Result<void> makeSlot(const PlanarMirrorsDesc& desc, const PlanarMirror& mirror);
     void take(gpu::Frame& frame, Slot& slot, gpu::Image& radiance, gpu::Image& depth,
               const shared::FrameConstants& constants);
@@ -43,7 +44,7 @@ private:
     gpu::Pipeline take_;
     gpu::Pipeline takeSamples_;
     gpu::Pipeline shrink_;
-    gpu::Buffer frameConstants_; ///< of the mirrored view whose picture is taken
+    gpu::Buffer frameConstants_; ///< of the mirrored view that is being copied
     std::vector<Slot> slots_;
     gpu::TextureTable table_; ///< radiance and viewZ of each slot
 };

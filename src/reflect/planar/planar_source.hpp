@@ -1,38 +1,38 @@
-// The source `planar`: what a host's pictures from behind flat mirrors answer for the pixels of these.
+// The source `planar`: computes the reflections of flat mirrors from the host's mirrored views.
 #pragma once
 
 #include "glint/settings.hpp"
 #include "reflect/planar/planar.hpp"
+#include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
 
 namespace glint::reflect {
 
-/// What the source reads of the frame.
+/// Inputs from the frame.
 struct PlanarInputs {
-    gpu::Buffer& frameConstants;
-    const shared::FrameConstants& constants; ///< what is in them
-    Prepared& prepared;
+    FrameInputs frame;
+    Prepared prepared;
     EarlierAnswers earlier;
 };
 
-/// Made when a host first hands mirrors over.
+/// Created when a host first provides mirrors.
 class PlanarSource {
 public:
     /// Errors: OutOfMemory.
-    static Result<std::unique_ptr<PlanarSource>> create(gpu::Context& context, uint32_t width, uint32_t height);
+    static Result<std::unique_ptr<PlanarSource>> create(StageContext& stages);
 
-    /// `planar` must outlive the frames. Makes the pipeline for it. Errors: OutOfMemory.
+    /// `planar` must outlive the frames. Creates the pipeline for it. Errors: OutOfMemory.
     Result<void> setPlanar(PlanarState& planar);
     bool hasMirrors() const { return planar_ && planar_->count() > 0; }
 
-    void record(gpu::Frame& frame, const Settings& settings, const PlanarInputs& inputs);
+    void record(gpu::Frame& frame, const PlanarInputs& inputs);
 
     gpu::Image& answer() { return answer_; }
 
 private:
-    explicit PlanarSource(gpu::Context& context) : context_(context) {}
+    explicit PlanarSource(StageContext& stages) : stages_(stages) {}
 
-    gpu::Context& context_;
+    StageContext& stages_;
     gpu::Pipeline reflect_;
     PlanarState* planar_ = nullptr;
     gpu::Buffer records_;

@@ -4,12 +4,14 @@
 #include "base/text.hpp"
 #include "reflect/host_image.hpp"
 #include "reflect/host_numbers.hpp"
+#include "reflect/input_checks.hpp"
 #include "reflect/probes/probe_grid.hpp"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -38,7 +40,7 @@ Result<void> checkVolumes(const Probe& probe, size_t number) {
     if (probe.shape > ProbeShape::Sphere || probe.proxy > ProbeProxy::Sphere)
         return invalidArgument("probe {}: no such shape", number);
     GLINT_CHECK(checkVolume(probe.influence, probe.shape == ProbeShape::Sphere ? 1 : 3, "influence", number));
-    if (probe.proxy != ProbeProxy::None)
+    if (probe.proxy != ProbeProxy::Infinite)
         GLINT_CHECK(checkVolume(probe.proxyVolume, probe.proxy == ProbeProxy::Sphere ? 1 : 3, "proxy", number));
     if (!within(probe.capturePositionWS, -kLongest, kLongest))
         return invalidArgument("probe {}: its capture position must be finite, within {} m", number, kLongest);
@@ -51,16 +53,11 @@ Result<void> checkVolumes(const Probe& probe, size_t number) {
     return {};
 }
 
-Result<void> checkCube(const Probe& probe, size_t number) {
-    const HostImage& cube = probe.cube;
-    if (!cube.image || !cube.view || cube.width != cube.height || cube.width < 1 || probe.mips < 1)
-        return invalidArgument("probe {} needs a cube image with square faces, its view, and at least one mip", number);
-    if (isInNoLayout(cube))
-        return invalidArgument("probe {}: its cube is in no layout (VkImageLayout {}), so it shows nothing", number,
-                               static_cast<int>(cube.layout));
-    if (probe.prefiltered && cube.layout != VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL)
+Result<void> checkProbeCube(const gpu::Context& context, const Probe& probe, size_t number) {
+    GLINT_CHECK(checkCube(context, probe.cube, probe.mips, fmt::format("probe {}: its cube", number)));
+    if (probe.prefiltered && probe.cube.layout != VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL)
         return invalidArgument("probe {}: a prefiltered cube must be in SHADER_READ_ONLY_OPTIMAL, not VkImageLayout {}",
-                               number, static_cast<int>(cube.layout));
+                               number, static_cast<int>(probe.cube.layout));
     return {};
 }
 
@@ -72,7 +69,7 @@ void packTransform(const ProbeVolume& volume, shared::float4 (&rows)[3]) {
         rows[row] = glm::vec4(axes[row], -glm::dot(axes[row], glm::dvec3(toVec(volume.centerWS))));
 }
 
-/// A hard edge is this thin, so that there is nothing to divide by 0.
+/// Minimum width of a hard edge, which avoids a division by 0.
 float blendOf(float distance, float extent) {
     return std::max(distance, extent * 1e-5f);
 }
@@ -84,7 +81,7 @@ shared::ProbeRecord packRecord(const Probe& probe, uint32_t cube, uint32_t mips)
     out.influenceExtents = sphere ? glm::vec3(probe.influence.halfExtents[0]) : toVec(probe.influence.halfExtents);
     out.influenceShape = sphere ? shared::kProbeSphere : shared::kProbeBox;
     out.proxyShape = shared::kProbeNoProxy;
-    if (probe.proxy != ProbeProxy::None) {
+    if (probe.proxy != ProbeProxy::Infinite) {
         packTransform(probe.proxyVolume, out.worldToProxy);
         out.proxyExtents = toVec(probe.proxyVolume.halfExtents);
         out.proxyShape = probe.proxy == ProbeProxy::Box ? shared::kProbeBox : shared::kProbeSphere;
@@ -128,8 +125,10 @@ Result<std::unique_ptr<ProbesState>> ProbesState::create(gpu::Context& context, 
         return invalidArgument("probes with faces of {} texels: a power of two from {} to {}", desc.faceSize,
                                kSmallestFace, kLargestFace);
     std::unique_ptr<ProbesState> state(new ProbesState(context));
+    GLINT_TRY(progress, gpu::Progress::create(context, "probes/progress"));
+    state->progress_ = std::move(progress);
     for (const Probe& probe : desc.probes) {
-        GLINT_CHECK(checkCube(probe, state->cubes_.size()));
+        GLINT_CHECK(checkProbeCube(context, probe, state->cubes_.size()));
         GLINT_CHECK(checkVolumes(probe, state->cubes_.size()));
         GLINT_CHECK(state->addCube(probe, desc.faceSize));
     }
@@ -163,7 +162,7 @@ Result<void> ProbesState::addCube(const Probe& probe, uint32_t faceSize) {
         const uint32_t face =
             faceSize != 0 ? faceSize : std::clamp(std::bit_floor(probe.cube.width), kSmallestFace, kLargestFace);
         cube.mips = gpu::cubeMips(face, gpu::kLastFilteredFace);
-        cube.stale = true;
+        cube.filtering.ask();
         const auto make = [&](const char* name, uint32_t mips) {
             return gpu::Image::create(context_,
                                       {name, VK_FORMAT_R16G16B16A16_SFLOAT, face, face, mips, 6, gpu::ImageShape::Cube,
@@ -208,7 +207,8 @@ Result<void> ProbesState::setVolumes(std::span<const Probe> probes) {
 
 void ProbesState::refilter(uint32_t probe) {
     GLINT_ASSERT(probe < cubes_.size(), "probe {} of {}", probe, cubes_.size());
-    cubes_[probe].stale = static_cast<bool>(cubes_[probe].filtered);
+    if (cubes_[probe].filtered)
+        cubes_[probe].filtering.ask();
 }
 
 void ProbesState::filter(gpu::Frame& frame, uint32_t probe) {
@@ -219,16 +219,22 @@ void ProbesState::filter(gpu::Frame& frame, uint32_t probe) {
     prefilter_.filter(frame, source, cube.filtered);
     frame.hand(cube.filtered, kHandedOut);
     giveBack(frame, host, cube.host);
-    cube.stale = false;
+    cube.filtering.recorded(progress_);
 }
 
 void ProbesState::record(VkCommandBuffer commands) {
+    const std::array lists = {&records_, &cells_, &lists_};
+    const bool listsPending = std::ranges::any_of(lists, [&](TableBuffer* list) { return list->pending(progress_); });
+    if (!listsPending && std::ranges::none_of(cubes_, [&](Cube& cube) { return cube.filtering.isNeeded(progress_); }))
+        return;
+    progress_.begin();
     gpu::Frame frame(context_, commands);
     for (uint32_t i = 0; i < count(); ++i)
-        if (cubes_[i].stale)
+        if (cubes_[i].filtering.isNeeded(progress_))
             filter(frame, i);
-    for (TableBuffer* list : {&records_, &cells_, &lists_})
-        list->record(frame);
+    for (TableBuffer* list : lists)
+        list->record(frame, progress_);
+    progress_.end(frame);
 }
 
 HostImage ProbesState::cube(uint32_t probe) const {

@@ -1,4 +1,4 @@
-// What stands behind glint::Probes: the host's volumes checked and packed, its cubes filtered, and the grid over them.
+// Implements glint::Probes: checks and packs the host's volumes, filters its cubes, and builds the grid over them.
 #pragma once
 
 #include "glint/probes.hpp"
@@ -11,7 +11,7 @@
 
 namespace glint::reflect {
 
-class ProbesState {
+class ProbesState : gpu::KeepsContext {
 public:
     static Result<std::unique_ptr<ProbesState>> create(gpu::Context& context, const ProbesDesc& desc);
 
@@ -23,27 +23,28 @@ public:
     HostImage cube(uint32_t probe) const;
     uint32_t cubeMips(uint32_t probe) const { return cubes_[probe].mips; }
     VkDescriptorSetLayout cubesLayout() const { return table_.layout(); }
-    /// Gives the pass the volumes, as shaders/probes/probe_lists.glsl declares them.
+    /// Binds the volumes, as shaders/probes/probe_lists.glsl declares them.
     gpu::Pass& bindLists(gpu::Pass& pass);
-    /// And the cubes, as shaders/probes/probe_cubes.glsl does.
+    /// Binds the volumes and the cubes, as shaders/probes/probe_cubes.glsl declares them.
     gpu::Pass& bind(gpu::Pass& pass) { return bindLists(pass).table(table_.set()); }
 
 private:
-    explicit ProbesState(gpu::Context& context) : context_(context) {}
+    explicit ProbesState(gpu::Context& context) : KeepsContext(context), context_(context) {}
     Result<void> addCube(const Probe& probe, uint32_t faceSize);
     void filter(gpu::Frame& frame, uint32_t probe);
 
     struct Cube {
         HostImage host;
         uint32_t hostMips = 1;
-        gpu::Image filtered; ///< absent where the host's own is looked up
-        uint32_t mips = 1;   ///< of what is looked up
-        bool stale = false;  ///< to be filtered
+        gpu::Image filtered; ///< absent if the host's own cube is sampled
+        uint32_t mips = 1;   ///< of the cube that is sampled
+        gpu::Standing filtering = gpu::Standing(false);
     };
 
     gpu::Context& context_;
+    gpu::Progress progress_;
     gpu::CubePrefilter prefilter_;
-    std::vector<gpu::Image> sources_; ///< cubes with all mips that others are filtered from, one a size
+    std::vector<gpu::Image> sources_; ///< cubes with all mips, which the others are filtered from; one per size
     std::vector<Cube> cubes_;
     gpu::TextureTable table_;
     TableBuffer records_;

@@ -2,18 +2,17 @@
 
 namespace glint::reflect {
 
-Result<std::unique_ptr<ProbesSource>> ProbesSource::create(gpu::Context& context, uint32_t width, uint32_t height) {
-    std::unique_ptr<ProbesSource> source(new ProbesSource(context));
-    GLINT_TRY(answer, gpu::Image::create(context, {"glint/probesAnswer", VK_FORMAT_R16G16B16A16_SFLOAT, width, height,
-                                                   1, 1, gpu::ImageShape::Flat,
-                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT}));
-    source->answer_ = std::move(answer);
+Result<std::unique_ptr<ProbesSource>> ProbesSource::create(StageContext& stages) {
+    std::unique_ptr<ProbesSource> source(new ProbesSource(stages));
+    GLINT_CHECK(makeImage(stages.gpu, source->answer_,
+                          {"glint/probesAnswer", VK_FORMAT_R16G16B16A16_SFLOAT, stages.width(), stages.height()}));
     return source;
 }
 
 Result<void> ProbesSource::setProbes(ProbesState& probes) {
     GLINT_TRY(reflect, gpu::Pipeline::compute(
-                           context_, {"probes/reflect", sizeof(shared::ProbesConstants), {}, probes.cubesLayout()}));
+                           stages_.gpu, {"probes/reflect", sizeof(shared::ProbesConstants), {}, probes.cubesLayout()}));
+    stages_.retired.keep(std::move(reflect_));
     reflect_ = std::move(reflect);
     probes_ = &probes;
     return {};
@@ -25,13 +24,13 @@ uint32_t probeFlags(const Settings& settings) {
            (settings.probes.distanceRoughness ? shared::kProbesDistanceRoughness : 0);
 }
 
-void ProbesSource::record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs) {
-    const shared::ProbesConstants constants = {probeFlags(settings), inputs.earlier.before};
+void ProbesSource::record(gpu::Frame& frame, const ProbesInputs& inputs) {
+    const shared::ProbesConstants constants = {probeFlags(stages_.settings()), inputs.earlier.before};
     gpu::Pass pass = frame.pass(reflect_);
-    pass.read("frame", inputs.frameConstants)
+    pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
-        .write("answers", answer_);
+        .write("probesRadianceWeight", answer_);
     inputs.earlier.bind(pass);
     probes_->bind(pass).push(constants).dispatch(answer_.width(), answer_.height());
 }

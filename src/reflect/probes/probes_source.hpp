@@ -1,42 +1,43 @@
-// The source `probes`: what the host's probes answer for the pixels that the sources before left something of.
+// The source `probes`: computes the answers of the host's probes for pixels with remaining weight.
 #pragma once
 
 #include "glint/settings.hpp"
 #include "reflect/probes/probes.hpp"
+#include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
 
 namespace glint::reflect {
 
-/// What the source reads of the frame.
+/// Inputs from the frame.
 struct ProbesInputs {
-    gpu::Buffer& frameConstants;
-    Prepared& prepared;
+    FrameInputs frame;
+    Prepared prepared;
     EarlierAnswers earlier;
 };
 
-/// kProbes*, for whoever looks probes up.
+/// Returns the flags kProbes*, for every pass that samples probes.
 uint32_t probeFlags(const Settings& settings);
 
-/// Made when a host first hands probes over.
+/// Created when a host first provides probes.
 class ProbesSource {
 public:
     /// `probes` must outlive the frames. Errors: OutOfMemory.
-    static Result<std::unique_ptr<ProbesSource>> create(gpu::Context& context, uint32_t width, uint32_t height);
+    static Result<std::unique_ptr<ProbesSource>> create(StageContext& stages);
 
-    /// Makes the pipeline for these. Errors: OutOfMemory.
+    /// Creates the pipeline for these probes. Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes);
     bool hasProbes() const { return probes_ && probes_->count() > 0; }
-    /// For whoever else asks where they are; null without any.
+    /// Returns the probes for other users; null if there are none.
     ProbesState* probes() const { return hasProbes() ? probes_ : nullptr; }
 
-    void record(gpu::Frame& frame, const Settings& settings, const ProbesInputs& inputs);
+    void record(gpu::Frame& frame, const ProbesInputs& inputs);
 
     gpu::Image& answer() { return answer_; }
 
 private:
-    explicit ProbesSource(gpu::Context& context) : context_(context) {}
+    explicit ProbesSource(StageContext& stages) : stages_(stages) {}
 
-    gpu::Context& context_;
+    StageContext& stages_;
     gpu::Pipeline reflect_;
     ProbesState* probes_ = nullptr;
     gpu::Image answer_; ///< RGBA16F: radiance, weight [0, 1]

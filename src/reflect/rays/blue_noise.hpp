@@ -1,5 +1,4 @@
-// A tile of blue noise: numbers of which each is unlike its neighbours', so that errors made with them are
-// fine-grained.
+// A tile of blue noise: neighbouring values differ strongly, so that errors made with them are fine-grained.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +6,8 @@
 
 namespace glint::reflect {
 
-/// kBlueNoiseSize^2 texels by rows: two independent ranks of 16 bits each, low and high, evenly spread over their
-/// range. The tile repeats without seams. Made at the first call, in some 100 ms; the same on every machine.
+/// Returns kBlueNoiseSize^2 texels in rows: two independent ranks of 16 bits each, low and high, uniformly distributed.
+/// The tile repeats without seams. Computed in the first call, in about 100 ms; identical on every machine.
 std::span<const uint32_t> blueNoiseMask();
 
 } // namespace glint::reflect

@@ -5,17 +5,31 @@
 #include "reflect/trace/technique.hpp"
 #include "shared/ray_hit.h"
 
+#include <array>
+
 namespace glint::reflect {
 namespace {
 
-constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
+using rays::Bounds;
+
+/// In the world, of all instances that light goes through.
+Bounds transparentBounds(const rays::Scene& scene, const SurfaceTableState& surfaces) {
+    Bounds all;
+    for (const uint32_t instance : surfaces.transparentInstances())
+        if (instance < scene.instanceCount()) // a rehearsal's lists may differ
+            all.add(scene.instanceBounds(instance));
+    return all;
+}
 
 } // namespace
 
 static_assert(sizeof(RayHit) == sizeof(shared::RayHitRecord));
 
-Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, uint32_t width, uint32_t height) {
-    std::unique_ptr<RaysSource> source(new RaysSource(context));
+Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
+    gpu::Context& context = stages.gpu;
+    const uint32_t width = stages.width();
+    const uint32_t height = stages.height();
+    std::unique_ptr<RaysSource> source(new RaysSource(stages));
     GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", sizeof(shared::RaysConstants), {}}));
     GLINT_TRY(count, gpu::Pipeline::compute(context, {"rays/statistics", 0, {}}));
     source->list_ = std::move(list);
@@ -26,69 +40,69 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(gpu::Context& context, ui
     };
     GLINT_TRY(radianceWeight, makeImage("glint/raysRadianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT));
     GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32B32A32_UINT));
-    GLINT_TRY(rays, gpu::Buffer::create(context,
-                                        {"glint/raysList", sizeof(shared::RayListHeader) + size_t{4} * width * height,
-                                         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-                                             VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                                         gpu::BufferHome::Device}));
+    GLINT_TRY(lister, RayLister::create(context, width, height));
+    GLINT_TRY(rays, RayLister::makeList(context, "glint/raysList", width, height));
     GLINT_TRY(noise,
               gpu::Buffer::create(context, {"glint/blueNoise", blueNoiseMask().size() * sizeof(uint32_t),
                                             VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                             gpu::BufferHome::Device}));
     source->radianceWeight_ = std::move(radianceWeight);
     source->record_ = std::move(record);
-    source->rays_.list = std::move(rays);
+    source->lister_ = std::move(lister);
+    source->rays_ = std::move(rays);
     source->blueNoise_ = std::move(noise);
     return source;
 }
 
 Result<void> RaysSource::setSettings(const Settings& settings) {
-    framesHeld_ = false;
     const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
     const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;
-    if (sum_ && sum_.width() == width && sum_.height() == height)
+    if (width == sumsWidth_ && height == sumsHeight_) {
+        sums_.reset(HistoryReset::Settings);
         return {};
-    const auto makeImage = [&](const char* name, VkFormat format) {
-        return gpu::Image::create(context_, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
-                                             VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
-    };
-    GLINT_TRY(sum, makeImage("glint/raysSum", VK_FORMAT_R32G32B32A32_SFLOAT));
-    GLINT_TRY(weights, makeImage("glint/raysWeights", VK_FORMAT_R32_SFLOAT));
-    sum_ = std::move(sum);
-    weights_ = std::move(weights);
+    }
+    const std::array<StageImage, 2> images = {{{"glint/raysSum", VK_FORMAT_R32G32B32A32_SFLOAT, width, height},
+                                               {"glint/raysWeights", VK_FORMAT_R32_SFLOAT, width, height}}};
+    GLINT_CHECK(sums_.make(images, false));
+    sumsWidth_ = width;
+    sumsHeight_ = height;
     return {};
 }
 
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
-    GLINT_TRY(reflect,
-              gpu::Pipeline::compute(context_, {shader, sizeof(shared::RaysConstants), {}, surfaces.textureLayout()}));
+    GLINT_TRY(reflect, gpu::Pipeline::compute(stages_.gpu,
+                                              {shader, sizeof(shared::RaysConstants), {}, surfaces.textureLayout()}));
+    stages_.retired.keep(std::move(reflect_));
     reflect_ = std::move(reflect);
     scene_ = &scene;
     surfaces_ = &surfaces;
     shade_ = {};
-    framesHeld_ = false;
+    sums_.reset(HistoryReset::Asked);
     return {};
 }
 
 Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/hits_query" : "rays/hits_bvh";
-    GLINT_TRY(traceHits, gpu::Pipeline::compute(context_, {shader, sizeof(shared::RaysConstants), {}}));
+    GLINT_TRY(traceHits, gpu::Pipeline::compute(stages_.gpu, {shader, sizeof(shared::RaysConstants), {}}));
     if (!hits_) {
         const size_t pixels = size_t{radianceWeight_.width()} * radianceWeight_.height();
-        GLINT_TRY(hits, gpu::Buffer::create(context_, {"glint/rayHits", pixels * sizeof(shared::RayHitRecord),
-                                                       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Device}));
+        GLINT_TRY(hits,
+                  gpu::Buffer::create(stages_.gpu, {"glint/rayHits", pixels * sizeof(shared::RayHitRecord),
+                                                    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Device}));
         hits_ = std::move(hits);
     }
+    stages_.retired.keep(std::move(traceHits_));
     traceHits_ = std::move(traceHits);
     scene_ = &scene;
     surfaces_ = nullptr;
     shade_ = std::move(shade);
-    framesHeld_ = false;
+    sums_.reset(HistoryReset::Asked);
     return {};
 }
 
-shared::RaysConstants RaysSource::constants(const Settings& settings, const RaysInputs& inputs) const {
+shared::RaysConstants RaysSource::constants(const RaysInputs& inputs) const {
+    const Settings& settings = stages_.settings();
     const RaysSettings& rays = settings.rays;
     shared::RaysConstants constants = {};
     constants.samples = static_cast<uint32_t>(rays.samples);
@@ -98,68 +112,78 @@ shared::RaysConstants RaysSource::constants(const Settings& settings, const Rays
     constants.maxRoughness = rays.maxRoughness;
     constants.threshold = traceConstants(settings, false).threshold;
     constants.reuseRoughness = rays.reuseRoughness;
+    constants.regularization = rays.regularization;
+    constants.transparents = static_cast<uint32_t>(rays.transparents);
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
     constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
     constants.before = inputs.earlier.before;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(rays.alphaTest, shared::kRaysAlphaTest);
     flag(rays.lobe == RayLobe::Mirror || (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1), shared::kRaysMirror);
-    flag(inputs.hasEnvironment && settings.sky.enabled, shared::kRaysEnvironment);
-    flag(inputs.hasEnvironmentDiffuse, shared::kRaysEnvironmentDiffuse);
+    flag(inputs.frame.host.environment && settings.sky.enabled, shared::kRaysEnvironment);
+    flag(static_cast<bool>(inputs.frame.host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
     flag(rays.accumulate, shared::kRaysAccumulate);
     const bool afterScreen = (inputs.earlier.before & (1u << shared::kSourceScreen)) != 0;
     flag(rays.reuseLight && afterScreen, shared::kRaysReuseLight);
+    const Bounds transparents = surfaces_ ? transparentBounds(*scene_, *surfaces_) : Bounds();
+    flag(!transparents.empty(), shared::kRaysTransparentScene);
+    flag(!transparents.empty() && rays.transparents > 0, shared::kRaysTransparents);
+    constants.transparentsLow = transparents.low;
+    constants.transparentsHigh = transparents.high;
     return constants;
 }
 
-void RaysSource::record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs) {
+void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
     GLINT_ASSERT(frame.rehearsing() || !surfaces_ || scene_->instanceCount() == surfaces_->instanceCount(),
                  "the RayScene has {} instances, its surface table {}", scene_->instanceCount(),
                  surfaces_ ? surfaces_->instanceCount() : 0);
-    if (!noiseHeld_ && !frame.rehearsing()) {
+    if (!frame.rehearsing() && noise_.isNeeded(stages_.progress)) {
         frame.update(blueNoise_, blueNoiseMask().data(), blueNoise_.size());
-        noiseHeld_ = true;
+        noise_.recorded(stages_.progress);
     }
-    if (settings.rays.accumulate && (!framesHeld_ || !inputs.sameView)) {
-        frame.clear(sum_, {});
-        frame.clear(weights_, {});
-    }
-    framesHeld_ = settings.rays.accumulate && !frame.rehearsing();
-    const shared::RaysConstants constants = this->constants(settings, inputs);
-    constexpr shared::RayListHeader kNoRays = {{shared::kRayGroupsX, 0, 1}, 0, {0, 0, 1}, {0, 0, 1}, {}};
-    frame.update(rays_.list, &kNoRays, sizeof(kNoRays));
+    if (!inputs.sameView && !frame.rehearsing())
+        sums_.reset(HistoryReset::View);
+    sums_.begin(frame, stages_.settings().rays.accumulate);
+    const shared::RaysConstants constants = this->constants(inputs);
+    lister_.begin(frame);
     gpu::Pass list = frame.pass(list_);
-    list.read("frame", inputs.frameConstants)
+    list.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("screenRecord", inputs.screenRecord)
-        .readWrite("rays", rays_.list)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_);
-    inputs.earlier.bind(list);
-    list.push(constants).dispatch(radianceWeight_.width(), radianceWeight_.height());
+    lister_.bind(inputs.earlier.bind(list)).push(constants).dispatch(radianceWeight_.width(), radianceWeight_.height());
+    lister_.list(frame, rays_, radianceWeight_.width(), radianceWeight_.height(), {});
 
-    if (!surfaces_) {
+    if (surfaces_)
+        recordShaded(frame, inputs, constants);
+    else
         recordHits(frame, inputs, constants);
-        return;
-    }
+    sums_.end(frame);
+}
+
+/// Traces, and shades what the rays hit by the host's table.
+void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
+    Inputs& host = inputs.frame.host;
+    const StandIns& standIns = inputs.frame.standIns;
     gpu::Pass pass = frame.pass(reflect_);
-    pass.read("frame", inputs.frameConstants)
+    pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)
         .read("screenRecord", inputs.screenRecord)
-        .read("material", inputs.material, kTexels)
-        .read("litRadiance", inputs.litRadiance, kTexels)
-        .read("fallbackSpecular", inputs.fallbackSpecular, kTexels)
-        .read("environment", inputs.environment)
-        .read("environmentDiffuse", inputs.environmentDiffuse)
-        .read("dfg", inputs.dfg)
+        .read("material", inputs.prepared.material, kTexels)
+        .read("litRadiance", host.litRadiance, kTexels)
+        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : standIns.black, kTexels)
+        .read("environment", host.environment ? host.environment : standIns.blackCube)
+        .read("environmentDiffuse", host.environmentDiffuse ? host.environmentDiffuse : standIns.blackCube)
+        .read("dfg", standIns.dfg)
         .read("blueNoise", blueNoise_)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .write("raysRecord", record_, 0, true)
-        .readWrite("raysSum", sum_)
-        .readWrite("raysWeights", weights_);
+        .readWrite("raysSum", sums_.now(0))
+        .readWrite("raysWeights", sums_.now(1));
     scene_->bind(pass);
     surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
 }
@@ -174,7 +198,7 @@ void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
 /// Traces, lets the host shade, and takes its answer.
 void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
     gpu::Pass pass = frame.pass(traceHits_);
-    pass.read("frame", inputs.frameConstants)
+    pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)

@@ -1,81 +1,77 @@
-// The source `rays`: the pixels that need it, listed, and what rays through the host's triangles find for them.
+// The source `rays`: lists the pixels that need a ray and traces rays through the host's triangles for them.
 #pragma once
 
 #include "glint/ray_hits.hpp"
 #include "glint/settings.hpp"
 #include "rays/scene.hpp"
+#include "reflect/history.hpp"
 #include "reflect/rays/surface_table.hpp"
 #include "reflect/stages.hpp"
+#include "reflect/trace/ray_list.hpp"
 #include "shared/hierarchy.h"
 #include "shared/rays_constants.h"
 
 namespace glint::reflect {
 
-/// What the source reads of the frame.
+/// Inputs from the frame.
 struct RaysInputs {
-    gpu::Buffer& frameConstants;
-    Prepared& prepared;
+    FrameInputs frame;
+    Prepared prepared;
     EarlierAnswers earlier;
-    gpu::Image& screenRecord; ///< how the screen's rays ended
-    gpu::Image& material;     ///< F0: lib/resolved_material.glsl
-    gpu::Image& litRadiance;
-    gpu::Image& fallbackSpecular; ///< or black
-    bool hasEnvironment;
-    gpu::Image& environment; ///< or a black cube
-    bool hasEnvironmentDiffuse;
-    gpu::Image& environmentDiffuse; ///< or a black cube
-    gpu::Image& dfg;
-    bool sameView; ///< as in the frame before
+    gpu::Image& screenRecord; ///< outcomes of the screen's rays
+    bool sameView;            ///< same view as the previous frame
 };
 
-/// Made when the settings first ask for it.
+/// Created when the settings first enable it.
 class RaysSource {
 public:
     /// Errors: OutOfMemory.
-    static Result<std::unique_ptr<RaysSource>> create(gpu::Context& context, uint32_t width, uint32_t height);
+    static Result<std::unique_ptr<RaysSource>> create(StageContext& stages);
 
-    /// Makes the pipeline for this scene and table, which are kept. Errors: Unsupported, OutOfMemory.
+    /// Creates the pipeline for this scene and table, and keeps references to them. Errors: Unsupported, OutOfMemory.
     Result<void> setScene(rays::Scene& scene, SurfaceTableState& surfaces);
-    /// The same for a host that shades hits itself. Makes the buffer for them.
+    /// As above, for a host that shades hits itself. Creates the hit buffer.
     Result<void> setScene(rays::Scene& scene, ShadeHits shade);
     bool hasScene() const { return scene_ != nullptr; }
     RayBackend backend() const { return scene_->backend(); }
 
-    /// Makes room for the frames before, if the settings ask for them, and forgets them. Errors: OutOfMemory.
+    /// Allocates the history if the settings need it, and resets it. Errors: OutOfMemory.
     Result<void> setSettings(const Settings& settings);
-    /// The next frame starts anew.
-    void forgetFrames() { framesHeld_ = false; }
+    /// The next frame starts without history.
+    void forgetFrames(HistoryReset reason) { sums_.reset(reason); }
 
-    void record(gpu::Frame& frame, const Settings& settings, const RaysInputs& inputs);
+    void record(gpu::Frame& frame, const RaysInputs& inputs);
 
-    /// Adds what this frame's rays did to a shared::RayStatistics.
+    /// Adds the outcomes and costs of this frame's rays to a shared::RayStatistics.
     void count(gpu::Frame& frame, gpu::Buffer& statistics);
 
     gpu::Image& answer() { return radianceWeight_; }
     gpu::Image& rayRecord() { return record_; }
 
 private:
-    explicit RaysSource(gpu::Context& context) : context_(context) {}
+    explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
+    void recordShaded(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants);
     void recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants);
-    shared::RaysConstants constants(const Settings& settings, const RaysInputs& inputs) const;
+    shared::RaysConstants constants(const RaysInputs& inputs) const;
 
-    gpu::Context& context_;
+    StageContext& stages_;
     gpu::Pipeline list_;
     gpu::Pipeline reflect_;
     gpu::Pipeline traceHits_;
     gpu::Pipeline count_;
     rays::Scene* scene_ = nullptr;
-    SurfaceTableState* surfaces_ = nullptr; ///< null: the host shades
+    SurfaceTableState* surfaces_ = nullptr; ///< null: the host shades hits
     ShadeHits shade_;
-    gpu::Buffer hits_; ///< shared::RayHitRecord; absent until a host shades
+    gpu::Buffer hits_; ///< shared::RayHitRecord; absent unless a host shades hits
+    RayLister lister_;
     Rays rays_;
     gpu::Image radianceWeight_; ///< RGBA16F: radiance, weight [0, 1]
-    gpu::Image sum_;            ///< RGBA32F, 1x1 unless rays.accumulate: reflect_main.glsl
-    gpu::Image weights_;        ///< R32F, of the same size
-    bool framesHeld_ = false;   ///< they hold the frames before
+    uint32_t sumsWidth_ = 0;
+    uint32_t sumsHeight_ = 0;
+    History sums_;      ///< RGBA32F and R32F, one texel each unless rays.accumulate: reflect_main.glsl
     gpu::Image record_; ///< RGBA32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays; kRaysReused...
     gpu::Buffer blueNoise_;
-    bool noiseHeld_ = false;
+    gpu::Standing noise_;
 };
 
 } // namespace glint::reflect

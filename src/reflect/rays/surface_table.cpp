@@ -6,6 +6,7 @@
 #include "shared/surface_table.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glint::reflect {
@@ -24,6 +25,7 @@ void visitTextures(const SurfaceMaterial& m, shared::Material& out, Visit visit)
     visit(m.specularTexture, out.specularTexture);
     visit(m.specularColorTexture, out.specularColorTexture);
     visit(m.transmissionTexture, out.transmissionTexture);
+    visit(m.thicknessTexture, out.thicknessTexture);
     visit(m.clearcoatTexture, out.clearcoatTexture);
     visit(m.clearcoatRoughnessTexture, out.clearcoatRoughnessTexture);
     visit(m.clearcoatNormalTexture, out.clearcoatNormalTexture);
@@ -43,6 +45,10 @@ uint32_t materialFlags(const SurfaceMaterial& material) {
     return flags;
 }
 
+bool isTransparent(const SurfaceMaterial& m) {
+    return m.alpha == SurfaceAlpha::Blend || (m.transmissionFactor > 0 && !m.unlit && !m.specularGlossiness);
+}
+
 Result<shared::Material> packMaterial(const SurfaceMaterial& m, size_t number, uint32_t textureCount) {
     shared::Material out = {};
     out.flags = materialFlags(m);
@@ -57,12 +63,14 @@ Result<shared::Material> packMaterial(const SurfaceMaterial& m, size_t number, u
     out.specularColorFactor = toVec(m.specularColorFactor);
     out.ior = m.ior;
     out.transmissionFactor = m.transmissionFactor;
+    out.thicknessFactor = m.thicknessFactor;
+    out.attenuationColor = toVec(m.attenuationColor);
+    out.attenuationDistance = std::isfinite(m.attenuationDistance) ? m.attenuationDistance : 0;
     out.clearcoatFactor = m.clearcoatFactor;
     out.clearcoatRoughnessFactor = m.clearcoatRoughnessFactor;
     out.clearcoatNormalScale = m.clearcoatNormalScale;
     out.specularGlossinessFactor = toVec(m.specularGlossinessFactor);
     out.glossinessFactor = m.glossinessFactor;
-    out.thicknessTexture.index = shared::kNoTexture;
     Result<void> status;
     visitTextures(m, out, [&](const SurfaceTextureRef& ref, shared::TextureRef& packed) {
         const std::array<float, 6>& uv = ref.uvTransform;
@@ -134,10 +142,11 @@ Result<void> TableBuffer::create(gpu::Context& context, const char* name, size_t
     return {};
 }
 
-void TableBuffer::record(gpu::Frame& frame) {
-    if (changed_)
-        frame.update(buffer_, content_.data(), content_.size());
-    changed_ = false;
+void TableBuffer::record(gpu::Frame& frame, const gpu::Progress& progress) {
+    if (!upload_.isNeeded(progress))
+        return;
+    frame.update(buffer_, content_.data(), content_.size());
+    upload_.recorded(progress);
 }
 
 Result<std::unique_ptr<SurfaceTableState>> SurfaceTableState::create(gpu::Context& context,
@@ -151,6 +160,8 @@ Result<std::unique_ptr<SurfaceTableState>> SurfaceTableState::create(gpu::Contex
     }
     if (desc.materials.empty())
         return invalidArgument("a surface table needs at least one material");
+    GLINT_TRY(progress, gpu::Progress::create(context, "surfaces/progress"));
+    table->progress_ = std::move(progress);
     GLINT_TRY(set, gpu::TextureTable::create(context, textures));
     table->textures_ = std::move(set);
     table->textureCount_ = static_cast<uint32_t>(textures.size());
@@ -177,6 +188,7 @@ Result<void> SurfaceTableState::setInstances(std::span<const SurfaceInstance> in
         return invalidArgument("{} surface instances, the table was made for at most {}", instances.size(),
                                maxInstances_);
     std::vector<shared::SurfaceInstanceRecord> records;
+    std::vector<uint32_t> materials;
     for (const SurfaceInstance& instance : instances) {
         if (instance.mesh >= maxMeshes_ || instance.material >= maxMaterials_)
             return invalidArgument("surface instance {} has mesh {} of {} and material {} of {}", records.size(),
@@ -187,11 +199,21 @@ Result<void> SurfaceTableState::setInstances(std::span<const SurfaceInstance> in
             record.localToWorld[row] = {m[row], m[4 + row], m[8 + row], m[12 + row]};
         record.mesh = instance.mesh;
         record.material = instance.material;
+        materials.push_back(instance.material);
         records.push_back(record);
     }
     instances_.set(records);
     instanceCount_ = static_cast<uint32_t>(records.size());
+    instanceMaterials_ = std::move(materials);
     return {};
+}
+
+std::vector<uint32_t> SurfaceTableState::transparentInstances() const {
+    std::vector<uint32_t> found;
+    for (uint32_t i = 0; i < instanceMaterials_.size(); ++i)
+        if (instanceMaterials_[i] < isTransparent_.size() && isTransparent_[instanceMaterials_[i]])
+            found.push_back(i);
+    return found;
 }
 
 Result<void> SurfaceTableState::setLights(std::span<const SurfaceLight> lights) {
@@ -209,9 +231,11 @@ Result<void> SurfaceTableState::setMaterials(std::span<const SurfaceMaterial> ma
     if (materials.size() > maxMaterials_)
         return invalidArgument("{} surface materials, the table was made for {}", materials.size(), maxMaterials_);
     std::vector<shared::Material> records;
+    isTransparent_.clear();
     for (const SurfaceMaterial& material : materials) {
         GLINT_TRY(record, packMaterial(material, records.size(), textureCount_));
         records.push_back(record);
+        isTransparent_.push_back(isTransparent(material));
     }
     materials_.set(records);
     return {};
@@ -230,9 +254,14 @@ Result<void> SurfaceTableState::setMeshes(std::span<const SurfaceMesh> meshes) {
 }
 
 void SurfaceTableState::record(VkCommandBuffer commands) {
+    const std::array lists = {&instances_, &meshes_, &materials_, &lights_};
+    if (std::ranges::none_of(lists, [&](TableBuffer* list) { return list->pending(progress_); }))
+        return;
+    progress_.begin();
     gpu::Frame frame(context_, commands);
-    for (TableBuffer* list : {&instances_, &meshes_, &materials_, &lights_})
-        list->record(frame);
+    for (TableBuffer* list : lists)
+        list->record(frame, progress_);
+    progress_.end(frame);
 }
 
 gpu::Pass& SurfaceTableState::bind(gpu::Pass& pass) {

@@ -1,36 +1,37 @@
-// What stands behind glint::SurfaceTable: the host's lists checked and packed, in buffers that shaders/rays reads.
+// Implements glint::SurfaceTable: checks and packs the host's lists into buffers that shaders/rays reads.
 #pragma once
 
 #include "glint/surface_table.hpp"
 #include "gpu/pass.hpp"
+#include "gpu/progress.hpp"
 #include "gpu/texture_table.hpp"
 
 #include <vector>
 
 namespace glint::reflect {
 
-/// A list that changes as a whole, kept until a command buffer has taken it.
+/// A list that is replaced as a whole, and kept until the GPU has a copy.
 class TableBuffer {
 public:
-    /// `most`: bytes it may ever have.
+    /// `most`: maximum size in bytes.
     Result<void> create(gpu::Context& context, const char* name, size_t most);
     template <class T>
     void set(const std::vector<T>& items) {
         const auto bytes = std::as_bytes(std::span(items));
         content_.assign(bytes.begin(), bytes.end());
-        changed_ = !content_.empty();
+        upload_ = gpu::Standing(!content_.empty());
     }
-    void record(gpu::Frame& frame);
-    bool changed() const { return changed_; }
+    bool pending(const gpu::Progress& progress) { return upload_.isNeeded(progress); }
+    void record(gpu::Frame& frame, const gpu::Progress& progress);
     gpu::Buffer& buffer() { return buffer_; }
 
 private:
     gpu::Buffer buffer_;
     std::vector<std::byte> content_;
-    bool changed_ = false;
+    gpu::Standing upload_ = gpu::Standing(false);
 };
 
-class SurfaceTableState {
+class SurfaceTableState : gpu::KeepsContext {
 public:
     static Result<std::unique_ptr<SurfaceTableState>> create(gpu::Context& context, const SurfaceTableDesc& desc);
 
@@ -42,15 +43,17 @@ public:
 
     uint32_t instanceCount() const { return instanceCount_; }
     uint32_t lightCount() const { return lightCount_; }
+    std::vector<uint32_t> transparentInstances() const; ///< indices of the instances that transmit light
     VkDescriptorSetLayout textureLayout() const { return textures_.layout(); }
 
-    /// Gives the pass all of it, as shaders/rays/surface_table.glsl declares it.
+    /// Binds the whole table, as shaders/rays/surface_table.glsl declares it.
     gpu::Pass& bind(gpu::Pass& pass);
 
 private:
-    explicit SurfaceTableState(gpu::Context& context) : context_(context) {}
+    explicit SurfaceTableState(gpu::Context& context) : KeepsContext(context), context_(context) {}
 
     gpu::Context& context_;
+    gpu::Progress progress_;
     gpu::TextureTable textures_;
     uint32_t textureCount_ = 0;
     uint32_t maxInstances_ = 0;
@@ -59,6 +62,8 @@ private:
     uint32_t maxMeshes_ = 0;
     uint32_t instanceCount_ = 0;
     uint32_t lightCount_ = 0;
+    std::vector<bool> isTransparent_; ///< by material
+    std::vector<uint32_t> instanceMaterials_;
     TableBuffer instances_;
     TableBuffer meshes_;
     TableBuffer materials_;

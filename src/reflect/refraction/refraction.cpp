@@ -12,8 +12,6 @@
 namespace glint::reflect {
 namespace {
 
-constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
-
 static_assert(static_cast<uint32_t>(BodyShape::Straight) == shared::kRefractionStraight &&
               static_cast<uint32_t>(BodyShape::Thin) == shared::kRefractionThin);
 static_assert(static_cast<uint32_t>(RefractionModel::Thin) == shared::kRefractionThin + 1);
@@ -44,6 +42,7 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     const RefractionSettings& wanted = settings.refraction;
     shared::RefractionConstants constants = {};
     constants.ior = wanted.ior;
+    constants.dispersion = wanted.dispersion;
     constants.thickness = wanted.thickness;
     constants.thicknessMultiplier = wanted.thicknessMultiplier;
     constants.absorptionDistance = wanted.absorptionDistance;
@@ -82,11 +81,12 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
     GLINT_TRY(alone, gpu::Pipeline::compute(context, {"refraction/layer", sizeof(LayerConstants), {}}));
     GLINT_TRY(edges, gpu::Pipeline::compute(context, {"refraction/layer_edges", 0, {}}));
     GLINT_TRY(depth, gpu::Pipeline::compute(context, {"refraction/layers_depth", 0, {}}));
+    GLINT_TRY(mipChain, gpu::MipChain::create(context, 1));
     const auto makePicture = [&](const char* name) {
         const auto mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));
         return gpu::Image::create(
             context, {name, VK_FORMAT_R16G16B16A16_SFLOAT, width, height, mips, 1, gpu::ImageShape::Flat,
-                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
     };
     const auto makeStored = [&](const char* name, VkFormat format, bool whole) {
         return gpu::Image::create(
@@ -101,6 +101,7 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
     result->alone_ = std::move(alone);
     result->edges_ = std::move(edges);
     result->depth_ = std::move(depth);
+    result->mips_ = std::move(mipChain);
     result->solid_ = std::move(solid);
     result->behind_ = std::move(behind);
     result->layersZ_ = std::move(layersZ);
@@ -110,9 +111,10 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
     return result;
 }
 
-Result<void> Refraction::setProbes(ProbesState& probes) {
+Result<void> Refraction::setProbes(ProbesState& probes, gpu::Retired& retired) {
     GLINT_TRY(pipeline, gpu::Pipeline::compute(
                             context_, {"refraction/layer_probes", sizeof(LayerConstants), {}, probes.cubesLayout()}));
+    retired.keep(std::move(withProbes_));
     withProbes_ = std::move(pipeline);
     return {};
 }
@@ -120,7 +122,7 @@ Result<void> Refraction::setProbes(ProbesState& probes) {
 void Refraction::begin(gpu::Frame& frame, gpu::Image& composite) {
     frame.scope("refraction/solidPicture", [&] {
         frame.copy(composite, solid_);
-        frame.makeMips(solid_);
+        mips_.make(frame, solid_);
     });
     frame.clear(layersZ_, {.float32 = {shared::kBackgroundZ}});
     frame.clear(refracted_, {});
@@ -131,16 +133,18 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
                         gpu::Image& composite) {
     frame.scope("refraction/picture", [&] {
         frame.copy(composite, behind_);
-        frame.makeMips(behind_);
+        mips_.make(frame, behind_);
     });
+    Inputs& host = inputs.frame.host;
+    const StandIns& standIns = inputs.frame.standIns;
     ProbesState* probes = withProbes_ ? inputs.probes : nullptr;
     LayerConstants constants = {layerTraceConstants(settings, inputs.pyramid.levels),
-                                refractionConstants(settings, probes != nullptr, inputs.environment != nullptr)};
+                                refractionConstants(settings, probes != nullptr, static_cast<bool>(host.environment))};
     constants.refraction.flags |= (layer.fallbackSpecular ? shared::kLayerFallback : 0) |
                                   (layer.objectCenter ? shared::kLayerCenters : 0) |
                                   (layer.coverage ? shared::kLayerCoverage : 0) | (views_ ? shared::kLayerViews : 0);
     gpu::Pass pass = frame.pass(probes ? withProbes_ : alone_);
-    pass.read("frame", inputs.frameConstants)
+    pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("backViewZ", inputs.prepared.backViewZ)
         .read("surface", inputs.prepared.surface)
@@ -149,17 +153,17 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
         .read("layerNormal", layer.normal, kTexels)
         .read("layerMaterial", layer.material, kTexels)
         .read("layerRadiance", layer.radiance, kTexels)
-        .read("layerFallback", layer.fallbackSpecular ? layer.fallbackSpecular : inputs.black, kTexels)
+        .read("layerFallback", layer.fallbackSpecular ? layer.fallbackSpecular : standIns.black, kTexels)
         .read("layerTransmittance", layer.transmittance, kTexels)
         .read("layerAbsorption", layer.absorption, kTexels)
         .read("layerBody", layer.body, kTexels)
-        .read("layerCenter", layer.objectCenter ? layer.objectCenter : inputs.black, kTexels)
-        .read("layerCoverage", layer.coverage ? layer.coverage : inputs.black, kTexels)
+        .read("layerCenter", layer.objectCenter ? layer.objectCenter : standIns.black, kTexels)
+        .read("layerCoverage", layer.coverage ? layer.coverage : standIns.black, kTexels)
         .read("behind", behind_)
         .read("solid", solid_)
         .read("layersZ", layersZ_)
-        .read("environment", inputs.environment ? *inputs.environment : inputs.blackCube)
-        .read("dfg", inputs.dfg)
+        .read("environment", host.environment ? host.environment : standIns.blackCube)
+        .read("dfg", standIns.dfg)
         .write("composite", composite, 0, true)
         .write("refracted", refracted_, 0, true)
         .write("refractionWeights", weights_, 0, true);
@@ -168,7 +172,7 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
     pass.push(constants).dispatch(composite.width(), composite.height());
     if (layer.coverage || frame.rehearsing())
         frame.pass(edges_)
-            .read("frame", inputs.frameConstants)
+            .read("frame", inputs.frame.constants)
             .read("viewZ", inputs.prepared.viewZ)
             .read("layerDepth", layer.depth, kTexels)
             .read("layerCoverage", layer.coverage, kTexels)
@@ -177,7 +181,7 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
             .readWrite("composite", composite)
             .dispatch(composite.width(), composite.height());
     frame.pass(depth_)
-        .read("frame", inputs.frameConstants)
+        .read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("layerDepth", layer.depth, kTexels)
         .write("layersZ", layersZ_, 0, true)

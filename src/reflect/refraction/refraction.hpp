@@ -1,9 +1,12 @@
-// Transparent layers over the frame's picture: what comes through them and what they reflect.
+// Draws transparent layers over the frame's image: their refraction and their reflections.
 #pragma once
 
 #include "glint/settings.hpp"
 #include "glint/transparent_layer.hpp"
+#include "gpu/mip_chain.hpp"
+#include "gpu/retired.hpp"
 #include "reflect/probes/probes.hpp"
+#include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
 #include "shared/refraction.h"
 
@@ -25,36 +28,33 @@ struct LayerImages {
     gpu::Image coverage;     ///< may be absent
 };
 
-/// What the pass reads of the frame.
+/// Inputs from the frame.
 struct LayerInputs {
-    gpu::Buffer& frameConstants;
-    Prepared& prepared;
-    Pyramid& pyramid;
-    ProbesState* probes;     ///< null: none take part
-    gpu::Image* environment; ///< null: none
-    gpu::Image& dfg;
-    gpu::Image& black; ///< stands in for what is absent
-    gpu::Image& blackCube;
+    FrameInputs frame;
+    Prepared prepared;
+    Pyramid pyramid;
+    ProbesState* probes; ///< null: probes are not used
 };
 
-/// Made if the host announced layers (ReflectionsDesc::transparentLayers).
+/// Created if the host declares layers (ReflectionsDesc::transparentLayers).
 class Refraction {
 public:
-    /// `views`: keep what views show. Errors: OutOfMemory; Unsupported on a device that reads too few images in a pass.
+    /// `views`: keep the images for debug views. Errors: OutOfMemory; Unsupported on a device that can bind too few
+    /// images in a pass.
     static Result<std::unique_ptr<Refraction>> create(gpu::Context& context, uint32_t width, uint32_t height,
                                                       bool views);
 
-    /// Makes the pipeline for these, which must outlive the frames. Errors: OutOfMemory.
-    Result<void> setProbes(ProbesState& probes);
+    /// Creates the pipeline for these probes, which must outlive the frames. Errors: OutOfMemory.
+    Result<void> setProbes(ProbesState& probes, gpu::Retired& retired);
 
-    /// Over `composite`, in place.
+    /// Draws a layer over `composite`, in place.
     void record(gpu::Frame& frame, const Settings& settings, LayerImages& layer, const LayerInputs& inputs,
                 gpu::Image& composite);
-    /// A frame's picture is there, without layers.
+    /// Begins the layers of a frame, whose image has no layers yet.
     void begin(gpu::Frame& frame, gpu::Image& composite);
 
-    gpu::Image& refracted() { return refracted_; } ///< RGBA16F: radiance that comes through the nearest layer; a = 1
-    gpu::Image& weights() { return weights_; }     ///< RGBA16F: of screen, probes and sky
+    gpu::Image& refracted() { return refracted_; } ///< RGBA16F: radiance transmitted by the nearest layer; a = 1
+    gpu::Image& weights() { return weights_; }     ///< RGBA16F: weights of screen, probes and sky
 
 private:
     explicit Refraction(gpu::Context& context) : context_(context) {}
@@ -64,10 +64,11 @@ private:
     gpu::Pipeline withProbes_; ///< for the host's probes
     gpu::Pipeline edges_;
     gpu::Pipeline depth_;
-    gpu::Image solid_;     ///< RGBA16F with mips: the picture without layers
-    gpu::Image behind_;    ///< the same with those so far
-    gpu::Image layersZ_;   ///< R32F: viewZ of the nearest of these; kBackgroundZ: none
-    gpu::Image refracted_; ///< one texel without views
+    gpu::MipChain mips_;
+    gpu::Image solid_;     ///< RGBA16F with mips: the image without layers
+    gpu::Image behind_;    ///< RGBA16F with mips: the image with the layers so far
+    gpu::Image layersZ_;   ///< R32F: viewZ of the nearest layer so far; kBackgroundZ: none
+    gpu::Image refracted_; ///< one texel unless views are kept
     gpu::Image weights_;
     bool views_ = false;
 };

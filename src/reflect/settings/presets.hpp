@@ -1,4 +1,4 @@
-// The presets as the build puts them into the library (cmake/embed_presets.cmake).
+// The presets that the build embeds into the library (cmake/embed_presets.cmake).
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 namespace glint {
 
 struct EmbeddedPreset {
-    std::string_view name; ///< the file's, without .json
+    std::string_view name; ///< the file's name without .json
     std::string_view json;
 };
 
-/// In the files' alphabetical order.
+/// In alphabetical order of the files.
 std::span<const EmbeddedPreset> embeddedPresets();
 
 } // namespace glint

@@ -1,14 +1,14 @@
-// The `adaptive` marcher: equal steps in 3D, then a binary search. docs/techniques/adaptive.md
+// The `adaptive` marcher: equal steps on screen, then a binary search. docs/techniques/adaptive.md
 #include "reflect/trace/technique.hpp"
 
 namespace glint::reflect {
 
 static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   Traced& out) {
+                   TraceTarget out) {
     tracePass(frame, pipeline, settings, inputs, out).dispatchIndirect(inputs.rays.list);
 }
 
 const Technique kAdaptiveTechnique = {
-    "adaptive", March::Adaptive, "trace/adaptive", "equal steps in 3D, then a binary search", false, true, record};
+    "adaptive", March::Adaptive, "trace/adaptive", "equal steps on screen, then a binary search", false, true, record};
 
 } // namespace glint::reflect

@@ -4,7 +4,7 @@
 namespace glint::reflect {
 
 static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   Traced& out) {
+                   TraceTarget out) {
     tracePass(frame, pipeline, settings, inputs, out).dispatchIndirect(inputs.rays.list);
 }
 

@@ -3,15 +3,16 @@
 
 namespace glint::reflect {
 
-/// As shaders/probes/probe_lists.glsl declares them. An empty grid reads nothing of the other two.
+/// Binds what shaders/probes/probe_lists.glsl declares. An empty grid does not read the other two buffers.
 static gpu::Pass& bindLists(gpu::Pass& pass, TraceInputs& inputs) {
     if (inputs.probes)
         return inputs.probes->bindLists(pass);
-    return pass.read("probes", inputs.noProbes).read("probeCells", inputs.noProbes).read("probeLists", inputs.noProbes);
+    gpu::Buffer& none = inputs.frame.standIns.noProbes;
+    return pass.read("probes", none).read("probeCells", none).read("probeLists", none);
 }
 
 static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   Traced& out) {
+                   TraceTarget out) {
     gpu::Pass pass = tracePass(frame, pipeline, settings, inputs, out);
     bindLists(pass, inputs).dispatchIndirect(inputs.rays.list);
 }

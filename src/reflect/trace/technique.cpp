@@ -1,6 +1,7 @@
 #include "reflect/trace/technique.hpp"
 
 #include "base/assert.hpp"
+#include "reflect/stage.hpp"
 
 #include <algorithm>
 
@@ -26,27 +27,28 @@ std::string logShader(const Technique& technique) {
     return shader.insert(shader.rfind('/'), "/log");
 }
 
-gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs) {
-    constexpr gpu::SamplerKind kTexels = gpu::SamplerKind::NearestClamp;
-    return pass.read("litRadiance", inputs.host.litRadiance, kTexels)
-        .read("prevColor", inputs.history ? inputs.history->color : inputs.black, kTexels)
-        .read("prevViewZ", inputs.history ? inputs.history->viewZ : inputs.black, kTexels)
-        .read("motion", inputs.host.motion ? inputs.host.motion : inputs.black, kTexels);
+gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs) {
+    Inputs& host = inputs.frame.host;
+    gpu::Image& black = inputs.frame.standIns.black;
+    return pass.read("litRadiance", host.litRadiance, kTexels)
+        .read("prevColor", inputs.previous ? inputs.previous->color : black, kTexels)
+        .read("prevViewZ", inputs.previous ? inputs.previous->viewZ : black, kTexels)
+        .read("motion", host.motion ? host.motion : black, kTexels);
 }
 
-gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out, bool keep) {
-    return pass.write("radianceWeight", out.eightBits ? out.unused : out.radianceWeight, 0, keep)
-        .write("radianceWeight8", out.eightBits ? out.radianceWeight8 : out.unused8, 0, keep)
+gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out, bool keep) {
+    return pass.write("radianceWeight", out.radianceWeight, 0, keep)
+        .write("radianceWeight8", out.radianceWeight8, 0, keep)
         .write("rayRecord", out.rayRecord, 0, keep);
 }
 
 gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
-                    Traced& out) {
-    shared::TraceConstants constants = traceConstants(settings, inputs.backFacesKnown);
+                    TraceTarget out) {
+    shared::TraceConstants constants = traceConstants(settings, inputs.prepared.backFacesKnown);
     constants.minLevel = std::min(constants.minLevel, inputs.pyramid.levels);
     constants.maxLevel = std::min(constants.maxLevel, inputs.pyramid.levels);
     gpu::Pass pass = frame.pass(pipeline);
-    pass.read("frame", inputs.frameConstants)
+    pass.read("frame", inputs.frame.constants)
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
         .read("backViewZ", inputs.prepared.backViewZ)

@@ -1,4 +1,4 @@
-// A screen-space marcher behind the one interface: same inputs, outputs, outcomes and settings.
+// A screen-space marcher. All marchers have the same inputs, outputs, outcomes and settings.
 #pragma once
 
 #include "glint/settings.hpp"
@@ -6,6 +6,7 @@
 #include "reflect/stages.hpp"
 #include "shared/trace_constants.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,51 +14,55 @@
 namespace glint::reflect {
 
 struct TraceInputs {
-    gpu::Buffer& frameConstants;
-    Inputs& host;
-    Prepared& prepared;
+    FrameInputs frame;
+    Prepared prepared;
     Rays& rays;
-    Pyramid& pyramid; ///< made if Technique::usesPyramid
-    bool backFacesKnown = false;
-    History* history;           ///< null: hits take this frame's colour
-    gpu::Image& black;          ///< stands in for what is absent
-    ProbesState* probes;        ///< the host's; null: there are none
-    gpu::Buffer& noProbes;      ///< stands in for their lists
-    gpu::Buffer* log = nullptr; ///< shared::RayLogHeader and samples, for the pipelines that write them
+    Pyramid pyramid;                       ///< present if Technique::usesPyramid
+    std::optional<PreviousFrame> previous; ///< absent: hits fetch this frame's radiance
+    ProbesState* probes;                   ///< the host's; null: there are none
+    gpu::Buffer* log = nullptr;            ///< shared::RayLogHeader and samples, for the pipelines that write them
+};
+
+/// The images that marchers write. A frame writes one of the first two; the other is a single texel.
+struct TraceTarget {
+    gpu::Image& radianceWeight;  ///< RGBA16F
+    gpu::Image& radianceWeight8; ///< RGBA8
+    gpu::Image& rayRecord;
 };
 
 struct Technique {
-    std::string_view name; ///< as `screen.march` says it
+    std::string_view name; ///< the value of `screen.march`
     March march;
     std::string_view shader;
     std::string_view summary; ///< one line for lists
     bool usesPyramid;
-    /// Looks at depths all along the ray. Else only at the end that the host's probe volumes predict: as right as
-    /// those, and nothing that is about the way (steps, thickness) acts.
+    /// True if the marcher samples depths along the whole ray. Otherwise it samples only the end that the host's probe
+    /// volumes predict: the result is as accurate as those, and settings of the march (steps, thickness) have no
+    /// effect.
     bool walks;
     void (*record)(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   Traced& out);
+                   TraceTarget out);
 };
 
-/// Every marcher that there is. A new one is a line here, a shader and a file beside this one.
+/// All marchers. A new one is a line here, a shader and a file beside this one.
 std::span<const Technique> techniques();
 
 const Technique& techniqueFor(March march);
 
-/// The same marcher that writes down what it does: shaders/trace/log.
+/// Returns the shader of the same marcher that logs its steps: shaders/trace/log.
 std::string logShader(const Technique& technique);
 
-/// Settings as the tracing shaders take them.
+/// Returns settings in the form that the tracing shaders read.
 shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKnown);
 
 /// Binds what shaders/trace/hit_color.glsl reads.
-gpu::Pass& readHitColor(gpu::Pass& pass, TraceInputs& inputs);
-/// Binds what shaders/trace/traced.glsl writes; `keep`: other passes wrote the rest of it.
-gpu::Pass& writeTraced(gpu::Pass& pass, Traced& out, bool keep);
+gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs);
+/// Binds what shaders/trace/traced.glsl writes; `keep`: other passes wrote the rest of the images.
+gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out, bool keep);
 
-/// The pass of any marcher over the listed rays, still without what only it reads.
+/// Begins the pass of any marcher over the listed rays, without the bindings that only one marcher reads.
 gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
-                    Traced& out);
+                    TraceTarget out);
 
 extern const Technique kLinearTechnique;
 extern const Technique kAdaptiveTechnique;

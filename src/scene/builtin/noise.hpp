@@ -1,4 +1,4 @@
-// Noise that is the same on every machine: an integer hash, and gradient noise that repeats after a period.
+// Noise that is identical on every machine: an integer hash, and periodic gradient noise.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,7 +15,8 @@ float hashUnit(uint32_t x, uint32_t y, uint32_t seed);
 /// Gradient noise in about [-1, 1], repeating every `period` units in both directions (Perlin 2002, "Improving Noise").
 float noise(const glm::vec2& p, int period, uint32_t seed);
 
-/// Octaves of `noise`, each twice as fine and `gain` as strong; about [-1, 1], with the period of the first octave.
+/// Sums octaves of `noise`: each has twice the frequency and `gain` times the amplitude of the previous one. About [-1,
+/// 1], with the period of the first octave.
 float fractalNoise(const glm::vec2& p, int period, uint32_t seed, int octaves, float gain = 0.5f);
 
 } // namespace glint::scene::builtin

@@ -1,4 +1,4 @@
-// The makers of the built-in scenes, one file each; scene/builtin.cpp lists them.
+// The functions that create the built-in scenes, one file each; scene/builtin.cpp lists them.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -9,25 +9,25 @@
 
 namespace glint::scene::gltf {
 
-/// Checks the header of every accessor and that its bytes lie inside its view.
+/// Checks the header of every accessor, and that its bytes lie inside its view.
 void readAccessors(Document& document);
 
 uint32_t componentBytes(ComponentType type);
-/// Bytes of one tightly packed element; columns of matrices begin at multiples of four bytes.
+/// Returns the bytes of one tightly packed element; columns of matrices begin at multiples of four bytes.
 uint32_t elementBytes(ComponentType type, const ElementShape& shape);
 std::string shapeName(const ElementShape& shape);
 
-/// All components as floats, element after element; normalized integers become [0, 1] or [-1, 1].
-/// Empty after a mistake; otherwise count * components long.
+/// Returns all components as floats, element after element; normalized integers become [0, 1] or [-1, 1]. Empty after
+/// an error in the file; otherwise count * components long.
 std::vector<float> readFloats(Document& document, const Accessor& accessor);
-/// The same for data from elsewhere (Draco): tightly packed elements in the accessor's component type.
+/// As above for data from another source (Draco): tightly packed elements in the accessor's component type.
 std::vector<float> readFloats(Document& document, const Accessor& accessor, std::span<const uint8_t> packed);
 
-/// Components as unsigned integers: indices and joints. Other component types are a mistake.
+/// Returns components as unsigned integers: indices and joints. Other component types are an error.
 std::vector<uint32_t> readIntegers(Document& document, const Accessor& accessor);
 std::vector<uint32_t> readIntegers(Document& document, const Accessor& accessor, std::span<const uint8_t> packed);
 
-/// The accessor at `key`, which must have one of `shapes`; null if absent or after a mistake.
+/// Returns the accessor at `key`, which must have one of `shapes`; null if absent or after an error in the file.
 const Accessor* findAccessor(Document& document, const JsonObject& object, const char* key,
                              std::initializer_list<ElementShape> shapes);
 

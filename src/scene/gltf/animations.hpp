@@ -5,8 +5,8 @@
 
 namespace glint::scene::gltf {
 
-/// Needs Scene::nodes and Scene::meshes. Channels without a node, or for properties that Glint does not know, are left
-/// out; a channel's values always fit its times and its property.
+/// Requires Scene::nodes and Scene::meshes. Channels without a node, or for properties that Glint does not support, are
+/// left out. A channel's values always fit its times and its property.
 void readAnimations(Document& document, Scene& scene);
 
 } // namespace glint::scene::gltf

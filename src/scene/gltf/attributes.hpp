@@ -1,4 +1,4 @@
-// The vertex attributes of one primitive, whether they lie in accessors or in Draco's data.
+// The vertex attributes of one primitive, from accessors or from Draco data.
 #pragma once
 
 #include "scene/gltf/accessor.hpp"
@@ -8,24 +8,24 @@ namespace glint::scene::gltf {
 
 class Attributes {
 public:
-    /// `draco` may be null. `vertexCount` is checked against every attribute read.
+    /// `draco` may be null. Every attribute's length is checked against `vertexCount`.
     Attributes(Document& document, const JsonObject& object, const DracoMesh* draco)
         : document_(document), object_(object), draco_(draco) {}
 
     bool has(const char* name) const { return object_.has(name); }
 
-    /// Every array must be this long; before it is called any length is taken.
+    /// Sets the required length of every array; before this call any length is accepted.
     void setVertexCount(uint64_t count) { vertexCount_ = count; }
 
-    /// Empty if absent or after a mistake. NaN and infinities are a mistake in positions; elsewhere, where real
-    /// exporters let them slip in, they become 0.
+    /// Empty if absent or after an error in the file. NaN and infinities are an error in positions. In other
+    /// attributes, where real exporters write them, they become 0.
     std::vector<glm::vec3> positions(const char* name);
     std::vector<glm::vec2> vec2(const char* name);
     std::vector<glm::vec3> vec3(const char* name);
     std::vector<glm::vec4> vec4(const char* name);
-    /// COLOR_n: VEC3 gets alpha 1. Integers are normalized whether or not the accessor says so.
+    /// COLOR_n: VEC3 gets alpha 1. Integers are normalized even if the accessor does not declare it.
     std::vector<glm::vec4> color(const char* name);
-    /// WEIGHTS_n: integers are normalized likewise.
+    /// WEIGHTS_n: integers are normalized as well.
     std::vector<glm::vec4> weights(const char* name);
     std::vector<glm::u16vec4> joints(const char* name);
 

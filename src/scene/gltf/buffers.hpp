@@ -1,4 +1,4 @@
-// Buffers (files, data URIs, the binary chunk) and the views into them.
+// Loads buffers (files, data URIs, the binary chunk) and the views into them.
 #pragma once
 
 #include "scene/gltf/document.hpp"

@@ -1,5 +1,5 @@
-// The first mistake found in a file, and its warnings. Reading goes on with defaults after a mistake until someone
-// looks, which keeps forty `if (!ok) return` out of every function; whoever uses sizes or indices looks first.
+// The first error found in a file, and its warnings. After an error, reading continues with defaults until the caller
+// checks, which avoids forty `if (!ok) return` in each function. Code that uses sizes or indices must check first.
 #pragma once
 
 #include "base/log.hpp"
@@ -14,7 +14,7 @@ class Diagnostics {
 public:
     explicit Diagnostics(std::string fileName) : file_(std::move(fileName)) {}
 
-    /// Keeps the mistake if it is the first; later ones are usually its consequences.
+    /// Records the error if it is the first; later ones are usually consequences of it.
     template <class... Args>
     void fail(fmt::format_string<Args...> format, Args&&... args) {
         if (!error_)

@@ -1,5 +1,5 @@
-// A glTF file half-way: parsed JSON, loaded buffers, checked headers of views and accessors. Every part of the reader
-// works on a Document; none of it outlives the reading.
+// A partly read glTF file: parsed JSON, loaded buffers, checked headers of views and accessors. Every part of the
+// reader works on a Document, which is destroyed after reading.
 #pragma once
 
 #include "scene/gltf.hpp"
@@ -47,8 +47,8 @@ struct SparseAccessor {
 };
 
 struct Accessor {
-    int index = -1;      ///< in the file, for messages
-    int bufferView = -1; ///< -1: zeros, or data that an extension supplies
+    int index = -1;      ///< index in the file, for messages
+    int bufferView = -1; ///< -1: zeros, or data from an extension
     uint64_t byteOffset = 0;
     uint64_t count = 0;
     ComponentType componentType = ComponentType::Float32;
@@ -57,7 +57,7 @@ struct Accessor {
     std::optional<SparseAccessor> sparse;
 };
 
-/// Counts what a file makes against GltfLimits::sceneBytes, before it is made.
+/// Counts the memory that a file's content needs against GltfLimits::sceneBytes, before it is allocated.
 class Budget {
 public:
     explicit Budget(uint64_t bytes) : left_(bytes) {}
@@ -79,7 +79,7 @@ struct Document {
     JsonObject root() { return {&json, "", diagnostics}; }
     bool failed() const { return diagnostics.failed(); }
 
-    /// Takes `bytes` from the budget; a file that asks for too much is a mistake in the file.
+    /// Reserves `bytes` of the budget. Exceeding the budget is an error in the file.
     bool reserve(uint64_t bytes, const std::string& what) {
         if (budget.take(bytes))
             return true;
@@ -94,7 +94,7 @@ struct Document {
     std::optional<std::span<const uint8_t>> binaryChunk;
     UriResolver resolve;
 
-    std::vector<std::vector<uint8_t>> loadedBuffers; ///< owns what `buffers` and `views` point into
+    std::vector<std::vector<uint8_t>> loadedBuffers; ///< owns the data that `buffers` and `views` refer to
     std::vector<std::vector<uint8_t>> decompressedViews;
     std::vector<std::span<const uint8_t>> buffers;
     std::vector<BufferView> views;

@@ -1,4 +1,4 @@
-// KHR_draco_mesh_compression: the vertices and triangles of a primitive packed with Draco.
+// KHR_draco_mesh_compression: decodes the vertices and triangles of a primitive.
 #pragma once
 
 #include "scene/gltf/document.hpp"
@@ -7,13 +7,14 @@
 
 namespace glint::scene::gltf {
 
-/// A decoded primitive, in the shape that uncompressed data would have had.
+/// A decoded primitive, in the form of uncompressed data.
 struct DracoMesh {
     std::vector<uint32_t> indices;                          ///< of triangles
     std::map<std::string, std::vector<uint8_t>> attributes; ///< packed elements in the accessor's component type
 };
 
-/// Decodes what `extension` points at. `attributes` are the primitive's own: their accessors say the wanted types.
+/// Decodes the data that `extension` refers to. `attributes` are the primitive's own: their accessors determine the
+/// component types.
 DracoMesh decodeDraco(Document& document, const JsonObject& extension, const JsonObject& attributes);
 
 } // namespace glint::scene::gltf

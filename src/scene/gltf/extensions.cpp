@@ -10,13 +10,14 @@
 namespace glint::scene::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 18> kSupported = {
+constexpr std::array<std::string_view, 19> kSupported = {
     "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
     "EXT_texture_webp",
     "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
     "KHR_materials_clearcoat",
+    "KHR_materials_dispersion",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
     "KHR_materials_pbrSpecularGlossiness",
@@ -26,9 +27,9 @@ constexpr std::array<std::string_view, 18> kSupported = {
     "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
-    // Understood, not decoded: a texture that exists only as KTX2 is drawn white, with a warning (gltf/images.cpp).
+    // Understood, not decoded: a texture that exists only as KTX2 is drawn white, with a warning (gltf/textures.cpp).
     "KHR_texture_basisu",
-    // Metadata only: nothing of it can be seen.
+    // Metadata only, without effect on the image.
     "KHR_xmp",
     "KHR_xmp_json_ld",
 };

@@ -47,7 +47,7 @@ std::string withoutPrefix(const std::string& message) {
 Result<Json> parseJson(std::span<const uint8_t> text, const std::string& fileName) {
     if (nestsTooDeep(text))
         return invalidInput("{}: JSON is nested deeper than {} levels", fileName, kMaxDepth);
-    // The only place that meets exceptions: without them the library keeps the position of the mistake to itself.
+    // The only code that handles exceptions: without them the library does not report the position of an error.
     try {
         Json root = Json::parse(text.begin(), text.end());
         if (!root.is_object())

@@ -1,6 +1,6 @@
-// Typed reading of JSON that may be anything. A JsonObject knows its own path ("materials[3].pbrMetallicRoughness"), so
-// that messages can say where. Getters never throw: a value of the wrong kind is recorded in Diagnostics and the
-// fallback is returned; an absent value is the fallback.
+// Typed access to JSON of unknown structure. A JsonObject knows its own path ("materials[3].pbrMetallicRoughness"), so
+// that messages can state it. Getters never throw: a value of the wrong kind is recorded in Diagnostics and the
+// fallback is returned; for an absent value the fallback is returned.
 #pragma once
 
 #include "scene/gltf/diagnostics.hpp"
@@ -19,13 +19,13 @@ namespace glint::scene::gltf {
 
 using Json = nlohmann::json;
 
-/// Parses `text`. Errors: InvalidInput with line and column; nesting deeper than 128 is refused, since JSON that deep
-/// is no glTF and every later walk over it would have to guard its stack.
+/// Parses `text`. Errors: InvalidInput with line and column. Nesting deeper than 128 is rejected: such JSON is not
+/// glTF, and every later recursion would have to guard its stack.
 Result<Json> parseJson(std::span<const uint8_t> text, const std::string& fileName);
 
 class JsonObject {
 public:
-    /// `value` may be null (absent: every getter then gives its fallback); anything but an object is a mistake.
+    /// `value` may be null (absent: every getter then returns its fallback). A value that is not an object is an error.
     JsonObject(const Json* value, std::string path, Diagnostics& diagnostics);
 
     bool exists() const { return value_ != nullptr; }
@@ -37,25 +37,26 @@ public:
     bool boolean(const char* key, bool fallback) const;
     std::string string(const char* key) const;
 
-    /// A finite number, moved into [min, max]: exporters round, so 1.0000001 is no reason to refuse a model.
+    /// Returns a finite number, clamped to [min, max]. Exporters round, so 1.0000001 must not cause an error.
     float number(const char* key, float fallback, float min = std::numeric_limits<float>::lowest(),
                  float max = std::numeric_limits<float>::max()) const;
     std::vector<float> numbers(const char* key) const;
     template <int N>
     glm::vec<N, float> vector(const char* key, glm::vec<N, float> fallback) const;
 
-    /// A whole number in [0, 2^53], the integers that JSON can carry safely.
+    /// Returns an integer in [0, 2^53], the range that JSON represents exactly.
     std::optional<uint64_t> count(const char* key) const;
     uint64_t requiredCount(const char* key) const;
 
-    /// An index below `size`, or -1 if absent. `what` names the array in the message ("accessors").
+    /// Returns an index below `size`, or -1 if absent. `what` names the array in messages ("accessors").
     int index(const char* key, size_t size, const char* what) const;
     int requiredIndex(const char* key, size_t size, const char* what) const;
     std::vector<int> indices(const char* key, size_t size, const char* what) const;
 
     JsonObject object(const char* key) const;
     JsonObject extension(const char* name) const;
-    /// Extras may be anything: what is no object that holds an object of this name is not ours, and absent.
+    /// Returns the object `name` in the extras. Extras may be any JSON; if they contain no object of this name, it
+    /// counts as absent.
     JsonObject extras(const char* name) const;
     std::vector<JsonObject> objects(const char* key) const;
     std::vector<std::string> strings(const char* key) const;

@@ -146,6 +146,7 @@ void readMaterials(Document& document, Scene& scene) {
             object.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1, 0, 1e9f);
         readSpecular(object.extension("KHR_materials_specular"), scene, material);
         material.ior = readIor(object.extension("KHR_materials_ior"));
+        material.dispersion = object.extension("KHR_materials_dispersion").number("dispersion", 0, 0);
         readTransmission(object.extension("KHR_materials_transmission"), object.extension("KHR_materials_volume"),
                          scene, material);
         readClearcoat(object.extension("KHR_materials_clearcoat"), scene, material);

@@ -1,11 +1,11 @@
-// Materials of core glTF and of the extensions that Scene's Material has fields for.
+// Reads materials of core glTF and of the extensions that have fields in Scene's Material.
 #pragma once
 
 #include "scene/gltf/document.hpp"
 
 namespace glint::scene::gltf {
 
-/// Needs Scene::textures.
+/// Requires Scene::textures.
 void readMaterials(Document& document, Scene& scene);
 
 } // namespace glint::scene::gltf

@@ -1,11 +1,11 @@
-// Meshes and their primitives: attributes, indices, morph targets.
+// Reads meshes and their primitives: attributes, indices, morph targets.
 #pragma once
 
 #include "scene/gltf/document.hpp"
 
 namespace glint::scene::gltf {
 
-/// Needs Scene::materials, which decide where tangents are wanted.
+/// Requires Scene::materials, which determine where tangents are needed.
 void readMeshes(Document& document, Scene& scene);
 
 } // namespace glint::scene::gltf

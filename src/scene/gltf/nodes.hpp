@@ -1,11 +1,11 @@
-// The node tree and what hangs on it: cameras, lights, skins, instances, scenes.
+// Reads the node tree with its cameras, lights, skins and instances, and the scenes.
 #pragma once
 
 #include "scene/gltf/document.hpp"
 
 namespace glint::scene::gltf {
 
-/// Needs Scene::meshes. The tree is sound afterwards: one parent a node, no cycles, scene roots are roots.
+/// Requires Scene::meshes. Afterwards the tree is valid: one parent per node, no cycles, scene roots are roots.
 void readNodes(Document& document, Scene& scene);
 
 } // namespace glint::scene::gltf

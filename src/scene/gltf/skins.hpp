@@ -1,4 +1,4 @@
-// Skins: which nodes are joints, and where they stood when the mesh was bound to them.
+// Reads skins: the nodes that are joints, and their inverse bind matrices.
 #pragma once
 
 #include "scene/gltf/document.hpp"
@@ -7,7 +7,7 @@ namespace glint::scene::gltf {
 
 void readSkins(Document& document, Scene& scene, size_t nodeCount);
 
-/// Every joint that a skinned mesh names must be in the skin of each node that draws it.
+/// Checks that every joint that a skinned mesh names is in the skin of each node that draws the mesh.
 void checkJoints(Document& document, const Scene& scene);
 
 } // namespace glint::scene::gltf

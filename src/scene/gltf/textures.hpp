@@ -1,11 +1,11 @@
-// Samplers, textures and the images that they use.
+// Reads samplers, textures and the images that they use.
 #pragma once
 
 #include "scene/gltf/document.hpp"
 
 namespace glint::scene::gltf {
 
-/// Fills Scene::textures (same indices as the file's) and Scene::images (only those that a texture uses).
+/// Fills Scene::textures (same indices as in the file) and Scene::images (only those that a texture uses).
 void readTextures(Document& document, Scene& scene);
 
 } // namespace glint::scene::gltf

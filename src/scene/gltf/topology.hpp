@@ -1,4 +1,4 @@
-// Strips, fans and loops as plain lists.
+// Expands strips, fans and loops to lists.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -13,7 +13,8 @@ enum class PrimitiveMode : uint8_t { Points, Lines, LineLoop, LineStrip, Triangl
 
 Topology listTopology(PrimitiveMode mode);
 
-/// Indices of the list that draws what `indices` draw in `mode`. Indices left over at the end of a list are dropped.
+/// Returns the indices of a list that draws the same as `indices` in `mode`. Surplus indices at the end of a list are
+/// dropped.
 std::vector<uint32_t> expandToList(PrimitiveMode mode, std::vector<uint32_t> indices);
 
 } // namespace glint::scene::gltf

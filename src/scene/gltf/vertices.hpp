@@ -1,4 +1,4 @@
-// Rearranging all the arrays of a primitive together.
+// Rearranges all arrays of a primitive together.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -8,10 +8,10 @@
 
 namespace glint::scene::gltf {
 
-/// Bytes that one vertex of this primitive takes, all arrays together.
+/// Returns the bytes per vertex of this primitive, in all arrays together.
 uint64_t bytesPerVertex(const Primitive& primitive);
 
-/// New vertex i becomes a copy of old vertex `sources[i]`, in every array. The caller sets new indices.
+/// Makes new vertex i a copy of old vertex `sources[i]`, in every array. The caller sets new indices.
 void gatherVertices(Primitive& primitive, std::span<const uint32_t> sources);
 
 } // namespace glint::scene::gltf

@@ -1,4 +1,4 @@
-// Reads a sampled image, writes a storage image, scaled by a uniform: every kind of binding that is not a buffer's.
+// Reads a sampled image and writes a storage image, scaled by a uniform: every kind of binding other than a buffer's.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

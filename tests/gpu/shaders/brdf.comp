@@ -1,4 +1,4 @@
-// Each term of lib/brdf.glsl, and the split-sum integral of lib/dfg.glsl, for arguments that the test chooses.
+// Each term of lib/brdf.glsl, and the split-sum integral of lib/dfg.glsl, for the test's arguments.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-// Gives its vertex stage's binding 0 to something else.
+// Uses its vertex stage's binding 0 for another resource.
 #version 460
 
 layout(set = 0, binding = 0) uniform sampler2D source;

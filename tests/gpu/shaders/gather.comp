@@ -1,4 +1,4 @@
-// From one buffer into another, each element from a far one: a wrong order of dispatches shows.
+// Copies one buffer to another, each element from a distant one, so that a wrong order of dispatches shows.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

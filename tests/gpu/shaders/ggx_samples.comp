@@ -1,4 +1,4 @@
-// Directions of lib/sampling.glsl's spherical caps, and the weights that belong to them.
+// Directions of lib/sampling.glsl's spherical caps, and their weights.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,11 +1,11 @@
-// Writes one sample of every pixel and leaves the others alone. The source holds all samples, picture beside picture.
+// Writes one sample of every pixel and keeps the others. The source holds all samples, image beside image.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
 layout(set = 0, binding = 0) uniform sampler2D source;
 layout(push_constant, scalar) uniform PushBlock {
     uint index;
-    uint width; // pixels of one picture
+    uint width; // pixels of one image
 } which;
 layout(location = 0) out vec4 color;
 

@@ -1,4 +1,4 @@
-// Runs vectors through the library's packings and back.
+// Packs and unpacks vectors with the library's packings.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

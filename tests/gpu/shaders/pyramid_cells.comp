@@ -1,4 +1,4 @@
-// One level of the depth pyramid, cell after cell, as marchers read it.
+// One level of the depth pyramid, cell by cell, as marchers read it.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -20,7 +20,7 @@ layout(scalar, set = 0, binding = 1) writeonly buffer CellsBlock {
     ReadCell values[];
 } cells;
 layout(push_constant, scalar) uniform PushBlock {
-    ivec2 size; // of the picture
+    ivec2 size; // of the image
     int level;
 } settings;
 

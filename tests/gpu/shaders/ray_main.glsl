@@ -1,4 +1,11 @@
-// Traces a list of rays through the scene, both ways. Included by ray_query.comp and ray_bvh.comp.
+// Traces a list of rays through the scene, both ways. tests/gpu/ray_scene_test.cpp.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "ray_alpha.glsl"
+
+#include "rays/back_end.glsl"
 
 layout(local_size_x = 64) in;
 

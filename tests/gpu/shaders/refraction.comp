@@ -1,4 +1,4 @@
-// lib/refraction.glsl for arguments that the test chooses.
+// lib/refraction.glsl for the test's arguments.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

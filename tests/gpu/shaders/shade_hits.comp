@@ -31,6 +31,6 @@ void main() {
         return;
     RayHit hit = hits.item[index];
     ivec2 px = ivec2(hit.pixel & 0xffffu, hit.pixel >> 16);
-    if (hit.instance != 0xffffffffu) // what nobody answers was cleared
+    if (hit.instance != 0xffffffffu) // pixels without an answer were cleared
         imageStore(answer, px, vec4(float(hit.instance), hit.distance / 100.0, float(hit.frontFace), 1.0));
 }

@@ -1,4 +1,4 @@
-// glTF's microfacet model in double precision, written from the papers and not from the shaders.
+// glTF's microfacet model in double precision, implemented from the papers, not from the shaders.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -14,9 +14,9 @@ namespace glint::test {
 
 class GpuTest : public testing::Test {
 protected:
-    /// The device of our own programs; made at first use, kept to the end.
+    /// The device of our own programs; created at first use, kept to the end.
     static gpu::Context& gpu();
-    /// The same device as a host hands it to the library.
+    /// The same device as a host provides it to the library.
     static Context& library();
 
     void SetUp() override;

@@ -50,10 +50,10 @@ double Picture::meanWeight() const {
 }
 
 Settings LibraryTest::plainSettings(March march) {
-    // Numbers of the tests' own: defaults are chosen by measurement and may move.
+    // The tests' own values: defaults are chosen by measurement and may change.
     Settings settings;
     settings.screen.march = march;
-    settings.fade.border = FadeBorder::None;
+    settings.fade.border = FadeBorder::None_;
     settings.screen.thicknessMode = ThicknessMode::Constant;
     settings.screen.thickness = 0.1f;
     settings.screen.selfCollisionSkip = 1;
@@ -70,7 +70,9 @@ void LibraryTest::limitIterations(Settings& settings, int most) {
 }
 
 Reflections LibraryTest::reflections(uint32_t width, uint32_t height, const Settings& settings) {
-    return must(Reflections::create(library(), {width, height, settings, true, true}));
+    ReflectionsDesc desc = {width, height, settings, true, true};
+    desc.framesInFlight = 1; // `run` waits for each frame
+    return must(Reflections::create(library(), desc));
 }
 
 Picture LibraryTest::trace(Reflections& reflections, const View& view) {
@@ -129,7 +131,7 @@ TestVolumes TestVolumes::giveTo(Reflections& reflections, gpu::Context& context,
 
 namespace {
 
-/// Vulkan 1.3, 16.5.4 "Cube Map Face Selection": face, s and t back to a direction.
+/// Vulkan 1.3, 16.5.4 "Cube Map Face Selection", inverted: face, s and t to a direction.
 glm::dvec3 cubeDirection(uint32_t face, double s, double t) {
     const double a = 2 * s - 1;
     const double b = 2 * t - 1;

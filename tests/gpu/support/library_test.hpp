@@ -1,4 +1,4 @@
-// Base of tests of the whole library: a synthetic picture in, everything that the library says of it out.
+// Base of tests of the whole library: a synthetic frame in, all of the library's results out.
 #pragma once
 
 #include "gpu/support/synthetic_gbuffer.hpp"
@@ -7,7 +7,7 @@
 
 namespace glint::test {
 
-/// A frame's answers. Views are RGBA floats, row by row.
+/// A frame's results. Views are RGBA floats, row by row.
 struct Picture {
     uint32_t width = 0;
     uint32_t height = 0;
@@ -28,19 +28,19 @@ struct Picture {
     glm::dvec2 hitPX(size_t pixel) const {
         return {hitUV[pixel * 4] * static_cast<double>(width), hitUV[pixel * 4 + 1] * static_cast<double>(height)};
     }
-    /// kOutcome*, told by its colour; every outcome has its own.
+    /// kOutcome*, from its colour; every outcome has its own colour.
     uint32_t outcome(size_t pixel) const;
     bool hit(size_t pixel) const { return outcome(pixel) == shared::kOutcomeHit; }
-    /// Met something whose colour it took: a front, or the slab behind one.
+    /// True if the ray took the colour of its hit: a front, or the slab behind one.
     bool answered(size_t pixel) const {
         return hit(pixel) || outcome(pixel) == shared::kOutcomeSide || outcome(pixel) == shared::kOutcomeBackFace;
     }
-    /// Pixels with this outcome, as the statistics count them.
+    /// Number of pixels with this outcome in the statistics.
     uint64_t counted(std::string_view outcome) const;
     double meanWeight() const;
 };
 
-/// A cube map with this radiance in every direction, or one a mip. `alpha`: 1 without it.
+/// A cube map with this radiance in every direction, or one radiance for each mip. `alpha`: 1 without it.
 struct TestEnvironment {
     gpu::Image cube;
     EnvironmentMap map;
@@ -49,7 +49,7 @@ struct TestEnvironment {
                                 const std::function<double(const glm::dvec3& direction)>& alpha = {});
 };
 
-/// Probes with nothing in their cubes: volumes for march proxy. They must outlive the frames.
+/// Probes with empty cubes: volumes for march proxy. They must outlive the frames.
 struct TestVolumes {
     TestEnvironment cube;
     Probes probes;
@@ -61,14 +61,14 @@ class LibraryTest : public GpuTest {
 protected:
     /// All fades off: a hit has weight 1.
     static Settings plainSettings(March march = March::Hiz);
-    /// Limits the marcher's iterations, by the setting that limits its own; adaptive has none.
+    /// Limits the marcher's iterations, by the setting for its own limit; adaptive has none.
     static void limitIterations(Settings& settings, int most);
     static Reflections reflections(uint32_t width, uint32_t height, const Settings& settings = plainSettings());
-    /// Records one frame and asks for all there is to know.
+    /// Records one frame and reads all of its results.
     static Picture trace(Reflections& reflections, const View& view);
     static Picture trace(const SyntheticScene& scene, const SyntheticCamera& camera, uint32_t width, uint32_t height,
                          const Settings& settings, const EnvironmentMap& environment = {});
-    /// With the volumes of probes whose source is off.
+    /// With the volumes of probes whose source is disabled.
     static Picture traceWithin(const std::vector<Probe>& volumes, const SyntheticScene& scene,
                                const SyntheticCamera& camera, uint32_t width, uint32_t height, Settings settings);
 };

@@ -1,5 +1,5 @@
-// Weights and lookups of reflection probes in double precision, written from the formulas of docs/techniques/probes.md
-// and not from the shaders.
+// Weights and lookups of reflection probes in double precision, implemented from the formulas of
+// docs/techniques/probes.md, not from the shaders.
 #pragma once
 
 #include "glint/probes.hpp"
@@ -19,7 +19,7 @@ inline glm::dvec3 toDvec(const std::array<float, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// A world point or direction in the volume's axes.
+/// Transforms a world point or direction into the volume's axes.
 inline glm::dvec3 intoVolume(const ProbeVolume& volume, const glm::dvec3& v, bool point) {
     const auto& q = volume.rotation;
     const glm::dquat toWorld(q[3], q[0], q[1], q[2]);
@@ -58,7 +58,7 @@ inline double probeWeight(const Probe& probe, const glm::dvec3& positionWS, cons
     return alpha * alpha * (3 - 2 * alpha) * probe.weight;
 }
 
-/// The share of each probe: smallest volume first, each at most what is left.
+/// The weight of each probe: smallest volume first, each at most the remaining weight.
 inline std::vector<double> probeShares(const std::vector<Probe>& probes, const glm::dvec3& positionWS,
                                        const glm::dvec3& normalWS, const glm::dvec3& directionWS) {
     const auto volume = [](const Probe& probe) {

@@ -1,4 +1,4 @@
-// Rays by the list through a RayScene, and an oracle that tries every triangle in double precision.
+// Traces lists of rays through a RayScene, and has an oracle that tests every triangle in double precision.
 #pragma once
 
 #include "gpu/support/gpu_test.hpp"
@@ -9,7 +9,7 @@
 
 namespace glint::test {
 
-/// As lib/ray.glsl has it, in scalar layout.
+/// Layout of lib/ray.glsl's Ray, in scalar layout.
 struct TestRay {
     glm::vec3 originWS = glm::vec3(0);
     float tMin = 0;
@@ -19,7 +19,7 @@ struct TestRay {
     uint32_t flags = 0;
 };
 
-/// As tests/gpu/shaders/ray_main.glsl writes it.
+/// Layout of tests/gpu/shaders/ray_main.glsl's output.
 struct TestHit {
     float distance = 0;
     uint32_t instance = shared::kNoInstance;
@@ -50,11 +50,11 @@ struct TestScene {
     std::unique_ptr<rays::Scene> build(gpu::Context& context, RayBackend backend, uint32_t maxInstances = 0) const;
 };
 
-/// One triangle at z = -2 that faces +Z; the default TestRay meets it.
+/// One triangle at z = -2 that faces +Z; the default TestRay hits it.
 TestScene oneTriangle();
 
-/// Records what is pending and traces; frees the staging memory on the way. `milliseconds`: of the GPU, for both the
-/// nearest hits and the occlusions; 0 without timestamps.
+/// Records pending work and traces; also frees the staging memory. `milliseconds`: GPU time of both the nearest hits
+/// and the occlusion tests; 0 without timestamps.
 std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const std::vector<TestRay>& rays,
                                double* milliseconds = nullptr);
 
@@ -66,7 +66,7 @@ struct ExactHit {
     uint32_t primitive = 0;
     glm::dvec2 barycentrics = glm::dvec2(0);
     bool frontFace = true;
-    double edge = 0; ///< smallest of the three weights: how far inside of the triangle it is
+    double edge = 0; ///< smallest of the three weights: how far inside the triangle the hit is
 };
 std::vector<ExactHit> exactHits(const TestScene& scene, const TestRay& ray);
 

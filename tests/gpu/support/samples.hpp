@@ -1,4 +1,4 @@
-// Images with several samples a pixel, for tests of hosts that draw so.
+// Images with several samples a pixel, for tests of hosts with multisampling.
 #pragma once
 
 #include "gpu/support/synthetic_gbuffer.hpp"
@@ -7,7 +7,7 @@ namespace glint::test {
 
 constexpr uint32_t kSamples = 4;
 
-/// Where Vulkan's standard pattern has them, in quarters of a pixel: the quarter that holds each.
+/// Sample positions of Vulkan's standard pattern, in quarters of a pixel: the quarter that holds each sample.
 constexpr glm::uvec2 kSampleQuarters[kSamples] = {{1, 0}, {3, 1}, {0, 2}, {2, 3}};
 
 /// `texel(x, y, sample)`

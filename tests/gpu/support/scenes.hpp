@@ -1,11 +1,11 @@
-// Small scenes whose reflections can be worked out by hand.
+// Small scenes whose reflections can be computed by hand.
 #pragma once
 
 #include "gpu/support/synthetic_gbuffer.hpp"
 
 namespace glint::test {
 
-/// An upright rectangle that faces +Z, or whatever `normalWS` pretends.
+/// An upright rectangle that faces +Z, or has the normal `normalWS`.
 struct Card {
     glm::dvec2 low = {-1e9, -1e9}; ///< x, y
     glm::dvec2 high = {1e9, 1e9};
@@ -22,10 +22,10 @@ struct Card {
     }
 };
 
-/// A mirror floor at y = 0 and cards over it. Every card shows its own position as its colour.
+/// A mirror floor at y = 0 and cards over it. Every card's colour is its position.
 struct Stage {
     bool floor = true;
-    double floorEndZ = -1e9; ///< the floor lies before this
+    double floorEndZ = -1e9; ///< the floor lies on the camera's side of this z
     float floorF0 = 1;
     float floorRoughness = 0;
     std::vector<Card> cards;
@@ -56,7 +56,7 @@ inline Stage floorAndWall() {
     return stage;
 }
 
-/// The volume that fits it: of its six faces only that wall is near.
+/// The volume that fits floorAndWall: of its six faces only that wall is near.
 inline Probe wallVolume() {
     Probe probe;
     probe.influence = probe.proxyVolume = {{0, 0, 498.5f}, {0, 0, 0, 1}, {1000, 1000, 501.5f}};

@@ -28,7 +28,7 @@ SurfaceScene& SurfaceScene::addQuad(const glm::vec3& a, const glm::vec3& u, cons
                                     const SurfaceMaterial& material) {
     RayInstance instance;
     instance.mesh = static_cast<uint32_t>(triangles.meshes.size());
-    instance.opaque = material.alpha == SurfaceAlpha::Opaque;
+    instance.opaque = material.alpha == SurfaceAlpha::Opaque && material.transmissionFactor == 0;
     TestMesh& mesh = triangles.meshes.emplace_back();
     mesh.addTriangle(a, a + u, a + u + v);
     mesh.addTriangle(a, a + u + v, a + v);
@@ -60,7 +60,7 @@ SyntheticScene SurfaceScene::seenBy(const SurfaceScene& scene) {
         };
         const glm::dvec3 normal =
             glm::normalize(glm::cross(vertex(1) - vertex(0), vertex(2) - vertex(0))) * (hits[0].frontFace ? 1.0 : -1.0);
-        // Exactly where the double precision ray meets the plane: exactHits begins with rounded rays.
+        // The exact hit of the double precision ray with the plane: exactHits begins with rounded rays.
         const double distance = glm::dot(vertex(0) - origin, normal) / glm::dot(direction, normal);
         const SurfaceMaterial& material = scene.materials[hits[0].instance];
         SyntheticSurface surface;

@@ -1,4 +1,4 @@
-// Triangles with materials, as a host hands them over for rays, and the G-buffer that a camera sees of them.
+// Triangles with materials, as a host provides them for rays, and the G-buffer that a camera sees of them.
 #pragma once
 
 #include "gpu/support/ray_test.hpp"
@@ -15,14 +15,14 @@ struct SurfaceScene {
     std::vector<SurfaceMaterial> materials; ///< of the instances, one each
     std::vector<SurfaceLight> lights;
 
-    /// A parallelogram with corner `a` and sides `u` and `v`; its front is where cross(u, v) points.
+    /// A parallelogram with corner `a` and sides `u` and `v`; its front faces cross(u, v).
     SurfaceScene& addQuad(const glm::vec3& a, const glm::vec3& u, const glm::vec3& v, const SurfaceMaterial& material);
     /// The same scene, `scale` times as large.
     SurfaceScene scaled(float scale) const;
-    /// What a camera ray meets first; `scene` must outlive the function.
+    /// The first hit of a camera ray; `scene` must outlive the function.
     static SyntheticScene seenBy(const SurfaceScene& scene);
 
-    /// On the device, for rays.
+    /// The scene on the device, for rays.
     struct World {
         std::list<gpu::Buffer> buffers;
         RayScene rays;

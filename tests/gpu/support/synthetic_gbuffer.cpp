@@ -3,6 +3,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 namespace glint::test {
 
 glm::vec2 encodeOctahedral(const glm::dvec3& n) {
@@ -93,6 +95,9 @@ gpu::Image uploadTestImage(gpu::Context& context, const char* name, VkFormat for
 HostImage asHostImage(const gpu::Image& image) {
     HostImage host = {image.handle(), image.view(), image.desc().format, image.width(), image.height()};
     host.samples = image.desc().samples;
+    host.usage = image.desc().usage;
+    host.mips = image.desc().mips;
+    host.viewType = image.desc().shape == gpu::ImageShape::Cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
     return host;
 }
 
@@ -103,7 +108,7 @@ std::vector<float> download(gpu::Context& context, const HostImage& image) {
         image.image, image.view, {"download", image.format, image.width, image.height, 1, 1, gpu::ImageShape::Flat, 0},
         state);
     std::vector<float> values = must(gpu::downloadImageAsFloats(context, borrowed));
-    // Hand it back as it was.
+    // Return the image in its original state.
     must(context.submitAndWait([&](VkCommandBuffer commands) {
         gpu::Frame frame(context, commands);
         frame.hand(borrowed, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT, image.layout});

@@ -1,4 +1,4 @@
-// A G-buffer without a renderer: surfaces given as a function of the pixel's ray, so that every answer is known.
+// A G-buffer without a renderer: surfaces are a function of the pixel's ray, so that every answer is known.
 #pragma once
 
 #include "glint/glint.hpp"
@@ -11,17 +11,17 @@
 
 namespace glint::test {
 
-/// What a camera ray meets.
+/// The hit of a camera ray.
 struct SyntheticSurface {
     double distance = 0; ///< metres along the ray
     glm::dvec3 normalWS = {0, 1, 0};
     glm::vec3 f0 = glm::vec3(0);
     float perceptualRoughness = 0;
     glm::vec3 radiance = glm::vec3(0);
-    float alpha = 1; ///< of litRadiance: Conventions::highlightsInAlpha gives it a meaning
+    float alpha = 1; ///< of litRadiance: Conventions::highlightsInAlpha defines it
 };
 
-/// `originWS`, `directionWS` (unit) -> surface, or nothing for the background.
+/// `originWS`, `directionWS` (unit) -> surface, or an empty value for the background.
 using SyntheticScene = std::function<std::optional<SyntheticSurface>(const glm::dvec3&, const glm::dvec3&)>;
 
 struct SyntheticCamera {
@@ -37,15 +37,15 @@ struct SyntheticCamera {
     View view(uint32_t width, uint32_t height) const;
     double deviceDepth(double viewZ) const;
     double viewZ(const glm::dvec3& positionWS) const;
-    /// Where the ray through a pixel's centre starts: the eye, or a point of the eye's plane.
+    /// Origin of the ray through a pixel's centre: the eye, or a point of the eye's plane.
     glm::dvec3 originThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const;
-    /// Its unit direction.
+    /// Unit direction of that ray.
     glm::dvec3 rayThrough(uint32_t x, uint32_t y, uint32_t width, uint32_t height) const;
     /// Pixel position of a world point (fractional; centres are at .5).
     glm::dvec2 project(const glm::dvec3& positionWS, uint32_t width, uint32_t height) const;
 };
 
-/// What every pixel shows, row by row.
+/// The surface of every pixel, row by row.
 std::vector<std::optional<SyntheticSurface>> seen(const SyntheticScene& scene, const SyntheticCamera& camera,
                                                   uint32_t width, uint32_t height);
 
@@ -76,10 +76,10 @@ glm::vec2 encodeOctahedral(const glm::dvec3& n);
 
 Matrix4 toMatrix4(const glm::dmat4& m);
 
-/// As a host hands it over.
+/// The image as a host provides it.
 HostImage asHostImage(const gpu::Image& image);
 
-/// An image of Glint's as floats, RGBA.
+/// One of Glint's images as floats, RGBA.
 std::vector<float> download(gpu::Context& context, const HostImage& image);
 
 } // namespace glint::test

@@ -1,4 +1,4 @@
-// The tests' own shaders: tests/gpu/shaders, a set beside the library's.
+// The tests' own shaders: tests/gpu/shaders, a separate set from the library's.
 #pragma once
 
 #include "gpu/shader.hpp"

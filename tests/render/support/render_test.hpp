@@ -8,6 +8,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+
 namespace glint::test {
 
 /// Pixels as RGBA floats, rows from the top.

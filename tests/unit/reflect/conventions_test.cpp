@@ -1,11 +1,12 @@
 // FrameConstants against an oracle in double precision that knows the camera itself: focal lengths, planes and offsets,
 // not matrices. Every combination of what a host may choose.
-#include "reflect/conventions.hpp"
+#include "reflect/prepare/conventions.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace glint::reflect {

@@ -1,8 +1,0 @@
-// Hits to be handed out, through the driver's acceleration structures: rays/hits_main.glsl.
-#version 460
-#extension GL_EXT_scalar_block_layout : require
-#extension GL_GOOGLE_include_directive : require
-
-#include "rays/query.glsl"
-
-#include "rays/hits_main.glsl"

@@ -1,0 +1,50 @@
+// Path space regularization. A path that a rough bounce sent in a random direction finds a small light in a smooth
+// surface with a probability near 0 and a value near infinity: a firefly. So the path shades its hits no smoother than
+// its directions resolve. Lobes are widened at equal albedo; no value is clamped. Kaplanyan and Dachsbacher 2013, "Path
+// Space Regularization for Holistic and Robust Light Transport", CGF 32(2).
+#ifndef GLINT_RAYS_REGULARIZATION_GLSL
+#define GLINT_RAYS_REGULARIZATION_GLSL
+
+#include "lib/math.glsl"
+
+/// The directions that a path's random bounces could have taken, as a cone of standard deviations.
+struct PathSpread {
+    float width; // metres, at the path's vertex
+    float angle; // radians, of the path's direction
+};
+
+/// Half the microfacet normals of GGX lie within atan(alpha); reflection doubles angles.
+float lobeAngle(float perceptualRoughness) {
+    return 2.0 * square(perceptualRoughness);
+}
+
+PathSpread travelled(PathSpread spread, float distance) {
+    return PathSpread(spread.width + spread.angle * distance, spread.angle);
+}
+
+/// How far the half vector between the path and a fixed light deviates from the surface's normal: half the angle of the
+/// path, plus the turn of the normal across the path's width. `bend`: radians a metre.
+float halfVectorSpread(PathSpread spread, float bend) {
+    return 0.5 * spread.angle + bend * spread.width;
+}
+
+/// Spread after a reflection by a lobe of this roughness. The curvature's part depends on the direction before; the
+/// lobe's part does not.
+PathSpread reflected(PathSpread spread, float bend, float perceptualRoughness) {
+    float before = spread.angle + 2.0 * bend * spread.width;
+    return PathSpread(spread.width, length(vec2(before, lobeAngle(perceptualRoughness))));
+}
+
+/// Fraction of the spread that sample number `count` of a mean is blurred by; `first` is the first sample's. The
+/// squared bias of the mean falls with count^(-4x) and its variance with count^(2x - 1), x the exponent: both equally
+/// fast at x = 1/6.
+float regularizationOf(float first, float count) {
+    return first * pow(max(count, 1.0), -1.0 / 6.0);
+}
+
+/// The roughness to shade with where the half vector deviates by `spread` radians.
+float regularized(float perceptualRoughness, float share, float spread) {
+    return max(perceptualRoughness, sqrt(min(share * spread, 1.0)));
+}
+
+#endif

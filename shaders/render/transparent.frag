@@ -1,7 +1,0 @@
-// transparent_main.glsl with shadow maps.
-#version 460
-#extension GL_EXT_nonuniform_qualifier : require
-#extension GL_EXT_scalar_block_layout : require
-#extension GL_GOOGLE_include_directive : require
-
-#include "render/transparent_main.glsl"

@@ -1,0 +1,104 @@
+// Lists the rays that trace/ray_list.glsl marked: tile by tile, and row by row within a tile. Neighbours stay
+// neighbours, and tracing runs over full groups. The order follows from the image alone, because the rays that share a
+// subgroup may change the last bits of what a driver computes for them (docs/measurements/subgroups.md).
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "shared/trace_constants.h"
+
+layout(local_size_x = 256) in; // a block of kTilesPerBlock tiles
+
+layout(scalar, set = 0, binding = 0) readonly buffer RayTilesBlock {
+    uvec2 masks[];
+}
+rayTiles;
+layout(scalar, set = 0, binding = 1) readonly buffer RayBlocksBlock {
+    uint counts[];
+}
+rayBlocks;
+layout(scalar, set = 0, binding = 2) writeonly buffer RaysBlock {
+    RayListHeader header;
+    uint pixels[];
+}
+rays;
+layout(push_constant, scalar) uniform PushBlock {
+    RayListConstants settings;
+};
+
+shared uint blockStart;
+shared uvec2 tileMasks[kTilesPerBlock];
+shared uint tileEnds[kTilesPerBlock]; // rays of the block up to and including each tile
+
+uint raysOf(uvec2 mask) {
+    return uint(bitCount(mask.x) + bitCount(mask.y));
+}
+
+/// Number of rays of the pixels before `pixel`.
+uint raysBefore(uvec2 mask, uint pixel) {
+    uint low = bitfieldExtract(mask.x, 0, int(min(pixel, 32u)));
+    uint high = bitfieldExtract(mask.y, 0, int(max(pixel, 32u)) - 32);
+    return raysOf(uvec2(low, high));
+}
+
+void findBlockStart(uint block) {
+    if (gl_LocalInvocationIndex == 0u)
+        blockStart = 0u;
+    barrier();
+    uint before = 0u;
+    for (uint i = gl_LocalInvocationIndex; i < block; i += gl_WorkGroupSize.x)
+        before += rayBlocks.counts[i];
+    if (before > 0u)
+        atomicAdd(blockStart, before);
+    barrier();
+}
+
+void findTiles(uint block) {
+    uint i = gl_LocalInvocationIndex;
+    uint tile = block * kTilesPerBlock + i;
+    if (i < kTilesPerBlock) {
+        tileMasks[i] = tile < settings.tiles.x * settings.tiles.y ? rayTiles.masks[tile] : uvec2(0u);
+        tileEnds[i] = raysOf(tileMasks[i]);
+    }
+    barrier();
+    for (uint reach = 1u; reach < kTilesPerBlock; reach *= 2u) { // Hillis and Steele 1986, "Data parallel algorithms"
+        uint before = i < kTilesPerBlock && i >= reach ? tileEnds[i - reach] : 0u;
+        barrier();
+        if (i < kTilesPerBlock)
+            tileEnds[i] += before;
+        barrier();
+    }
+}
+
+void writeHeader(uint count) {
+    const uint kRowRays = kRaysPerGroup * kRayGroupsX;
+    uvec2 pyramid = count > 0u ? settings.pyramidGroups : uvec2(0u);
+    uvec2 backFaces = count > 0u ? settings.backFaceGroups : uvec2(0u);
+    rays.header.rayGroups = uint[3](kRayGroupsX, (count + kRowRays - 1u) / kRowRays, 1u);
+    rays.header.rayCount = count;
+    rays.header.pyramidGroups = uint[3](pyramid.x, pyramid.y, 1u);
+    rays.header.backFaceGroups = uint[3](backFaces.x, backFaces.y, 1u);
+}
+
+void main() {
+    uint block = gl_WorkGroupID.x;
+    uint count = rayBlocks.counts[block];
+    bool last = block + 1u == gl_NumWorkGroups.x;
+    if (count == 0u && !last)
+        return;
+    findBlockStart(block);
+    if (last && gl_LocalInvocationIndex == 0u)
+        writeHeader(blockStart + count);
+    findTiles(block);
+    for (uint i = gl_LocalInvocationIndex; i < kTilesPerBlock * kRayTilePixels; i += gl_WorkGroupSize.x) {
+        uint tile = i / kRayTilePixels;
+        uint pixel = i % kRayTilePixels;
+        uvec2 mask = tileMasks[tile];
+        if ((mask[pixel >> 5] >> (pixel & 31u) & 1u) == 0u)
+            continue;
+        uint number = block * kTilesPerBlock + tile;
+        uvec2 corner = uvec2(number % settings.tiles.x, number / settings.tiles.x) * kRayTileWidth;
+        uvec2 px = corner + uvec2(pixel % kRayTileWidth, pixel / kRayTileWidth);
+        rays.pixels[blockStart + tileEnds[tile] - raysOf(mask) + raysBefore(mask, pixel)] = px.x | (px.y << 16);
+    }
+}

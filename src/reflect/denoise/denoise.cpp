@@ -1,0 +1,150 @@
+#include "reflect/denoise/denoise.hpp"
+
+#include "shared/denoise_constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::reflect {
+namespace {
+
+bool blurs(const Settings& settings) {
+    return settings.blur.strength > 0;
+}
+
+/// Pixels of the blurred images: of the traced ones, fewer with blur.downsample.
+uint32_t blurredPixels(const Settings& settings, uint32_t traced) {
+    const auto divisor = static_cast<uint32_t>(settings.blur.downsample) + 1;
+    return (traced + divisor - 1) / divisor;
+}
+
+uint32_t maxTaps(const Settings& settings) {
+    constexpr uint32_t kTaps[] = {9, 21, 41}; // the middle one is Babylon.js' own
+    return kTaps[std::clamp(settings.blur.quality, 1, 3) - 1];
+}
+
+} // namespace
+
+// ---------------------------------------------------------------- the stage
+
+gpu::Image& Denoise::record(gpu::Frame& frame, const DenoiseInputs& inputs) {
+    Signal signal = {&inputs.traced.target, inputs.traced.width, inputs.traced.height};
+    for (const Denoiser& denoiser : denoisers_)
+        if (denoiser.needs(stages_.settings(), signal))
+            signal = denoiser.record(frame, inputs, signal);
+    return *(answer_ = signal.image);
+}
+
+void Denoise::rehearse(gpu::Frame& frame, const DenoiseInputs& inputs) {
+    for (const Denoiser& denoiser : denoisers_)
+        denoiser.record(frame, inputs, {&inputs.traced.target, 1, 1});
+    answer_ = &inputs.traced.target;
+}
+
+void Denoise::add(Denoiser denoiser) {
+    denoisers_.insert(denoisers_.end() - 1, std::move(denoiser));
+}
+
+// ---------------------------------------------------------------- blur
+
+Signal Denoise::blur(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
+    const uint32_t w = blurredPixels(stages_.settings(), source.width);
+    const uint32_t h = blurredPixels(stages_.settings(), source.height);
+    const bool whole = w == stages_.width() && h == stages_.height(); // then the second pass writes the answer itself
+    const Signal last = {whole ? &whole_ : &blurred_[1], w, h};
+    recordBlur(frame, inputs, false, source, {&blurred_[0], w, h});
+    recordBlur(frame, inputs, true, {&blurred_[0], w, h}, last);
+    return last;
+}
+
+void Denoise::recordBlur(gpu::Frame& frame, const DenoiseInputs& inputs, bool vertical, Signal source, Signal target) {
+    const Settings& settings = stages_.settings();
+    const shared::BlurConstants constants = {source.size(),     target.size(),          vertical,
+                                             maxTaps(settings), settings.blur.strength, settings.rough.factor};
+    frame.pass(blurPass_)
+        .read("frame", inputs.trace.frame.constants)
+        .read("viewZ", inputs.trace.prepared.viewZ)
+        .read("surface", inputs.trace.prepared.surface)
+        .read("rayRecord", inputs.traced.rayRecord)
+        .read("source", *source.image)
+        .write("blurred", *target.image)
+        .push(constants)
+        .dispatch(target.width, target.height);
+}
+
+// ---------------------------------------------------------------- upsample
+
+Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
+    const Settings& settings = stages_.settings();
+    const shared::TraceConstants trace = traceConstants(settings, inputs.trace.prepared.backFacesKnown);
+    const shared::UpsampleConstants constants = {source.size(),
+                                                 trace.threshold,
+                                                 trace.roughnessFadeStart,
+                                                 trace.maxRoughness,
+                                                 trace.roughnessFactor <= 0,
+                                                 settings.blur.strength,
+                                                 settings.rough.factor};
+    gpu::Pass pass = frame.pass(upsamplePass_);
+    readHitColor(pass, inputs.trace);
+    pass.read("frame", inputs.trace.frame.constants)
+        .read("viewZ", inputs.trace.prepared.viewZ)
+        .read("surface", inputs.trace.prepared.surface)
+        .read("rayRecord", inputs.traced.rayRecord)
+        .read("traced", inputs.traced.target)
+        .read("source", *source.image)
+        .write("radianceWeight", whole_)
+        .push(constants)
+        .dispatch(stages_.width(), stages_.height());
+    return {&whole_, stages_.width(), stages_.height()};
+}
+
+// ---------------------------------------------------------------- creation
+
+uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
+    // A hair less before rounding up: 0.1f is a little above a tenth.
+    const double wanted = pixels * static_cast<double>(settings.screen.resolutionScale) - 1e-3;
+    return static_cast<uint32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(pixels)));
+}
+
+Result<std::unique_ptr<Denoise>> Denoise::create(StageContext& stages) {
+    std::unique_ptr<Denoise> stage(new Denoise(stages));
+    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"denoise/blur", sizeof(shared::BlurConstants), {}}));
+    GLINT_TRY(upsamplePass,
+              gpu::Pipeline::compute(stages.gpu, {"denoise/upsample", sizeof(shared::UpsampleConstants), {}}));
+    stage->blurPass_ = std::move(blurPass);
+    stage->upsamplePass_ = std::move(upsamplePass);
+    Denoise* const self = stage.get();
+    self->denoisers_ = {
+        {"blur", [](const Settings& settings, const Signal&) { return blurs(settings); },
+         [self](gpu::Frame& frame, const DenoiseInputs& inputs, Signal signal) {
+             return self->blur(frame, inputs, signal);
+         }},
+        {"upsample",
+         [self](const Settings&, const Signal& signal) {
+             return signal.width < self->stages_.width() || signal.height < self->stages_.height();
+         },
+         [self](gpu::Frame& frame, const DenoiseInputs& inputs, Signal signal) {
+             return self->upsample(frame, inputs, signal);
+         }},
+    };
+    return stage;
+}
+
+Result<void> Denoise::make(const Settings& settings) {
+    const uint32_t width = stages_.width();
+    const uint32_t height = stages_.height();
+    const auto make = [&](gpu::Image& image, const char* name) {
+        return makeImage(stages_.gpu, image, {name, VK_FORMAT_R16G16B16A16_SFLOAT, width, height});
+    };
+    const bool smaller = tracedPixels(settings, width) < width || tracedPixels(settings, height) < height;
+    if (smaller || blurs(settings))
+        GLINT_CHECK(make(whole_, "glint/denoised"));
+    if (!blurs(settings))
+        return {};
+    GLINT_CHECK(make(blurred_[0], "glint/blurredX"));
+    if (smaller || settings.blur.downsample > 0)
+        GLINT_CHECK(make(blurred_[1], "glint/blurred"));
+    return {};
+}
+
+} // namespace glint::reflect

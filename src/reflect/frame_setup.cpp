@@ -1,0 +1,203 @@
+// FrameStages: its sources, what the host states, and creation.
+#include "reflect/frame.hpp"
+
+namespace glint::reflect {
+
+/// More than any frame has; a longer list is cut.
+constexpr size_t kMaxWritten = 256;
+
+// ---------------------------------------------------------------- the table of sources
+
+std::vector<Source> FrameStages::makeSources() {
+    std::vector<Source> sources(shared::kSourceCount);
+    sources[shared::kSourceScreen] = {
+        "screen", [this] { return stages_.settings().screen.enabled; }, {}, [this] { return &denoise_->answer(); }};
+    sources[shared::kSourceRays] = {
+        "rays", [this] { return usesRays(); },
+        [this](gpu::Frame& frame, const EarlierAnswers& before) {
+            raysSource_->record(frame, {inputs(), prepared(), before, trace_->traced().rayRecord, block_->sameView()});
+        },
+        [this] { return &raysSource_->answer(); }};
+    sources[shared::kSourcePlanar] = {
+        "planar", [this] { return stages_.settings().planar.enabled && planarSource_ && planarSource_->hasMirrors(); },
+        [this](gpu::Frame& frame, const EarlierAnswers& before) {
+            planarSource_->record(frame, {inputs(), prepared(), before});
+        },
+        [this] { return &planarSource_->answer(); }};
+    sources[shared::kSourceProbes] = {"probes", [this] { return stages_.settings().probes.enabled && hasProbes(); },
+                                      [this](gpu::Frame& frame, const EarlierAnswers& before) {
+                                          probesSource_->record(frame, {inputs(), prepared(), before});
+                                      },
+                                      [this] { return &probesSource_->answer(); }};
+    sources[shared::kSourceSky] = {"sky",
+                                   [this] { return stages_.settings().sky.enabled && host_.images.environment; },
+                                   {},
+                                   [] { return nullptr; }};
+    return sources;
+}
+
+// ---------------------------------------------------------------- what the host states
+
+Result<void> FrameStages::setSettings(const Settings& settings) {
+    GLINT_CHECK(trace_->make(settings));
+    if (settings.screen.colorSource == ColorSource::Previous)
+        GLINT_CHECK(colors_.remember());
+    if (settings.rays.enabled && !raysSource_) {
+        GLINT_TRY(source, RaysSource::create(stages_));
+        GLINT_CHECK(source->setSettings(settings));
+        raysSource_ = std::move(source);
+        GLINT_CHECK(giveScene());
+    } else if (raysSource_) {
+        GLINT_CHECK(raysSource_->setSettings(settings));
+    }
+    GLINT_CHECK(denoise_->make(settings));
+    if ((refraction_ && settings.refraction.enabled) || techniqueFor(settings.screen.march).usesPyramid)
+        GLINT_CHECK(pyramid_->make());
+    stages_.desc.settings = settings;
+    recorded_ = false;
+    written_.clear();
+    return prepare_->setInputs(host_.gbuffer);
+}
+
+Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
+    host_.set(gbuffer, environment);
+    return prepare_->setInputs(gbuffer);
+}
+
+void FrameStages::restartAccumulation() {
+    if (raysSource_)
+        raysSource_->forgetFrames(HistoryReset::Asked);
+}
+
+Result<void> FrameStages::setRays(rays::Scene& scene, SurfaceTableState& surfaces) {
+    rayScene_ = &scene;
+    raySurfaces_ = &surfaces;
+    shadeHits_ = {};
+    return giveScene();
+}
+
+Result<void> FrameStages::setRays(rays::Scene& scene, ShadeHits shade) {
+    rayScene_ = &scene;
+    raySurfaces_ = nullptr;
+    shadeHits_ = std::move(shade);
+    return giveScene();
+}
+
+/// Makes the pipeline of the host's scene as soon as both are there, and rehearses it.
+Result<void> FrameStages::giveScene() {
+    if (!raysSource_ || !rayScene_)
+        return {};
+    if (raySurfaces_)
+        GLINT_CHECK(raysSource_->setScene(*rayScene_, *raySurfaces_));
+    else
+        GLINT_CHECK(raysSource_->setScene(*rayScene_, shadeHits_));
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    raysSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs()),
+                                trace_->traced().rayRecord, false});
+    return frame.firstError();
+}
+
+Result<void> FrameStages::setPlanar(PlanarState& planar) {
+    if (!planarSource_) {
+        GLINT_TRY(source, PlanarSource::create(stages_));
+        planarSource_ = std::move(source);
+    }
+    GLINT_CHECK(planarSource_->setPlanar(planar));
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    planarSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs())});
+    return frame.firstError();
+}
+
+Result<void> FrameStages::setProbes(ProbesState& probes) {
+    if (!probesSource_) {
+        GLINT_TRY(source, ProbesSource::create(stages_));
+        probesSource_ = std::move(source);
+    }
+    GLINT_CHECK(probesSource_->setProbes(probes));
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    probesSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs())});
+    if (refraction_) {
+        GLINT_CHECK(refraction_->setProbes(probes, stages_.retired));
+        LayerImages layer;
+        recordLayer(frame, layer);
+    }
+    return frame.firstError();
+}
+
+// ---------------------------------------------------------------- creation
+
+Result<std::unique_ptr<FrameStages>> FrameStages::create(gpu::Context& context, const ReflectionsDesc& desc) {
+    std::unique_ptr<FrameStages> frame(new FrameStages(context, desc));
+    GLINT_CHECK(frame->createStages());
+    GLINT_CHECK(frame->setSettings(desc.settings));
+    GLINT_CHECK(frame->rehearse());
+    return frame;
+}
+
+Result<void> FrameStages::createStages() {
+    const ReflectionsDesc& desc = stages_.desc;
+    const auto keep = [](auto& member, auto made) -> Result<void> {
+        if (!made)
+            return made.error();
+        member = *std::move(made);
+        return {};
+    };
+    GLINT_CHECK(keep(stages_.progress, gpu::Progress::create(stages_.gpu, "glint/progress", desc.framesInFlight)));
+    GLINT_CHECK(createColors());
+    GLINT_CHECK(keep(tables_, Tables::create(stages_.gpu)));
+    GLINT_CHECK(keep(block_, FrameBlock::create(stages_)));
+    GLINT_CHECK(keep(prepare_, Prepare::create(stages_)));
+    GLINT_CHECK(keep(pyramid_, DepthPyramid::create(stages_)));
+    GLINT_CHECK(keep(trace_, ScreenTrace::create(stages_)));
+    GLINT_CHECK(keep(denoise_, Denoise::create(stages_)));
+    GLINT_CHECK(keep(hierarchy_, Hierarchy::create(stages_, makeSources())));
+    GLINT_CHECK(keep(composite_, Composite::create(stages_)));
+    if (desc.transparentLayers)
+        GLINT_CHECK(keep(refraction_, Refraction::create(stages_.gpu, desc.width, desc.height, desc.views)));
+    if (desc.statistics)
+        GLINT_CHECK(keep(counts_, RayCounts::create(stages_)));
+    if (desc.views)
+        GLINT_CHECK(keep(views_, Views::create(stages_)));
+    written_.reserve(desc.views ? kMaxWritten : 0);
+    if (desc.inspection)
+        GLINT_CHECK(keep(inspector_, Inspector::create(stages_)));
+    if (desc.timers)
+        GLINT_CHECK(keep(timers_, gpu::Timers::create(stages_.gpu)));
+    return {};
+}
+
+Result<void> FrameStages::createColors() {
+    const uint32_t w = stages_.width();
+    const uint32_t h = stages_.height();
+    std::array<StageImage, 2> images;
+    images[kComposite] = {"glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kShown};
+    images[kViewZ] = {"glint/viewZ", VK_FORMAT_R32_SFLOAT, w, h};
+    return colors_.make(images, false);
+}
+
+/// Every pass of the stages, without a command buffer: names, kinds and sizes are right, or creation fails.
+Result<void> FrameStages::rehearse() {
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    clear(frame);
+    prepare(frame, {});
+    prepare_->rehearse(frame, inputs(), colors_.now(kViewZ));
+    pyramid_->record(frame, inputs(), prepared(), nullptr);
+    trace_->rehearse(frame, traceInputs(), prepare_->backFaceGroups());
+    denoise_->rehearse(frame, {traceInputs(), trace_->traced()});
+    const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
+    composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), colors_.now(kComposite));
+    if (counts_)
+        countRays(frame);
+    if (refraction_) {
+        refraction_->begin(frame, colors_.now(kComposite));
+        LayerImages layer;
+        recordLayer(frame, layer);
+    }
+    if (views_)
+        views_->rehearse(frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), nullptr});
+    if (inspector_)
+        inspector_->rehearse(frame, inspectorInputs());
+    return frame.firstError();
+}
+
+} // namespace glint::reflect

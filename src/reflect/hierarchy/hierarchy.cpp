@@ -1,0 +1,84 @@
+#include "reflect/hierarchy/hierarchy.hpp"
+
+#include "base/assert.hpp"
+
+namespace glint::reflect {
+
+Result<std::unique_ptr<Hierarchy>> Hierarchy::create(StageContext& stages, std::vector<Source> sources) {
+    std::unique_ptr<Hierarchy> hierarchy(new Hierarchy(stages));
+    hierarchy->sources_ = std::move(sources);
+    GLINT_TRY(combine,
+              gpu::Pipeline::compute(stages.gpu, {"hierarchy/combine", sizeof(shared::HierarchyConstants), {}}));
+    hierarchy->combine_ = std::move(combine);
+    const uint32_t w = stages.width();
+    const uint32_t h = stages.height();
+    GLINT_CHECK(makeImage(stages.gpu, hierarchy->reflected_, {"glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, w, h}));
+    GLINT_CHECK(makeImage(stages.gpu, hierarchy->weights_, {"glint/weights", VK_FORMAT_R32G32_UINT, w, h}));
+    return hierarchy;
+}
+
+uint32_t Hierarchy::add(Source source) {
+    GLINT_ASSERT(sources_.size() < shared::kMaxSources, "the table has room for {} sources", shared::kMaxSources);
+    sources_.push_back(std::move(source));
+    return static_cast<uint32_t>(sources_.size() - 1);
+}
+
+/// Bit s: source s.
+uint32_t Hierarchy::takingPart() const {
+    uint32_t bits = 0;
+    if (stages_.settings().reflect.strength > 0)
+        for (uint32_t source = 0; source < sources_.size(); ++source)
+            bits |= sources_[source].takesPart() ? 1u << source : 0;
+    return bits;
+}
+
+gpu::Image& Hierarchy::answerOf(uint32_t source, const HierarchyInputs& inputs) const {
+    gpu::Image* const answer = sources_[source].takesPart() ? sources_[source].answer() : nullptr;
+    return answer ? *answer : inputs.frame.standIns.black;
+}
+
+EarlierAnswers Hierarchy::noAnswersBefore(const HierarchyInputs& inputs) const {
+    return answersOf(0, inputs);
+}
+
+EarlierAnswers Hierarchy::answersOf(uint32_t which, const HierarchyInputs& inputs) const {
+    const bool rays = (which >> shared::kSourceRays & 1) != 0 && inputs.raysRecord;
+    EarlierAnswers result = {which, {}, rays ? *inputs.raysRecord : inputs.screenRecord};
+    for (uint32_t source = 0; source < shared::kMaxSources; ++source)
+        result.answers[source] = (which >> source & 1) != 0 ? &answerOf(source, inputs) : &inputs.frame.standIns.black;
+    return result;
+}
+
+Reflected Hierarchy::record(gpu::Frame& frame, const HierarchyInputs& inputs) {
+    recordSources(frame, inputs);
+    return combine(frame, inputs);
+}
+
+void Hierarchy::recordSources(gpu::Frame& frame, const HierarchyInputs& inputs) {
+    const SourceOrder order = this->order();
+    for (const uint32_t source : order)
+        if (sources_[source].record && sources_[source].takesPart())
+            sources_[source].record(frame, answersOf(takingPart() & order.before(source), inputs));
+}
+
+Reflected Hierarchy::combine(gpu::Frame& frame, const HierarchyInputs& inputs) {
+    combinePass(frame, combine_, inputs).dispatch(stages_.width(), stages_.height());
+    return reflected();
+}
+
+gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const HierarchyInputs& inputs) {
+    const shared::HierarchyConstants constants = {takingPart(), order().packed()};
+    Inputs& host = inputs.frame.host;
+    gpu::Pass pass = frame.pass(pipeline);
+    pass.read("frame", inputs.frame.constants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("environment", host.environment ? host.environment : inputs.frame.standIns.blackCube)
+        .write("reflected", reflected_)
+        .write("weights", weights_)
+        .push(constants);
+    answersOf(takingPart(), inputs).bind(pass);
+    return pass;
+}
+
+} // namespace glint::reflect

@@ -1,0 +1,71 @@
+// `hierarchy`: combines the sources of reflections by one rule. A source is an entry of a table; order, weights, names
+// and the answers of earlier sources come from that table.
+#pragma once
+
+#include "reflect/hierarchy/source_order.hpp"
+#include "reflect/stage.hpp"
+#include "reflect/stages.hpp"
+
+#include <functional>
+
+namespace glint::reflect {
+
+/// An entry of the table; its index is the source's number, kSource* of shared/hierarchy.h for Glint's own sources.
+struct Source {
+    std::string_view name; ///< name of its settings group, views and log
+    /// True if the source is used with the current settings and inputs. No source is used while reflect.strength is 0.
+    std::function<bool()> takesPart;
+    /// Records the passes that compute the source's answer for the weight remaining after earlier sources. Empty: the
+    /// answer already exists, or is computed in the walk.
+    std::function<void(gpu::Frame& frame, const EarlierAnswers& before)> record;
+    /// Returns RGBA16F or RGBA8: radiance, weight; null: the walk computes it.
+    std::function<gpu::Image*()> answer;
+};
+
+struct HierarchyInputs {
+    FrameInputs frame;
+    Prepared prepared;
+    gpu::Image& screenRecord; ///< outcomes of the screen's rays
+    gpu::Image* raysRecord;   ///< which of the screen's answers `rays` replaced; null without rays
+};
+
+class Hierarchy {
+public:
+    /// Errors: OutOfMemory.
+    static Result<std::unique_ptr<Hierarchy>> create(StageContext& stages, std::vector<Source> sources);
+    /// Adds a source before all others; at most kMaxSources in all. Returns its number.
+    uint32_t add(Source source);
+    std::string_view nameOf(uint32_t source) const { return sources_[source].name; }
+
+    /// True if at least one source is used.
+    bool anySource() const { return takingPart() != 0; }
+    bool takesPart(uint32_t source) const { return (takingPart() >> source & 1) != 0; }
+
+    /// Records the sources that fill the remaining weight, in the user's order, then the walk over all sources.
+    Reflected record(gpu::Frame& frame, const HierarchyInputs& inputs);
+    void recordSources(gpu::Frame& frame, const HierarchyInputs& inputs);
+    Reflected combine(gpu::Frame& frame, const HierarchyInputs& inputs);
+    /// Begins the pass of `combine` with another pipeline; the caller dispatches it.
+    gpu::Pass combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const HierarchyInputs& inputs);
+
+    /// The answers that a source is rehearsed with: no earlier source has answered.
+    EarlierAnswers noAnswersBefore(const HierarchyInputs& inputs) const;
+    Reflected reflected() { return {reflected_, weights_}; }
+    /// Returns the source's answer if it exists, otherwise a black image.
+    gpu::Image& answerOf(uint32_t source, const HierarchyInputs& inputs) const;
+
+private:
+    explicit Hierarchy(StageContext& stages) : stages_(stages) {}
+    uint32_t takingPart() const;
+    SourceOrder order() const { return SourceOrder(stages_.settings(), static_cast<uint32_t>(sources_.size())); }
+    /// Returns the answers of the sources in `which`, where bit s is source s.
+    EarlierAnswers answersOf(uint32_t which, const HierarchyInputs& inputs) const;
+
+    StageContext& stages_;
+    std::vector<Source> sources_;
+    gpu::Pipeline combine_;
+    gpu::Image reflected_;
+    gpu::Image weights_;
+};
+
+} // namespace glint::reflect

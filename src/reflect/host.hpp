@@ -1,0 +1,47 @@
+// The host's side of a frame: its images, wrapped for barriers, and the conventions that it declares.
+#pragma once
+
+#include "glint/reflections.hpp"
+#include "reflect/host_image.hpp"
+
+namespace glint::reflect {
+
+/// The host's images, borrowed.
+struct Inputs {
+    gpu::Image depth;
+    gpu::Image normal;
+    gpu::Image material;  ///< may be absent
+    gpu::Image baseColor; ///< may be absent
+    gpu::Image litRadiance;
+    gpu::Image fallbackSpecular;   ///< may be absent
+    gpu::Image backDepth;          ///< may be absent; own size
+    gpu::Image motion;             ///< may be absent
+    gpu::Image environment;        ///< cube; may be absent
+    gpu::Image environmentDiffuse; ///< cube; may be absent
+};
+
+class Host {
+public:
+    GBuffer gbuffer;
+    EnvironmentMap environment;
+    Inputs images;
+
+    bool isSet() const { return set_; }
+    void set(const GBuffer& stated, const EnvironmentMap& around);
+    /// Resets the images to the state that the host declares, as the host's own passes may have written them.
+    void lend();
+    /// As lend, for the environment alone: for layers.
+    void lendEnvironment();
+    /// Returns every image to the layout that the host declares.
+    void giveBack(gpu::Frame& frame);
+
+    const Conventions& conventions() const { return gbuffer.conventions; }
+    bool hasManySamples() const { return images.depth.desc().samples > 1; }
+    /// True if F0 and coverage must be read from Prepared::material instead of the host's image.
+    bool resolvesMaterial() const { return hasManySamples() || conventions().material != MaterialKind::F0Roughness; }
+
+private:
+    bool set_ = false;
+};
+
+} // namespace glint::reflect

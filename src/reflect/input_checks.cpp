@@ -1,0 +1,252 @@
+#include "reflect/input_checks.hpp"
+
+#include "reflect/host_image.hpp"
+
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace glint::reflect {
+namespace {
+
+/// Shaders read these as whole numbers, so as images of floats they are undefined.
+bool isInteger(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R8_UINT:
+    case VK_FORMAT_R8_SINT:
+    case VK_FORMAT_R8G8_UINT:
+    case VK_FORMAT_R8G8_SINT:
+    case VK_FORMAT_R8G8B8_UINT:
+    case VK_FORMAT_R8G8B8_SINT:
+    case VK_FORMAT_B8G8R8_UINT:
+    case VK_FORMAT_B8G8R8_SINT:
+    case VK_FORMAT_R8G8B8A8_UINT:
+    case VK_FORMAT_R8G8B8A8_SINT:
+    case VK_FORMAT_B8G8R8A8_UINT:
+    case VK_FORMAT_B8G8R8A8_SINT:
+    case VK_FORMAT_A8B8G8R8_UINT_PACK32:
+    case VK_FORMAT_A8B8G8R8_SINT_PACK32:
+    case VK_FORMAT_A2R10G10B10_UINT_PACK32:
+    case VK_FORMAT_A2R10G10B10_SINT_PACK32:
+    case VK_FORMAT_A2B10G10R10_UINT_PACK32:
+    case VK_FORMAT_A2B10G10R10_SINT_PACK32:
+    case VK_FORMAT_R16_UINT:
+    case VK_FORMAT_R16_SINT:
+    case VK_FORMAT_R16G16_UINT:
+    case VK_FORMAT_R16G16_SINT:
+    case VK_FORMAT_R16G16B16_UINT:
+    case VK_FORMAT_R16G16B16_SINT:
+    case VK_FORMAT_R16G16B16A16_UINT:
+    case VK_FORMAT_R16G16B16A16_SINT:
+    case VK_FORMAT_R32_UINT:
+    case VK_FORMAT_R32_SINT:
+    case VK_FORMAT_R32G32_UINT:
+    case VK_FORMAT_R32G32_SINT:
+    case VK_FORMAT_R32G32B32_UINT:
+    case VK_FORMAT_R32G32B32_SINT:
+    case VK_FORMAT_R32G32B32A32_UINT:
+    case VK_FORMAT_R32G32B32A32_SINT:
+    case VK_FORMAT_R64_UINT:
+    case VK_FORMAT_R64_SINT:
+    case VK_FORMAT_R64G64_UINT:
+    case VK_FORMAT_R64G64_SINT:
+    case VK_FORMAT_R64G64B64_UINT:
+    case VK_FORMAT_R64G64B64_SINT:
+    case VK_FORMAT_R64G64B64A64_UINT:
+    case VK_FORMAT_R64G64B64A64_SINT:
+    case VK_FORMAT_S8_UINT: return true;
+    default: return false;
+    }
+}
+
+Result<void> checkGBufferImage(const gpu::Context& context, const HostImage& image, const char* name,
+                               const ReflectionsDesc& desc, ImageRole role = ImageRole::Color) {
+    if (!image.image || !image.view)
+        return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", name);
+    if (image.width != desc.width || image.height != desc.height)
+        return invalidArgument("the G-buffer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
+                               image.width, image.height, desc.width, desc.height);
+    return checkImage(context, image, fmt::format("the G-buffer's `{}`", name), role);
+}
+
+/// Images of surfaces keep all of a host's samples, and all of them as many; images of light have their mean.
+Result<void> checkSamples(const HostImage& image, const char* name, uint32_t wanted) {
+    if (image && image.samples != wanted)
+        return invalidArgument(
+            "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material and "
+            "baseColor have the same number, all others 1",
+            name, image.samples, wanted);
+    return {};
+}
+
+/// What describes surfaces: depth, normal and whatever the kind of material asks for.
+Result<void> checkSurface(const gpu::Context& context, const GBuffer& gbuffer, const ReflectionsDesc& desc) {
+    const Conventions& conventions = gbuffer.conventions;
+    GLINT_CHECK(checkGBufferImage(context, gbuffer.depth, "depth", desc, ImageRole::Depth));
+    GLINT_CHECK(checkGBufferImage(context, gbuffer.normal, "normal", desc));
+    if (gbuffer.material || conventions.material != MaterialKind::Standard)
+        GLINT_CHECK(checkGBufferImage(context, gbuffer.material, "material", desc));
+    if (gbuffer.baseColor || conventions.material == MaterialKind::MetallicRoughness)
+        GLINT_CHECK(checkGBufferImage(context, gbuffer.baseColor, "baseColor", desc));
+    const uint32_t samples = gbuffer.depth.samples;
+    if (samples < 1 || samples > 16 || !std::has_single_bit(samples))
+        return invalidArgument("the G-buffer's `depth` has {} samples a pixel: 1, 2, 4, 8 or 16", samples);
+    GLINT_CHECK(checkSamples(gbuffer.normal, "normal", samples));
+    GLINT_CHECK(checkSamples(gbuffer.material, "material", samples));
+    GLINT_CHECK(checkSamples(gbuffer.baseColor, "baseColor", samples));
+    if (conventions.roughnessChannel > 3)
+        return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3", conventions.roughnessChannel);
+    if (conventions.metallicChannel > 3)
+        return invalidArgument("metallicChannel is {}: an image has channels 0 to 3", conventions.metallicChannel);
+    return {};
+}
+
+/// Back faces may have a size of their own.
+Result<void> checkBackDepth(const gpu::Context& context, const HostImage& image) {
+    if (!image)
+        return {};
+    if (!image.view || image.width < 1 || image.height < 1 || image.width > kMaxSize || image.height > kMaxSize)
+        return invalidArgument("the G-buffer's `backDepth` is {}x{}: it needs a view, and each side must be 1 to {}",
+                               image.width, image.height, kMaxSize);
+    return checkImage(context, image, "the G-buffer's `backDepth`", ImageRole::Depth);
+}
+
+Result<void> checkEnvironment(const gpu::Context& context, const EnvironmentMap& environment) {
+    if (!environment.cube)
+        return {};
+    if (!std::isfinite(environment.strength) || environment.strength < 0 || !std::isfinite(environment.rotation))
+        return invalidArgument("the environment needs a strength that is not negative ({}) and a finite rotation ({})",
+                               environment.strength, environment.rotation);
+    GLINT_CHECK(checkCube(context, environment.cube, environment.mips, "the environment's cube"));
+    if (environment.diffuse)
+        GLINT_CHECK(checkCube(context, environment.diffuse, 1, "the environment's diffuse cube"));
+    return {};
+}
+
+bool isFinite(const Matrix4& matrix) {
+    return std::ranges::all_of(matrix, [](float value) { return std::isfinite(value); });
+}
+
+/// |det| over the product of the columns' lengths: 1 for a rotation, whatever its scale, and 0 without an inverse.
+template <class Matrix>
+double volume(const Matrix& matrix) {
+    double lengths = 1;
+    for (int column = 0; column < Matrix::length(); ++column)
+        lengths *= glm::length(matrix[column]);
+    return lengths > 0 ? std::abs(glm::determinant(matrix)) / lengths : 0;
+}
+
+} // namespace
+
+Result<void> checkImage(const gpu::Context& context, const HostImage& image, std::string_view what, ImageRole role) {
+    if (isInNoLayout(image))
+        return invalidArgument(
+            "{} is in no layout (VkImageLayout {}), so it shows nothing: state the one that it is in", what,
+            static_cast<int>(image.layout));
+    if (image.format == VK_FORMAT_UNDEFINED)
+        return invalidArgument("{} has no format (VK_FORMAT_UNDEFINED): state that of its view", what);
+    const int format = image.format;
+    if (isInteger(image.format))
+        return invalidArgument("{} has an integer format (VkFormat {}), but is read as floats: use a float, unorm or "
+                               "snorm format",
+                               what, format);
+    if (role != ImageRole::Depth && gpu::isDepth(image.format))
+        return invalidArgument("{} has a depth format (VkFormat {}), but holds colours", what, format);
+    if (!context.supportsFormat(image.format, VK_FORMAT_FEATURE_2_SAMPLED_IMAGE_BIT))
+        return invalidArgument("{} has a format that {} cannot sample (VkFormat {})", what, context.info().name,
+                               format);
+    if (image.usage != 0 && (image.usage & VK_IMAGE_USAGE_SAMPLED_BIT) == 0)
+        return invalidArgument(
+            "{} was created without VK_IMAGE_USAGE_SAMPLED_BIT (usage {:#x}): shaders cannot read it", what,
+            image.usage);
+    const VkImageViewType type = role == ImageRole::Cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
+    if (image.viewType && *image.viewType != type)
+        return invalidArgument("{} has a view of another type (VkImageViewType {}): it must be {}", what,
+                               static_cast<int>(*image.viewType),
+                               role == ImageRole::Cube ? "VK_IMAGE_VIEW_TYPE_CUBE" : "VK_IMAGE_VIEW_TYPE_2D");
+    return {};
+}
+
+Result<void> checkCube(const gpu::Context& context, const HostImage& cube, uint32_t mips, std::string_view what) {
+    if (!cube.image || !cube.view || cube.width < 1 || cube.width != cube.height)
+        return invalidArgument("{} is {}x{}: it needs an image with square faces, and its view", what, cube.width,
+                               cube.height);
+    const auto most = static_cast<uint32_t>(std::bit_width(cube.width));
+    if (mips < 1 || mips > most)
+        return invalidArgument("{} has {} mips: faces of {} texels have 1 to {}", what, mips, cube.width, most);
+    if (cube.mips != 0 && mips > cube.mips)
+        return invalidArgument("{} has {} mips, but its view shows {}", what, mips, cube.mips);
+    if (cube.samples != 1)
+        return invalidArgument("{} has {} samples a pixel, but must have 1", what, cube.samples);
+    return checkImage(context, cube, what, ImageRole::Cube);
+}
+
+Result<void> checkView(const View& view) {
+    constexpr double kFlat =
+        1e-9; // an off-centre projection stays above; float's own rounding makes less of a flat one
+    if (!isFinite(view.worldToView) || !isFinite(view.viewToClip))
+        return invalidArgument("View::{} has a number that is not finite",
+                               isFinite(view.worldToView) ? "viewToClip" : "worldToView");
+    const glm::dmat4 worldToView(glm::make_mat4(view.worldToView.data()));
+    const glm::dmat4 viewToClip(glm::make_mat4(view.viewToClip.data()));
+    const glm::dvec4 last = glm::row(worldToView, 3);
+    if (glm::any(glm::greaterThan(glm::abs(last - glm::dvec4(0, 0, 0, 1)), glm::dvec4(1e-4))))
+        return invalidArgument("View::worldToView has the last row ({}, {}, {}, {}), not (0, 0, 0, 1): matrices are "
+                               "column-major, for column vectors",
+                               last.x, last.y, last.z, last.w);
+    if (!(volume(glm::dmat3(worldToView)) > kFlat))
+        return invalidArgument("View::worldToView has no inverse (determinant {})", glm::determinant(worldToView));
+    if (!(volume(viewToClip) > kFlat))
+        return invalidArgument("View::viewToClip has no inverse (determinant {})", glm::determinant(viewToClip));
+    return {};
+}
+
+Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, const EnvironmentMap& environment,
+                         const ReflectionsDesc& desc) {
+    GLINT_CHECK(checkSurface(context, gbuffer, desc));
+    GLINT_CHECK(checkGBufferImage(context, gbuffer.litRadiance, "litRadiance", desc));
+    if (gbuffer.fallbackSpecular)
+        GLINT_CHECK(checkGBufferImage(context, gbuffer.fallbackSpecular, "fallbackSpecular", desc));
+    GLINT_CHECK(checkBackDepth(context, gbuffer.backDepth));
+    if (gbuffer.motion)
+        GLINT_CHECK(checkGBufferImage(context, gbuffer.motion, "motion", desc));
+    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
+        return invalidArgument("motionScale must be finite");
+    GLINT_CHECK(checkSamples(gbuffer.litRadiance, "litRadiance", 1));
+    GLINT_CHECK(checkSamples(gbuffer.fallbackSpecular, "fallbackSpecular", 1));
+    GLINT_CHECK(checkSamples(gbuffer.backDepth, "backDepth", 1));
+    GLINT_CHECK(checkSamples(gbuffer.motion, "motion", 1));
+    return checkEnvironment(context, environment);
+}
+
+Result<void> checkLayer(const gpu::Context& context, const TransparentLayer& layer, const ReflectionsDesc& desc) {
+    for (const auto& [name, host, borrowed, optional] : kLayerImages) {
+        const HostImage& image = layer.*host;
+        if (optional && !image)
+            continue;
+        if (!image.image || !image.view)
+            return invalidArgument("the layer's `{}` is missing: hand over an image and its view", name);
+        if (image.width != desc.width || image.height != desc.height)
+            return invalidArgument("the layer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
+                                   image.width, image.height, desc.width, desc.height);
+        if (image.samples != 1)
+            return invalidArgument("the layer's `{}` has {} samples a pixel, but must have 1", name, image.samples);
+        GLINT_CHECK(checkImage(context, image, fmt::format("the layer's `{}`", name),
+                               host == &TransparentLayer::depth ? ImageRole::Depth : ImageRole::Color));
+    }
+    return {};
+}
+
+Result<void> checkBackend(const Settings& settings, RayBackend backend) {
+    const RayBackend wanted = settings.rays.backend;
+    if (settings.rays.enabled && wanted != RayBackend::Auto && wanted != backend)
+        return invalidArgument("rays.backend is {}, but the RayScene was made for {}",
+                               wanted == RayBackend::Query ? "query" : "bvh",
+                               backend == RayBackend::Query ? "query" : "bvh");
+    return {};
+}
+
+} // namespace glint::reflect

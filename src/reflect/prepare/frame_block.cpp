@@ -1,0 +1,63 @@
+#include "reflect/prepare/frame_block.hpp"
+
+#include "reflect/prepare/conventions.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+
+namespace glint::reflect {
+
+Result<FrameBlock> FrameBlock::create(StageContext& stages) {
+    FrameBlock block(stages);
+    GLINT_TRY(buffer,
+              gpu::Buffer::create(stages.gpu, {"glint/frame", sizeof(shared::FrameConstants),
+                                               VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                               gpu::BufferHome::Device}));
+    block.buffer_ = std::move(buffer);
+    return block;
+}
+
+void FrameBlock::begin(const View& view, const Host& host) {
+    before_ = constants_;
+    constants_ = makeFrameConstants(view, host.conventions(), stages_->width(), stages_->height());
+    sameProjection_ = ((constants_.flags ^ before_.flags) & shared::kInputOrthographic) == 0;
+    sameView_ = constants_.worldToView == before_.worldToView && constants_.viewToPixel == before_.viewToPixel;
+}
+
+void FrameBlock::record(gpu::Frame& frame, const Host& host, glm::uvec2 traced, History& previous) {
+    const Settings& settings = stages_->settings();
+    const Inputs& images = host.images;
+    const auto flag = [&](bool on, uint32_t bit) { constants_.flags |= on ? bit : 0; };
+    flag(static_cast<bool>(images.environment), shared::kInputEnvironment);
+    flag(static_cast<bool>(images.fallbackSpecular), shared::kInputFallback);
+    flag(static_cast<bool>(images.material), shared::kInputMaterial);
+    flag(host.resolvesMaterial(), shared::kInputResolved);
+    flag(static_cast<bool>(images.motion), shared::kInputMotion);
+    flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
+    flag(previous.valid(), shared::kInputHistory);
+    const bool now = settings.screen.colorSource == ColorSource::Current; // the last frame's picture does not tell them
+    flag(host.conventions().highlightsInAlpha && !settings.screen.highlights && now, shared::kInputHighlights);
+    flag(gammaBefore_, shared::kHistoryGamma);
+    flag(settings.input.colorIsGamma, shared::kInputGamma);
+    flag(settings.output.colorIsGamma, shared::kOutputGamma);
+    flag(settings.screen.targetFormat == TargetFormat::Rgba8, shared::kTraceTarget8);
+    constants_.traceSize = traced;
+    constants_.traceScale = constants_.size / constants_.traceSize;
+    constants_.motionScale = {host.conventions().motionScale[0], host.conventions().motionScale[1]};
+    constants_.viewToPrevView = glm::mat4(glm::dmat4(before_.worldToView) * glm::dmat4(constants_.viewToWorld));
+    constants_.prevViewToPixel = before_.viewToPixel;
+    constants_.prevUvToView = before_.uvToView;
+    const EnvironmentMap& environment = host.environment;
+    constants_.environmentStrength = environment.strength;
+    constants_.environmentMips = static_cast<float>(std::max(environment.mips, 1u));
+    constants_.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environment.flipY ? -1 : 1, 1)),
+                                                -environment.rotation, glm::vec3(0, 1, 0));
+    constants_.historyExpected = previous.expectedTag();
+    gammaBefore_ = settings.output.colorIsGamma;
+    frame.update(buffer_, &constants_, sizeof(constants_));
+    if (previous.valid())
+        previous.copyTag(frame, buffer_, offsetof(shared::FrameConstants, historyTag));
+}
+
+} // namespace glint::reflect

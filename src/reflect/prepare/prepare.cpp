@@ -1,0 +1,125 @@
+#include "reflect/prepare/prepare.hpp"
+
+#include "shared/trace_constants.h"
+
+#include <algorithm>
+
+namespace glint::reflect {
+
+Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
+    std::unique_ptr<Prepare> prepare(new Prepare(stages));
+    using gpu::Pipeline;
+    GLINT_TRY(surface, Pipeline::compute(stages.gpu, {"prepare/surface", 0, {}}));
+    GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}));
+    GLINT_TRY(backFaces, Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}));
+    prepare->surfacePass_ = std::move(surface);
+    prepare->surfaceSamplesPass_ = std::move(surfaceSamples);
+    prepare->backFacesPass_ = std::move(backFaces);
+    const uint32_t w = stages.width();
+    const uint32_t h = stages.height();
+    GLINT_CHECK(makeImage(stages.gpu, prepare->surface_, {"glint/surface", VK_FORMAT_R32G32_UINT, w, h}));
+    GLINT_CHECK(
+        makeImage(stages.gpu, prepare->resolvedMaterial_, {"glint/material", VK_FORMAT_R16G16B16A16_SFLOAT, w, h}));
+    GLINT_CHECK(prepare->makeBackFaces(false));
+    GLINT_CHECK(prepare->makeEdge(false));
+    return prepare;
+}
+
+Result<void> Prepare::setInputs(const GBuffer& gbuffer) {
+    const bool wanted = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && gbuffer.backDepth;
+    GLINT_CHECK(makeEdge(gbuffer.depth.samples > 1));
+    return makeBackFaces(wanted);
+}
+
+/// Not wanted: whatever is there stays, empty.
+Result<void> Prepare::makeBackFaces(bool wanted) {
+    backFacesKnown_ = wanted;
+    const uint32_t width = wanted ? stages_.width() : 1;
+    const uint32_t height = wanted ? stages_.height() : 1;
+    if (backViewZ_ && backViewZ_.width() >= width && backViewZ_.height() >= height)
+        return {};
+    gpu::Image made;
+    GLINT_CHECK(makeImage(
+        stages_.gpu, made,
+        {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, width, height, kCleared | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    stages_.retired.keep(std::move(backViewZ_));
+    backViewZ_ = std::move(made);
+    blank_.ask();
+    noBackFaces_.ask();
+    return {};
+}
+
+Result<void> Prepare::makeEdge(bool manySamples) {
+    const uint32_t width = manySamples ? stages_.width() : 1;
+    const uint32_t height = manySamples ? stages_.height() : 1;
+    if (edge_ && edge_.width() >= width && edge_.height() >= height)
+        return {};
+    gpu::Image made;
+    GLINT_CHECK(makeImage(stages_.gpu, made, {"glint/edge", VK_FORMAT_R32G32B32A32_UINT, width, height, kCleared}));
+    stages_.retired.keep(std::move(edge_));
+    edge_ = std::move(made);
+    blank_.ask();
+    return {};
+}
+
+void Prepare::clear(gpu::Frame& frame) {
+    if (frame.rehearsing() || !blank_.isNeeded(stages_.progress))
+        return;
+    frame.clear(edge_, {});
+    frame.clear(backViewZ_, {.float32 = {shared::kBackgroundZ}});
+    blank_.recorded(stages_.progress);
+}
+
+void Prepare::rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ) {
+    recordSurface(frame, inputs, viewZ, false);
+    recordSurface(frame, inputs, viewZ, true);
+    Rays none;
+    recordBackFaces(frame, inputs, viewZ, none);
+}
+
+void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, bool manySamples) {
+    // What this kind of host does not have is not read: any image stands in that has as many samples.
+    Inputs& host = inputs.host;
+    gpu::Image& material = host.material ? host.material : host.normal;
+    gpu::Pass pass = frame.pass(manySamples ? surfaceSamplesPass_ : surfacePass_);
+    pass.read("frame", inputs.constants)
+        .read("depth", host.depth, kTexels)
+        .read("normal", host.normal, kTexels)
+        .read("material", material, kTexels)
+        .read("baseColor", host.baseColor ? host.baseColor : material, kTexels)
+        .write("viewZ", viewZ)
+        .write("surface", surface_)
+        .write("resolvedMaterial", resolvedMaterial_);
+    if (manySamples)
+        pass.write("edge", edge_);
+    pass.dispatch(stages_.width(), stages_.height());
+}
+
+void Prepare::recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays) {
+    if (backFacesKnown_ || frame.rehearsing()) {
+        frame.pass(backFacesPass_)
+            .read("frame", inputs.constants)
+            .read("backDepth", inputs.host.backDepth, kTexels)
+            .read("viewZ", viewZ)
+            .read("resolvedMaterial", resolvedMaterial_)
+            .read("edge", edge_)
+            .write("backViewZ", backViewZ_)
+            .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, backFaceGroups));
+        noBackFaces_.ask();
+    } else if (noBackFaces_.isNeeded(stages_.progress)) {
+        frame.clear(backViewZ_, {.float32 = {shared::kBackgroundZ}});
+        noBackFaces_.recorded(stages_.progress);
+    }
+}
+
+Prepared Prepare::prepared(Host& host, gpu::Image& viewZ) {
+    return {viewZ, surface_,   host.resolvesMaterial() ? resolvedMaterial_ : host.images.material,
+            edge_, backViewZ_, backFacesKnown_};
+}
+
+glm::uvec2 Prepare::backFaceGroups() const {
+    const uint32_t* local = backFacesPass_.localSize();
+    return {(backViewZ_.width() + local[0] - 1) / local[0], (backViewZ_.height() + local[1] - 1) / local[1]};
+}
+
+} // namespace glint::reflect

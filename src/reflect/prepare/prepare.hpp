@@ -1,0 +1,50 @@
+// `prepare`: converts the host's G-buffer from its conventions to viewZ, packed surfaces, F0 and back faces.
+#pragma once
+
+#include "reflect/stage.hpp"
+#include "reflect/stages.hpp"
+
+namespace glint::reflect {
+
+class Prepare {
+public:
+    static Result<std::unique_ptr<Prepare>> create(StageContext& stages);
+
+    /// Allocates what these inputs need: edges with several samples per pixel, and back faces in their own size.
+    /// Errors: OutOfMemory.
+    Result<void> setInputs(const GBuffer& gbuffer);
+
+    /// Initializes images that may be read before they are written.
+    void clear(gpu::Frame& frame);
+    void rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ);
+    /// Writes `viewZ` and the images of `prepared`, except back faces.
+    void record(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ) {
+        recordSurface(frame, inputs, viewZ, inputs.host.depth.desc().samples > 1);
+    }
+    /// Writes the back faces once the presence of rays is known: `rays` contains the number of groups to dispatch.
+    void recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays);
+
+    Prepared prepared(Host& host, gpu::Image& viewZ);
+    /// Group counts of the pass that recordBackFaces records.
+    glm::uvec2 backFaceGroups() const;
+
+private:
+    explicit Prepare(StageContext& stages) : stages_(stages) {}
+    Result<void> makeBackFaces(bool wanted);
+    Result<void> makeEdge(bool manySamples);
+    void recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, bool manySamples);
+
+    StageContext& stages_;
+    gpu::Pipeline surfacePass_;
+    gpu::Pipeline surfaceSamplesPass_; ///< for hosts with several samples per pixel
+    gpu::Pipeline backFacesPass_;
+    gpu::Image surface_;
+    gpu::Image resolvedMaterial_;
+    gpu::Image edge_;
+    gpu::Image backViewZ_;
+    gpu::Standing blank_;       ///< edge_ and backViewZ_ are initialized
+    gpu::Standing noBackFaces_; ///< backViewZ_ is cleared
+    bool backFacesKnown_ = false;
+};
+
+} // namespace glint::reflect

@@ -1,0 +1,20 @@
+// The names of the outcomes in shared/outcome.h.
+#pragma once
+
+#include "shared/outcome.h"
+
+#include <array>
+#include <string_view>
+
+namespace glint::reflect {
+
+inline constexpr std::array<std::string_view, shared::kOutcomeCount> kOutcomeNames = {
+    "none",   "hit",      "sky",      "offScreen", "behindCamera",   "maxDistance", "outOfSteps",
+    "hidden", "tooThick", "backFace", "side",      "belowThreshold", "tooRough",    "facingCamera"};
+
+/// True if a ray was marched.
+constexpr bool isTraced(uint32_t outcome) {
+    return outcome != shared::kOutcomeNone && outcome < shared::kOutcomeBelowThreshold;
+}
+
+} // namespace glint::reflect

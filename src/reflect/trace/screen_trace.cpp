@@ -1,0 +1,101 @@
+#include "reflect/trace/screen_trace.hpp"
+
+#include "reflect/denoise/denoise.hpp"
+
+namespace glint::reflect {
+
+Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
+    std::unique_ptr<ScreenTrace> trace(new ScreenTrace(stages));
+    using gpu::Pipeline;
+    GLINT_TRY(classify, Pipeline::compute(stages.gpu, {"trace/classify", sizeof(shared::TraceConstants), {}}));
+    trace->classify_ = std::move(classify);
+    for (const Technique& technique : techniques()) {
+        GLINT_TRY(marcher, Pipeline::compute(stages.gpu, {technique.shader, sizeof(shared::TraceConstants), {}}));
+        trace->marchers_.push_back(std::move(marcher));
+    }
+    const uint32_t w = stages.width();
+    const uint32_t h = stages.height();
+    GLINT_TRY(lister, RayLister::create(stages.gpu, w, h));
+    GLINT_TRY(rays, RayLister::makeList(stages.gpu, "glint/rays", w, h));
+    trace->lister_ = std::move(lister);
+    trace->rays_ = std::move(rays);
+    constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
+    constexpr VkFormat kByte = VK_FORMAT_R8G8B8A8_UNORM;
+    GLINT_CHECK(makeImage(stages.gpu, trace->unused_, {"glint/unused", kHalf, 1, 1, kCleared}));
+    GLINT_CHECK(makeImage(stages.gpu, trace->unused8_, {"glint/unused8", kByte, 1, 1, kCleared}));
+    GLINT_CHECK(makeImage(stages.gpu, trace->rayRecord_, {"glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared}));
+    return trace;
+}
+
+Result<void> ScreenTrace::make(const Settings& settings) {
+    const uint32_t w = stages_.width();
+    const uint32_t h = stages_.height();
+    if (settings.screen.targetFormat == TargetFormat::Rgba8)
+        return makeImage(stages_.gpu, radianceWeight8_,
+                         {"glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared});
+    return makeImage(stages_.gpu, radianceWeight_,
+                     {"glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared});
+}
+
+void ScreenTrace::clear(gpu::Frame& frame) {
+    if (frame.rehearsing() || !blank_.isNeeded(stages_.progress))
+        return;
+    frame.clear(unused_, {});
+    frame.clear(unused8_, {});
+    blank_.recorded(stages_.progress);
+}
+
+void ScreenTrace::begin(bool whole) {
+    const bool eightBits = stages_.settings().screen.targetFormat == TargetFormat::Rgba8;
+    if (eightBits != eightBits_)
+        untraced_.ask();
+    eightBits_ = eightBits;
+    width_ = whole ? stages_.width() : tracedPixels(stages_.settings(), stages_.width());
+    height_ = whole ? stages_.height() : tracedPixels(stages_.settings(), stages_.height());
+}
+
+void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups) {
+    classify(frame, inputs.frame, inputs.prepared, backFaceGroups);
+    for (size_t i = 0; i < techniques().size(); ++i)
+        techniques()[i].record(frame, marchers_[i], stages_.settings(), inputs, target());
+}
+
+void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
+                           glm::uvec2 backFaceGroups) {
+    lister_.begin(frame);
+    gpu::Pass pass = frame.pass(classify_);
+    pass.read("frame", inputs.constants).read("viewZ", prepared.viewZ).read("surface", prepared.surface);
+    lister_.bind(writeTraced(pass, target(), false))
+        .push(traceConstants(stages_.settings(), prepared.backFacesKnown))
+        .dispatch(width_, height_);
+    const glm::uvec2 pyramidGroups =
+        (glm::uvec2(stages_.width(), stages_.height()) + shared::kPyramidTile - 1u) / shared::kPyramidTile;
+    lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups});
+}
+
+Traced ScreenTrace::record(gpu::Frame& frame, const TraceInputs& inputs) {
+    const Technique& technique = techniqueFor(stages_.settings().screen.march);
+    const auto index = static_cast<size_t>(&technique - techniques().data());
+    technique.record(frame, marchers_[index], stages_.settings(), inputs, target());
+    untraced_.ask();
+    return traced();
+}
+
+Traced ScreenTrace::recordNothing(gpu::Frame& frame) {
+    if (!frame.rehearsing() && untraced_.isNeeded(stages_.progress)) {
+        frame.clear(traced().target, {});
+        frame.clear(rayRecord_, {});
+        untraced_.recorded(stages_.progress);
+    }
+    return traced();
+}
+
+Traced ScreenTrace::traced() {
+    return {eightBits_ ? radianceWeight8_ : radianceWeight_, rayRecord_, width_, height_};
+}
+
+TraceTarget ScreenTrace::target() {
+    return {eightBits_ ? unused_ : radianceWeight_, eightBits_ ? radianceWeight8_ : unused8_, rayRecord_};
+}
+
+} // namespace glint::reflect

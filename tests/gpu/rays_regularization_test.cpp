@@ -1,0 +1,111 @@
+// Path space regularization of the source `rays`: a rough floor before a smooth wall that reflects a point light.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/surface_scene.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace glint::test {
+namespace {
+
+constexpr uint32_t kWidth = 32;
+constexpr uint32_t kHeight = 20;
+
+/// Relative squared errors of the pixels, largest first.
+struct Errors {
+    double mean = 0;
+    double worst = 0;  ///< fraction from the worst hundredth of the pixels
+    double energy = 0; ///< mean radiance relative to the reference's
+};
+
+class RaysRegularizationTest : public LibraryTest {
+protected:
+    void build(float wallRoughness) {
+        scene_.addQuad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, whiteMetal(0.4f));
+        scene_.addQuad({-3, 0, -3}, {6, 0, 0}, {0, 4, 0}, whiteMetal(wallRoughness));
+        SurfaceLight light;
+        light.kind = SurfaceLightKind::Point;
+        light.color = {20, 20, 20};
+        light.positionWS = {0.5f, 2, -1};
+        light.castsShadow = false;
+        scene_.lights.push_back(light);
+        world_.emplace(scene_.build(gpu(), library(), RayBackend::Bvh));
+        const SyntheticScene all = SurfaceScene::seenBy(scene_);
+        const SyntheticScene floor = [all](const glm::dvec3& origin, const glm::dvec3& direction) {
+            std::optional<SyntheticSurface> seen = all(origin, direction);
+            return seen && seen->normalWS.y > 0.5 ? seen : std::nullopt;
+        };
+        gbuffer_ = SyntheticGBuffer::render(gpu(), floor, camera_, kWidth, kHeight);
+        run([&](VkCommandBuffer commands) {
+            world_->rays.record(commands);
+            world_->surfaces.record(commands);
+        });
+    }
+
+    /// The mean of `frames` times `samples` paths.
+    std::vector<float> picture(float regularization, int samples, uint32_t frames, uint32_t seed) {
+        Settings settings;
+        settings.screen.enabled = false;
+        settings.rays.enabled = true;
+        settings.rays.accumulate = true;
+        settings.rays.samples = samples;
+        settings.rays.regularization = regularization;
+        Reflections reflections = LibraryTest::reflections(kWidth, kHeight, settings);
+        must(reflections.setInputs(gbuffer_.gbuffer));
+        must(reflections.setRays(world_->rays, world_->surfaces));
+        View view = camera_.view(kWidth, kHeight);
+        view.seed = seed;
+        for (view.frameIndex = 0; view.frameIndex + 1 < frames; ++view.frameIndex)
+            run([&](VkCommandBuffer commands) { reflections.record(commands, view); });
+        return trace(reflections, view).reflection;
+    }
+
+    static Errors compare(const std::vector<float>& found, const std::vector<float>& truth) {
+        std::vector<double> errors;
+        double shown = 0;
+        double right = 0;
+        for (size_t i = 0; i < truth.size(); i += 4) {
+            const double difference = double(found[i]) - double(truth[i]);
+            errors.push_back(difference * difference / (double(truth[i]) * double(truth[i]) + 0.01));
+            shown += double(found[i]);
+            right += double(truth[i]);
+        }
+        std::sort(errors.rbegin(), errors.rend());
+        const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
+        const auto hundredth = errors.begin() + std::ptrdiff_t(errors.size() / 100);
+        return {sum / double(errors.size()), std::accumulate(errors.begin(), hundredth, 0.0) / sum, shown / right};
+    }
+
+    SurfaceScene scene_;
+    SyntheticCamera camera_ = {.position = {0, 1.5, 3}, .target = {0, 0, -0.5}};
+    SyntheticGBuffer gbuffer_;
+    std::optional<SurfaceScene::World> world_;
+};
+
+TEST_F(RaysRegularizationTest, fewSamplesHaveNoFireflies) {
+    build(0.1f);
+    const std::vector<float> truth = picture(0, 256, 32, 1);
+    const Errors without = compare(picture(0, 16, 1, 2), truth);
+    const Errors with = compare(picture(0.5f, 16, 1, 2), truth);
+    std::cout << "16 samples, relative MSE: " << without.mean << " (worst hundredth " << without.worst
+              << "), regularized " << with.mean << " (" << with.worst << ")\n";
+    EXPECT_LT(with.mean, without.mean / 5);
+}
+
+TEST_F(RaysRegularizationTest, energyIsKept) {
+    build(0.2f); // wide enough for a reference without noise
+    const std::vector<float> truth = picture(0, 256, 16, 1);
+    EXPECT_NEAR(compare(picture(0.5f, 256, 4, 2), truth).energy, 1, 0.03);
+}
+
+TEST_F(RaysRegularizationTest, theBlurVanishesAsSamplesAddUp) {
+    build(0.15f);
+    const std::vector<float> truth = picture(0, 256, 32, 1);
+    const Errors few = compare(picture(1, 256, 1, 2), truth);
+    const Errors many = compare(picture(1, 256, 32, 2), truth);
+    std::cout << "256 samples: " << few.mean << ", 8192: " << many.mean << "\n";
+    EXPECT_LT(many.mean, few.mean / 2); // the squared bias falls by 32^(2/3) = 10, and noise with it
+}
+
+} // namespace
+} // namespace glint::test

@@ -1,0 +1,138 @@
+// Cost of Reflections::record for the calling thread: no allocation, no waiting.
+#include "gpu/support/allocations.hpp"
+#include "gpu/support/frames_in_flight.hpp"
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/surface_scene.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <deque>
+
+namespace glint::test {
+namespace {
+
+double threadMilliseconds() {
+    timespec now = {};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+double wallMilliseconds() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double median(std::vector<double> values) {
+    std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+    return values[values.size() / 2];
+}
+
+/// Uses a device of its own without the validation layer, whose work would be counted as ours.
+class RecordCostTest : public testing::Test {
+protected:
+    void SetUp() override {
+        context_ = must(gpu::Context::create({}));
+        context_->addShaders(gpu::shaders::reflect());
+        const gpu::AdoptedDevice handles = context_->handles();
+        library_.emplace(must(Context::adopt({handles.instance, handles.physicalDevice, handles.device,
+                                              handles.queueFamily, handles.getInstanceProcAddr, handles.rayQuery})));
+        scene_.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.3f));
+        scene_.addQuad({-2, 0, -2}, {4, 0, 0}, {0, 3, 0}, emitting({1, 0.5f, 0.25f}));
+        environment_ = TestEnvironment::make(*context_, 8, 1, [](const auto&, uint32_t) { return glm::vec3(0.5f); });
+    }
+
+    /// Every feature that a frame may have is enabled.
+    static Settings everything() {
+        Settings settings;
+        settings.screen.colorSource = ColorSource::Previous;
+        settings.screen.resolutionScale = 0.5f;
+        settings.blur.strength = 0.5f;
+        settings.rays.enabled = true;
+        settings.rays.accumulate = true;
+        settings.probes.enabled = true;
+        settings.planar.enabled = true;
+        return settings;
+    }
+
+    std::unique_ptr<gpu::Context> context_;
+    std::optional<Context> library_;
+    SurfaceScene scene_;
+    TestEnvironment environment_;
+    SyntheticCamera camera_ = {.position = {0, 1, 4}, .target = {0, 0.3, 0}};
+};
+
+TEST_F(RecordCostTest, AllocatesNothing) {
+    if (!countsAllocations())
+        GTEST_SKIP() << "a sanitizer has the heap";
+    constexpr uint32_t kWidth = 64;
+    constexpr uint32_t kHeight = 48;
+    const SyntheticGBuffer gbuffer =
+        SyntheticGBuffer::render(*context_, SurfaceScene::seenBy(scene_), camera_, kWidth, kHeight);
+    SurfaceScene::World world = scene_.build(*context_, *library_, RayBackend::Bvh);
+    Probe probe;
+    probe.cube = environment_.map.cube;
+    Probes probes = must(Probes::create(*library_, {{&probe, 1}, 16}));
+    const PlanarMirror mirror = {};
+    PlanarMirrors mirrors =
+        must(PlanarMirrors::create(*library_, {.mirrors = {&mirror, 1}, .width = 16, .height = 16}));
+    ReflectionsDesc desc = {kWidth, kHeight, everything(), true, true};
+    Reflections reflections = must(Reflections::create(*library_, desc));
+    must(reflections.setInputs(gbuffer.gbuffer, environment_.map));
+    must(reflections.setRays(world.rays, world.surfaces));
+    must(reflections.setProbes(probes));
+    must(reflections.setPlanar(mirrors));
+    uint64_t most = 0;
+    for (uint32_t frame = 0; frame < 12; ++frame) {
+        View view = camera_.view(kWidth, kHeight);
+        view.frameIndex = frame;
+        must(context_->submitAndWait([&](VkCommandBuffer commands) {
+            world.rays.record(commands);
+            world.surfaces.record(commands);
+            probes.record(commands);
+            const uint64_t before = allocations();
+            reflections.record(commands, view);
+            most = std::max(most, allocations() - before);
+        }));
+    }
+    EXPECT_EQ(most, 0u);
+    EXPECT_FALSE(reflections.passTimes().empty());
+    const uint64_t before = allocations();
+    const std::string longer(100, '-');
+    EXPECT_GT(allocations(), before) << longer;
+}
+
+TEST_F(RecordCostTest, DoesNotWaitForTheGpu) {
+    if (!countsAllocations())
+        GTEST_SKIP() << "a sanitizer takes the time";
+    constexpr uint32_t kWidth = 1280;
+    constexpr uint32_t kHeight = 720;
+    const SyntheticGBuffer gbuffer =
+        SyntheticGBuffer::render(*context_, SurfaceScene::seenBy(scene_), camera_, kWidth, kHeight);
+    Reflections reflections = must(Reflections::create(*library_, {kWidth, kHeight, {}}));
+    must(reflections.setInputs(gbuffer.gbuffer, environment_.map));
+    std::deque<Recording> inFlight;
+    std::vector<double> cpu;
+    std::vector<double> wall;
+    for (uint32_t frame = 0; frame < 100; ++frame) {
+        if (inFlight.size() == 2) {
+            inFlight.front().wait();
+            inFlight.pop_front();
+        }
+        View view = camera_.view(kWidth, kHeight);
+        view.frameIndex = frame;
+        inFlight.emplace_back(*context_, [&](VkCommandBuffer commands) {
+            const double cpuStart = threadMilliseconds();
+            const double wallStart = wallMilliseconds();
+            reflections.record(commands, view);
+            cpu.push_back(threadMilliseconds() - cpuStart);
+            wall.push_back(wallMilliseconds() - wallStart);
+        });
+        inFlight.back().submit();
+    }
+    RecordProperty("medianCpuMs", std::to_string(median(cpu)));
+    EXPECT_LT(median(cpu), 0.2);
+    EXPECT_LT(median(wall), 5) << "a frame takes far longer on the software driver";
+}
+
+} // namespace
+} // namespace glint::test
