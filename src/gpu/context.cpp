@@ -356,6 +356,9 @@ Result<void> Context::finish() {
 }
 
 Context::~Context() {
+    pipelines_.clear();
+    for (const auto& [size, layout] : tableLayouts_)
+        api_.DestroyDescriptorSetLayout(device_, layout, nullptr);
     if (device_ && api_.DestroySampler)
         for (VkSampler sampler : samplers_)
             api_.DestroySampler(device_, sampler, nullptr);
@@ -382,6 +385,11 @@ Context::~Context() {
 
 AdoptedDevice Context::handles() const {
     return {instance_, physicalDevice_, device_, queueFamily_, api_.GetInstanceProcAddr, rayQuery_, demands_};
+}
+
+void Context::replaceShaders(ShaderReplacements replacements) {
+    replacements_ = std::move(replacements);
+    pipelines_.clear(); // they are known by their shaders' addresses, which a later replacement may receive again
 }
 
 void Context::addShaders(std::span<const EmbeddedShader> shaders) {

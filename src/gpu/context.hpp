@@ -99,9 +99,8 @@ public:
     /// effect.
     void addShaders(std::span<const EmbeddedShader> shaders);
     /// New pipelines use these shaders in place of the embedded shaders of the same names; existing pipelines do not
-    /// change. The replacements must outlive every pipeline. Pipelines are shared by the address of the replacement, so
-    /// each new shader text requires a new object.
-    void replaceShaders(ShaderReplacements replacements) { replacements_ = std::move(replacements); }
+    /// change. The replacements must outlive every pipeline.
+    void replaceShaders(ShaderReplacements replacements);
     const ShaderReplacements& replacedShaders() const { return replacements_; }
     /// Errors: NotFound, with the nearest name.
     Result<const EmbeddedShader*> findShader(std::string_view name) const;
@@ -110,8 +109,11 @@ public:
     /// records. Requires a created context. Errors: DeviceLost.
     Result<void> submitAndWait(const std::function<void(VkCommandBuffer)>& recordCommands);
 
-    /// Compute pipelines that are still in use (gpu/pipeline.hpp), by the key that they were created from.
-    std::map<std::string, std::weak_ptr<void>>& pipelines() { return pipelines_; }
+    /// Pipelines made so far, by what they were made from (gpu/pipeline.hpp), and layouts of texture tables, by their
+    /// size (gpu/texture_table.hpp). They are kept as long as the context: making a pipeline takes up to seconds on some
+    /// drivers, and a host that makes a Reflections anew wants the same ones.
+    std::map<std::string, std::shared_ptr<void>>& pipelines() { return pipelines_; }
+    std::map<uint32_t, VkDescriptorSetLayout>& tableLayouts() { return tableLayouts_; }
 
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
     /// True if an image of this format and usage supports this number of samples per pixel.
@@ -159,7 +161,8 @@ private:
     VkSampler samplers_[static_cast<size_t>(SamplerKind::Count)] = {};
     std::vector<std::span<const EmbeddedShader>> shaderSets_;
     ShaderReplacements replacements_;
-    std::map<std::string, std::weak_ptr<void>> pipelines_;
+    std::map<std::string, std::shared_ptr<void>> pipelines_;
+    std::map<uint32_t, VkDescriptorSetLayout> tableLayouts_;
     std::vector<std::string> validationMessages_;
 };
 

@@ -56,15 +56,30 @@ struct Specialization {
     Specialization& operator=(const Specialization&) = delete;
 };
 
-/// Key that distinguishes compute pipelines of one context. Empty for pipelines that cannot be shared: a table's layout
-/// is known only by its handle, which a later table may receive again.
-std::string cacheKey(const EmbeddedShader& shader, const ComputeDesc& desc) {
-    if (desc.tableLayout)
-        return {};
-    std::string key = fmt::format("{} {} {}", desc.shader, static_cast<const void*>(&shader), desc.pushSize);
-    for (const SpecConstant& constant : desc.constants)
+std::string constantsKey(const std::vector<SpecConstant>& constants) {
+    std::string key;
+    for (const SpecConstant& constant : constants)
         key += fmt::format(" {}={}", constant.id, constant.value);
     return key;
+}
+
+/// Keys that distinguish the pipelines of one context. Handles of table layouts are never used twice: the context keeps
+/// the layouts.
+std::string keyOf(const EmbeddedShader& shader, const ComputeDesc& desc) {
+    return fmt::format("{} {} {} {}{}", desc.shader, static_cast<const void*>(&shader), desc.pushSize,
+                       reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
+}
+
+std::string keyOf(std::span<const EmbeddedShader* const> shaders, const RasterDesc& desc) {
+    std::string key;
+    for (const EmbeddedShader* shader : shaders)
+        key += fmt::format("{} ", static_cast<const void*>(shader));
+    for (VkFormat format : desc.colorFormats)
+        key += fmt::format("color {} ", static_cast<int>(format));
+    return fmt::format("{}{} {} {} {} {} {} {} {} {} {}{}", key, desc.pushSize, static_cast<int>(desc.depthFormat),
+                       desc.samples, static_cast<int>(desc.topology), static_cast<int>(desc.depthCompare),
+                       desc.depthWrite, desc.depthBiasConstant, desc.depthBiasSlope, static_cast<int>(desc.blend),
+                       reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
 }
 
 } // namespace
@@ -126,13 +141,9 @@ Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> s
 
 Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
     GLINT_TRY(shader, context.findShader(desc.shader));
-    const std::string key = cacheKey(*shader, desc);
-    if (!key.empty())
-        if (const auto made = std::static_pointer_cast<Made>(context.pipelines()[key].lock())) {
-            Pipeline known;
-            known.made_ = made;
-            return known;
-        }
+    const std::string key = keyOf(*shader, desc);
+    if (const auto known = context.pipelines().find(key); known != context.pipelines().end())
+        return Pipeline(std::static_pointer_cast<Made>(known->second));
     Pipeline whole;
     whole.made_ = std::make_shared<Made>();
     Made& pipeline = *whole.made_;
@@ -161,12 +172,20 @@ Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
         return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})", desc.shader,
                          static_cast<int>(result));
     context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline), pipeline.name.c_str());
-    if (!key.empty())
-        context.pipelines()[key] = whole.made_;
+    context.pipelines()[key] = whole.made_;
     return whole;
 }
 
 Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
+    std::vector<const EmbeddedShader*> shaders;
+    for (std::string_view name : {desc.vertexShader, desc.fragmentShader})
+        if (!name.empty()) {
+            GLINT_TRY(shader, context.findShader(name));
+            shaders.push_back(shader);
+        }
+    const std::string key = keyOf(shaders, desc);
+    if (const auto known = context.pipelines().find(key); known != context.pipelines().end())
+        return Pipeline(std::static_pointer_cast<Made>(known->second));
     Pipeline whole;
     whole.made_ = std::make_shared<Made>();
     Made& pipeline = *whole.made_;
@@ -175,13 +194,6 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
     pipeline.name.resize(pipeline.name.rfind('.')); // the pass is "render/surface", whichever stages it has
     pipeline.bindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
     pipeline.stages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-
-    std::vector<const EmbeddedShader*> shaders;
-    for (std::string_view name : {desc.vertexShader, desc.fragmentShader})
-        if (!name.empty()) {
-            GLINT_TRY(shader, context.findShader(name));
-            shaders.push_back(shader);
-        }
     GLINT_CHECK(pipeline.makeLayout(shaders, desc.pushSize, desc.tableLayout));
 
     const Specialization specialization(desc.constants);
@@ -250,6 +262,7 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
         return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})",
                          pipeline.name, static_cast<int>(result));
     context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline), pipeline.name.c_str());
+    context.pipelines()[key] = whole.made_;
     return whole;
 }
 

@@ -45,11 +45,12 @@ struct RasterDesc {
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shaders use a TextureTable
 };
 
-/// Cull mode and front face are dynamic (Draws::cull). Movable. Compute pipelines of the same description, except those
-/// with a texture table, are created once per context and destroyed with their last user. So when a library's frame is
-/// rebuilt, as for another size, nothing is compiled while the old frame exists.
+/// Cull mode and front face are dynamic (Draws::cull). Copies are the same pipeline. Pipelines of the same description
+/// are made once per context and kept as long as it: nothing is compiled a second time for another size, another scene
+/// or another Reflections.
 class Pipeline {
 public:
+    Pipeline() = default;
     static Result<Pipeline> compute(Context& context, const ComputeDesc& desc);
     static Result<Pipeline> raster(Context& context, const RasterDesc& desc);
 
@@ -84,6 +85,7 @@ private:
         Result<void> makeLayout(std::span<const EmbeddedShader* const> shaders, size_t wantedPushSize,
                                 VkDescriptorSetLayout tableLayout);
     };
+    explicit Pipeline(std::shared_ptr<Made> made) : made_(std::move(made)) {}
     const Made& it() const;
 
     std::shared_ptr<Made> made_; ///< null: not created

@@ -1,6 +1,7 @@
 #include "gpu/texture_table.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace glint::gpu {
 namespace {
@@ -23,6 +24,27 @@ Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
         return makeError(ErrorCode::OutOfMemory, "a texture's sampler cannot be created");
     context.nameObject(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(sampler), "textures/sampler");
     return sampler;
+}
+
+/// The layout of tables of `count` textures, some of which may be missing. The context keeps it.
+Result<VkDescriptorSetLayout> layoutOf(Context& context, uint32_t count) {
+    VkDescriptorSetLayout& layout = context.tableLayouts()[count];
+    if (layout)
+        return layout;
+    const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count,
+                                                  VK_SHADER_STAGE_ALL, nullptr};
+    const VkDescriptorBindingFlags partial = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;
+    const VkDescriptorSetLayoutBindingFlagsCreateInfo flags = {
+        VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO, nullptr, 1, &partial};
+    VkDescriptorSetLayoutCreateInfo info = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags};
+    info.bindingCount = 1;
+    info.pBindings = &binding;
+    const VkResult result = context.api().CreateDescriptorSetLayout(context.device(), &info, nullptr, &layout);
+    if (result != VK_SUCCESS)
+        return makeError(ErrorCode::OutOfMemory, "a table of {} textures cannot be created (VkResult {})", count,
+                         static_cast<int>(result));
+    context.nameObject(VK_OBJECT_TYPE_DESCRIPTOR_SET_LAYOUT, reinterpret_cast<uint64_t>(layout), "textures");
+    return layout;
 }
 
 } // namespace
@@ -56,25 +78,17 @@ Result<TextureTable> TextureTable::create(Context& context, std::span<const VkDe
     table.context_ = &context;
     table.entries_.assign(entries.begin(), entries.end());
     const Api& api = context.api();
-    const auto count = static_cast<uint32_t>(std::max<size_t>(entries.size(), 1));
-
-    const VkDescriptorSetLayoutBinding binding = {0, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count,
-                                                  VK_SHADER_STAGE_ALL, nullptr};
-    const VkDescriptorBindingFlags partial = VK_DESCRIPTOR_BINDING_PARTIALLY_BOUND_BIT;
-    const VkDescriptorSetLayoutBindingFlagsCreateInfo flags = {
-        VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_BINDING_FLAGS_CREATE_INFO, nullptr, 1, &partial};
-    VkDescriptorSetLayoutCreateInfo layoutInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags};
-    layoutInfo.bindingCount = 1;
-    layoutInfo.pBindings = &binding;
-    VkResult result = api.CreateDescriptorSetLayout(context.device(), &layoutInfo, nullptr, &table.layout_);
+    // Powers of two: tables of about the same size share their layout, and so the pipelines that read them.
+    const auto count = static_cast<uint32_t>(std::bit_ceil(std::max<size_t>(entries.size(), 1)));
+    GLINT_TRY(layout, layoutOf(context, count));
+    table.layout_ = layout;
 
     const VkDescriptorPoolSize size = {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, count};
     VkDescriptorPoolCreateInfo poolInfo = {VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     poolInfo.maxSets = 1;
     poolInfo.poolSizeCount = 1;
     poolInfo.pPoolSizes = &size;
-    if (result == VK_SUCCESS)
-        result = api.CreateDescriptorPool(context.device(), &poolInfo, nullptr, &table.pool_);
+    VkResult result = api.CreateDescriptorPool(context.device(), &poolInfo, nullptr, &table.pool_);
     if (result == VK_SUCCESS) {
         const VkDescriptorSetAllocateInfo allocate = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr,
                                                       table.pool_, 1, &table.layout_};
@@ -102,7 +116,6 @@ void TextureTable::destroy() {
     for (const auto& [desc, sampler] : samplers_)
         api.DestroySampler(context_->device(), sampler, nullptr);
     api.DestroyDescriptorPool(context_->device(), pool_, nullptr);
-    api.DestroyDescriptorSetLayout(context_->device(), layout_, nullptr);
 }
 
 void TextureTable::swap(TextureTable& other) {

@@ -31,6 +31,7 @@ public:
     TextureTable(TextureTable&& other) noexcept { swap(other); }
     TextureTable& operator=(TextureTable&& other) noexcept { return swap(other), *this; }
 
+    /// Shared with tables of about the same size, and kept by the context.
     VkDescriptorSetLayout layout() const { return layout_; }
     VkDescriptorSet set() const { return set_; }
     std::span<const VkDescriptorImageInfo> entries() const { return entries_; }
