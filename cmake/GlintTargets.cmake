@@ -20,6 +20,25 @@ function(glint_sources target)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
     list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/.*/embed/") # build tools have a folder of their own
     target_sources(${target} PRIVATE ${sources})
+    if(GLINT_UNITY GREATER 1)
+        glint_unity(${target} ${sources})
+    endif()
+endfunction()
+
+# Compiles up to GLINT_UNITY of the sources as one where that is possible (unity_groups.py), and looks at an edited source
+# anew, since it may not be possible any more.
+function(glint_unity target)
+    find_package(Python3 REQUIRED COMPONENTS Interpreter)
+    execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py ${GLINT_UNITY} ${ARGN}
+        OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    string(REPLACE "\n" ";" lines "${lines}")
+    foreach(line ${lines})
+        string(REGEX MATCH "^([0-9]+) (.*)$" found "${line}")
+        set_source_files_properties(${CMAKE_MATCH_2} PROPERTIES UNITY_GROUP ${target}_${CMAKE_MATCH_1})
+    endforeach()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+        ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py)
 endfunction()
 
 function(glint_common target)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """clang-tidy over every source file of a build folder, in parallel; a file that passed is not looked at again until it,
-a header that it includes, its compile command or .clang-tidy changes.    tidy.py CLANG-TIDY BUILD-FOLDER"""
+a header that it includes, its compile command or .clang-tidy changes. Files that the build compiles as one (GLINT_UNITY)
+are read as one: most of the time goes into their headers.    tidy.py CLANG-TIDY BUILD-FOLDER"""
 import concurrent.futures
 import hashlib
 import json
@@ -34,18 +35,26 @@ def fingerprint(entry: dict) -> str:
     return digest.hexdigest()
 
 
-def check(entry: dict) -> tuple[str, str]:
-    """The file's name and what clang-tidy says against it: nothing if it is clean."""
-    name = os.path.relpath(entry["file"], ROOT)
+def sources(entry: dict) -> list[str]:
+    """What an entry compiles, relative to the root: one file, or those that a file of the build folder includes."""
+    files = [entry["file"]]
+    if Path(entry["file"]).is_relative_to(build) and "/Unity/" in entry["file"]:
+        files = re.findall(r'^#include "(.*)"', Path(entry["file"]).read_text(), re.M)
+    return [os.path.relpath(file, ROOT) for file in files]
+
+
+def check(entry: dict) -> str:
+    """What clang-tidy says against an entry's files: nothing if they are clean."""
     stamp = build / "tidy" / fingerprint(entry)
     if stamp.exists():
-        return name, ""
+        return ""
     run = subprocess.run([tidy, "-p", str(build), "--quiet", "--extra-arg=-Wno-unknown-warning-option",
+                          "--checks=-bugprone-suspicious-include",  # what the files that are read as one consist of
                           "--extra-arg=-Wno-ignored-optimization-argument", entry["file"]], capture_output=True, text=True)
     if run.returncode == 0:
         stamp.touch()
-        return name, ""
-    return name, (run.stdout or run.stderr).strip()
+        return ""
+    return (run.stdout or run.stderr).strip()
 
 
 tidy, build = sys.argv[1], Path(sys.argv[2]).resolve()
@@ -55,12 +64,12 @@ for entry in json.loads((build / "compile_commands.json").read_text()):
     entry["file"] = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
     output = re.search(r" -o (\S+)", entry["command"])
     entry["output"] = output.group(1) if output else ""
-    if os.path.relpath(entry["file"], ROOT).startswith(OURS):
+    if all(source.startswith(OURS) for source in sources(entry)):
         entries.append(entry)
 entries = list({entry["file"]: entry for entry in entries}.values())
 bad = 0
 with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-    for name, complaint in pool.map(check, entries):
+    for complaint in pool.map(check, entries):
         if complaint:
             bad += 1
             print(complaint, flush=True)
