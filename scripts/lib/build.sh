@@ -26,16 +26,13 @@ cmake_arguments=() # what a script adds to the preset
 # run_tests PRESET [CTEST-ARGUMENTS...]: runs the tests in parallel and sets passed, failed and skipped; fails if one
 # does or if there are none.
 run_tests() {
-    local preset=$1 report=$root/build/$1/tests.xml status=0
+    local preset=$1 report=$root/build/$1/tests.xml results=$root/build/$1/test-results status=0
     shift
-    rm -f "$report"
+    rm -rf "$report" "$results"
     (cd "$root" && ctest --preset "$preset" --parallel "$(nproc)" --output-junit "$report" "$@") || status=$?
-    count() { sed -n "s/.*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p;T;q" "$report"; }
-    skipped=0 passed=0 failed=1
+    passed=0 failed=1 skipped=0
     [[ -f $report ]] || return "$status"
-    failed=$(count failures)
-    skipped=$(($(count skipped) + $(count disabled)))
-    passed=$(($(count tests) - failed - skipped))
+    read -r passed failed skipped < <(python3 "$lib_dir/count_tests.py" "$report" "$results")
     [[ $status == 0 || $failed != 0 ]] || failed=1 # a test that could not start
     return "$status"
 }

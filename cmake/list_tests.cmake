@@ -1,0 +1,43 @@
+# Read by CTest when it starts, once for each test program (glint_discover_tests in tests/CMakeLists.txt says which, as
+# `program`). States one test a suite, called "Suite.*", so that a suite's cases share a process and with it a device and
+# its pipelines; or one test a case where the program's cases are BY_CASE or the environment says GLINT_TEST_BY=case, as
+# scripts/test does when it is asked for some cases by name. Each leaves its cases' results in `results`, by its name.
+set(cases ${program}.cases)
+if(NOT EXISTS ${program})
+    add_test(${name}.NOT_BUILT ${program})
+    return()
+endif()
+if(${program} IS_NEWER_THAN ${cases})
+    execute_process(COMMAND ${run} ${program} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE status)
+    if(NOT status EQUAL 0)
+        message(FATAL_ERROR "${program} --gtest_list_tests ended with ${status}: ${listed}")
+    endif()
+    file(WRITE ${cases} "${listed}")
+endif()
+
+function(state filter count)
+    string(REGEX REPLACE "[^A-Za-z0-9_]+" "_" file ${filter})
+    add_test(${filter} ${run} ${program} --gtest_filter=${filter} --gtest_output=xml:${results}/${file}.xml)
+    set_tests_properties(${filter} PROPERTIES TIMEOUT 900 COST ${count} ENVIRONMENT "${environment}"
+        WORKING_DIRECTORY ${folder})
+endfunction()
+
+file(STRINGS ${cases} lines REGEX "^[A-Za-z_ ]+[^ ]*")
+set(suite)
+set(count 0)
+foreach(line ${lines} "End.")
+    string(REGEX REPLACE " +#.*" "" line "${line}")
+    if(line MATCHES "^  (.+)")
+        math(EXPR count "${count} + 1")
+        if(by_case OR "$ENV{GLINT_TEST_BY}" STREQUAL case)
+            state(${suite}${CMAKE_MATCH_1} ${weight})
+        endif()
+    elseif(line MATCHES "^[^ ]+\\.$")
+        if(suite AND count AND NOT by_case AND NOT "$ENV{GLINT_TEST_BY}" STREQUAL case)
+            math(EXPR count "${count} * ${weight}")
+            state(${suite}* ${count})
+        endif()
+        set(suite ${line})
+        set(count 0)
+    endif()
+endforeach()
