@@ -4,7 +4,9 @@
 #include "commands.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
 
@@ -68,6 +70,8 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     }
     if (auto done = chosen(); !done)
         return fail(exitCodeOf(done.error().code), done.error().message);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) // a full disk under a redirected output shows only here
+        return fail(kFailed, fmt::format("standard output: {}", std::strerror(errno)));
     return kDone;
 }
 

@@ -131,7 +131,7 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
     addPictureOptions(command, options);
-    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers)")
+    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers); - is standard output, as PNG")
         ->capture_default_str();
     command
         .add_option("--view", options.views,
@@ -139,7 +139,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
                         "; or an image that a pass wrote, as trace/hiz:radianceWeight")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON");
+    command.add_option("--stats", options.statsFile, "Write times, lookups and outcomes as JSON; - is standard output");
 }
 
 render::SettingsRequest settingsRequest(const RenderOptions& options) {

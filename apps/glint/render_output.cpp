@@ -1,5 +1,6 @@
 #include "render_output.hpp"
 
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "exact_report.hpp"
 #include "hits_report.hpp"
@@ -58,10 +59,14 @@ Result<PictureKind> pictureKind(std::string_view path) {
         return PictureKind::Png;
     if (ending == ".exr")
         return PictureKind::Exr;
+    if (namesStream(std::string(path)))
+        return PictureKind::Png;
     return invalidArgument("-o {}: the name must end in .png or .exr", printable(path));
 }
 
 std::string pathForView(const std::string& path, std::string_view view) {
+    if (namesStream(path))
+        return path;
     std::filesystem::path named(path);
     const std::string ending = named.extension().string();
     std::string part(view);

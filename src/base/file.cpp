@@ -1,11 +1,14 @@
 #include "base/file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <limits>
 #include <memory>
 
 namespace glint {
@@ -27,6 +30,28 @@ std::string temporaryName(const std::string& path) {
     return fmt::format("{}.{}.{}.tmp", path, getpid(), counter++);
 }
 
+/// The file that a path means when its links are followed, so that they are still there when it is replaced.
+std::string targetOf(const std::string& path) {
+    std::error_code error;
+    std::filesystem::path target = path;
+    constexpr int kMostLinks = 40; // as the kernel has it; a longer chain is a circle, which opening the file reports
+    for (int link = 0; link < kMostLinks && std::filesystem::is_symlink(target, error); ++link)
+        target = target.parent_path() / std::filesystem::read_symlink(target, error);
+    return target.string();
+}
+
+/// Writes into what is there already, from where it stands: a shell may have opened it for others too.
+Result<void> writeStream(const std::string& path, std::string_view bytes) {
+    const bool own = path == "-" || path == "/dev/stdout"; // after what was printed so far
+    const File opened(own ? nullptr : std::fopen(path.c_str(), "ab"));
+    std::FILE* const file = own ? stdout : opened.get();
+    if (!file)
+        return systemError(path, errno);
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
+        return systemError(own ? "standard output" : path, errno);
+    return {};
+}
+
 } // namespace
 
 Result<std::string> readFile(const std::string& path, size_t longest) {
@@ -45,7 +70,19 @@ Result<std::string> readFile(const std::string& path, size_t longest) {
     return bytes;
 }
 
-FileInMaking::FileInMaking(std::string path) : path_(std::move(path)), temporaryPath_(temporaryName(path_)) {}
+bool namesStream(const std::string& path) {
+    if (path == "-" || path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/") || path == "/dev/stdout" ||
+        path == "/dev/stderr")
+        return true;
+    struct stat status = {};
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+FileInMaking::FileInMaking(std::string path) : path_(std::move(path)), target_(targetOf(path_)) {
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+    temporaryPath_ = temporaryName(namesStream(path_) ? (folder / "glint").string() : target_);
+}
 
 FileInMaking::~FileInMaking() {
     if (!committed_)
@@ -53,13 +90,25 @@ FileInMaking::~FileInMaking() {
 }
 
 Result<void> FileInMaking::commit() {
-    if (std::rename(temporaryPath_.c_str(), path_.c_str()) != 0)
+    if (namesStream(path_)) {
+        GLINT_TRY(bytes, readFile(temporaryPath_, std::numeric_limits<size_t>::max()));
+        return writeStream(path_, bytes);
+    }
+    struct stat old = {};
+    if (stat(target_.c_str(), &old) == 0 && S_ISREG(old.st_mode))
+        // Best effort: where another one's file may be replaced but not be given away, the new one is ours.
+        if (chmod(temporaryPath_.c_str(), old.st_mode & 07777) != 0 ||
+            chown(temporaryPath_.c_str(), old.st_uid, old.st_gid) != 0)
+            errno = 0;
+    if (std::rename(temporaryPath_.c_str(), target_.c_str()) != 0)
         return systemError(path_, errno);
     committed_ = true;
     return {};
 }
 
 Result<void> writeFile(const std::string& path, std::string_view bytes) {
+    if (namesStream(path))
+        return writeStream(path, bytes);
     FileInMaking making(path);
     File file(std::fopen(making.temporaryPath().c_str(), "wb"));
     if (!file)

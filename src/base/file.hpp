@@ -12,8 +12,14 @@ namespace glint {
 /// be read; InvalidInput if it is longer.
 Result<std::string> readFile(const std::string& path, size_t longest);
 
+/// Returns true if what is written to `path` goes to something that is there already and is no file: "-", which is
+/// standard output, a device, a pipe, or a descriptor of this process such as /dev/stdout.
+bool namesStream(const std::string& path);
+
 /// A file written under a temporary name in the folder of its final name; `commit` renames it. Without a commit the
-/// temporary file is removed, and an existing file under the final name does not change.
+/// temporary file is removed, and an existing file under the final name does not change. A link is followed, and a file
+/// that is replaced keeps its permissions. For a stream (namesStream) the temporary file is in the system's folder for
+/// such, and `commit` copies it there.
 class FileInMaking {
 public:
     explicit FileInMaking(std::string path);
@@ -25,12 +31,13 @@ public:
     Result<void> commit();
 
 private:
-    std::string path_;
+    std::string path_;   ///< as the caller said it
+    std::string target_; ///< the file that its links lead to
     std::string temporaryPath_;
     bool committed_ = false;
 };
 
-/// Errors: Io, with the path and the system's reason.
+/// As a FileInMaking, or straight into a stream. Errors: Io, with the path and the system's reason.
 Result<void> writeFile(const std::string& path, std::string_view bytes);
 
 } // namespace glint
