@@ -131,7 +131,9 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
     addPictureOptions(command, options);
-    command.add_option("-o,--output", options.output, "Picture to write: .png (tone-mapped) or .exr (linear, layers); - is standard output, as PNG")
+    command
+        .add_option("-o,--output", options.output,
+                    "Picture to write: .png (tone-mapped) or .exr (linear, layers); - is standard output, as PNG")
         ->capture_default_str();
     command
         .add_option("--view", options.views,

@@ -47,8 +47,8 @@ TEST(Bench, MeasuresEveryPointForEveryConfig) {
     EXPECT_NEAR(rays(3) / rays(4), 0.5, 0.03);
     const auto& all = result.points[4].figures;
     EXPECT_GT(all[0].stats.lookupsPerRay, all[1].stats.lookupsPerRay * 3);
-    // Times are compared within a point alone, whose passes take turns: what else the machine does meets all of them. The
-    // points follow each other, and under load one of no mirrors took longer than one of nothing else.
+    // Times are compared within a point alone, whose passes take turns: what else the machine does meets all of them.
+    // The points follow each other, and under load one of no mirrors took longer than one of nothing else.
     if (context->info().software) {
         EXPECT_GT(all[0].times.floorMultiple(), 2);
         EXPECT_NEAR(all[0].wallMs.median / all[0].times.total().median, 1, 0.5);
