@@ -1,5 +1,6 @@
 // Composites the reflections into the host's frame. What a reflection replaces is subtracted, so no light counts twice.
-//   physical  out = lit - w * fallbackSpecular + R; R: the reflected radiance under the material's specular response
+//   physical  out = lit - w * given * fallbackSpecular + R; R: the reflected radiance under the material's specular
+//             response, of which the user's settings give the fraction `given`
 //   lerp      out = lit * (1 - m) + reflection * m, Babylon.js' model; remaining weight keeps the pixel's own colour
 // docs/techniques/composite.md.
 #version 460
@@ -120,25 +121,37 @@ Share secondShare(ivec2 px, float frontCoverage) {
                  viewCosine(px, second.viewZ, second.normalVS), texelFetch(reflected, at, 0), lit);
 }
 
-vec3 response(Share share) {
-    return maxComponent(share.f0) > 0.0 ? falloff(physicalResponse(share.f0, share.perceptualRoughness, share.NoV))
-                                        : vec3(0.0);
+struct Response {
+    vec3 value; // fraction of reflected light that is added
+    vec3 taken; // fraction of the host's fallback that it replaces
+};
+
+/// What the user's settings leave of a response, they leave of the fallback, too: less of both, down to the host's own
+/// picture, and never more of the fallback than there is.
+Response response(Share share) {
+    if (maxComponent(share.f0) <= 0.0)
+        return Response(vec3(0.0), vec3(0.0));
+    vec3 full = physicalResponse(share.f0, share.perceptualRoughness, share.NoV);
+    if (settings.strength == 1.0 && settings.falloffExponent == 1.0)
+        return Response(full, vec3(1.0));
+    vec3 given = falloff(full);
+    return Response(given, min(given / max(full, vec3(1e-6)), vec3(1.0)));
 }
 
 /// `fallback` is the mean over all surfaces of the pixel, and so includes coverage already. Where the sources answered
 /// the surfaces with different weights, each surface gets the part of `fallback` that its response claims.
 vec3 physical(vec3 lit, vec3 fallback, Share front, Share second) {
-    vec3 frontResponse = response(front);
-    vec3 secondResponse = response(second);
-    vec3 weight = vec3(front.reflection.a);
+    Response frontResponse = response(front);
+    Response secondResponse = response(second);
+    vec3 weight = front.reflection.a * frontResponse.taken;
     if (second.coverage > 0.0) {
-        vec3 frontPart = front.coverage * frontResponse;
-        vec3 secondPart = second.coverage * secondResponse;
-        weight = (frontPart * front.reflection.a + secondPart * second.reflection.a) /
+        vec3 frontPart = front.coverage * frontResponse.value;
+        vec3 secondPart = second.coverage * secondResponse.value;
+        weight = (frontPart * weight + secondPart * (second.reflection.a * secondResponse.taken)) /
                  max(frontPart + secondPart, vec3(1e-6));
     }
-    return lit - weight * fallback + front.coverage * (front.reflection.rgb * frontResponse) +
-           second.coverage * (second.reflection.rgb * secondResponse);
+    return lit - weight * fallback + front.coverage * (front.reflection.rgb * frontResponse.value) +
+           second.coverage * (second.reflection.rgb * secondResponse.value);
 }
 
 vec3 lerpedSurface(Share share) {

@@ -323,6 +323,30 @@ TEST_F(CompositePassTest, exponentIsOverReflectanceTimesStrength) {
         }
 }
 
+TEST_F(CompositePassTest, whatIsNotGivenIsNotTaken) {
+    const std::vector<Pixel> pixels = randomPixels(5);
+    for (const auto& [strength, exponent] : {std::pair(0.5f, 1.0f), {0.001f, 1.0f}, {3.0f, 1.0f}, {1.0f, 4.0f}, {1.0f, 0.5f}}) {
+        shared::CompositeConstants constants = kPhysical;
+        constants.fresnel = 0;
+        constants.strength = strength;
+        constants.falloffExponent = exponent;
+        const std::vector<float> picture = compose(pixels, constants, true);
+        expectPicture(picture, pixels, [&](const Pixel& pixel, uint32_t) {
+            const glm::dvec3 full(pixel.f0);
+            const glm::dvec3 given = glm::pow(full * double(strength), glm::dvec3(double(exponent)));
+            const glm::dvec3 taken = glm::min(given / glm::max(full, 1e-6), 1.0);
+            return glm::max(glm::dvec3(pixel.lit) - glm::dvec3(pixel.fallback) * double(pixel.answer.a) * taken +
+                                glm::dvec3(pixel.answer) * given,
+                            0.0);
+        });
+        if (strength > 0.001f)
+            continue;
+        for (size_t i = 0; i < pixels.size(); ++i) // the limit is the host's own picture
+            EXPECT_NEAR(picture[i * 4], pixels[i].lit.r,
+                        0.002 * (1 + pixels[i].lit.r + pixels[i].fallback.r + pixels[i].answer.r));
+    }
+}
+
 TEST_F(CompositePassTest, lerpWithFresnelIsBabylons) {
     const std::vector<Pixel> pixels = randomPixels(4);
     expectPicture(compose(pixels, kLerp, true), pixels, [](const Pixel& pixel, uint32_t i) {
