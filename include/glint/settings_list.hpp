@@ -273,13 +273,13 @@
         "Multiplies the thickness of every transparent body",                                                          \
         "hdrp:thicknessMultiplier hdrp:refractionThicknessMultiplier")                                                 \
     SETTING(float, transmittanceRed, -1, "[-1, 1]", "",                                                                \
-        "Transmittance colour at the absorption distance, red; if red, green or blue is below 0: the material's",      \
+        "Red of the transmittance colour at the absorption distance; below 0: the material's",                         \
         "hdrp:transmittanceColor=r")                                                                                   \
     SETTING(float, transmittanceGreen, -1, "[-1, 1]", "",                                                              \
-        "Transmittance colour at the absorption distance, green; if any component is below 0: the material's",         \
+        "Green of the transmittance colour at the absorption distance; below 0: the material's",                       \
         "hdrp:transmittanceColor=g")                                                                                   \
     SETTING(float, transmittanceBlue, -1, "[-1, 1]", "",                                                               \
-        "Transmittance colour at the absorption distance, blue; if any component is below 0: the material's",          \
+        "Blue of the transmittance colour at the absorption distance; below 0: the material's",                        \
         "hdrp:transmittanceColor=b")                                                                                   \
     SETTING(float, absorptionDistance, -1, "[-1, 1e6]", "m",                                                           \
         "Absorption distance after which white light has the transmittance colour; 0: clear; below 0: the material's", \

@@ -302,8 +302,8 @@ LayerSurface loadLayer(ivec2 px, float z) {
         s.here.f0 = vec3(dielectricF0(s.ior));
     }
     s.thickness = (refraction.thickness >= 0.0 ? refraction.thickness : body.y) * refraction.thicknessMultiplier;
-    vec4 override = vec4(unpackHalf2x16(refraction.transmittance.x), unpackHalf2x16(refraction.transmittance.y));
-    s.attenuationColor = override.a > 0.0 ? override.rgb : clamp(sanitize(absorption.rgb), 0.0, 1.0);
+    vec3 override = vec3(unpackHalf2x16(refraction.transmittance.x), unpackHalf2x16(refraction.transmittance.y).x);
+    s.attenuationColor = mix(clamp(sanitize(absorption.rgb), 0.0, 1.0), override, greaterThanEqual(override, vec3(0.0)));
     s.attenuationDistance =
         refraction.absorptionDistance >= 0.0 ? refraction.absorptionDistance : sanitize(absorption.a);
     s.centerWS = (frame.constants.viewToWorld * vec4(s.positionVS, 1.0)).xyz;

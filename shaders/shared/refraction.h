@@ -18,7 +18,7 @@ struct RefractionConstants {
     float thickness;
     float thicknessMultiplier;
     float absorptionDistance;
-    uint2 transmittance; // four halves: a colour, and 1 if it overrides
+    uint2 transmittance; // three halves: the colour that overrides; below 0: the material's
     uint flags;          // kLayer*
     uint probeFlags;     // kProbes*
     float strength;      // strength of reflections

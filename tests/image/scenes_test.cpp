@@ -128,6 +128,17 @@ TEST_F(ScenesTest, withoutTheScreenSourceNoScreenSpacePassRuns) {
         EXPECT_FALSE(name.starts_with("trace/")) << name;
 }
 
+TEST_F(ScenesTest, anEnvironmentThatMissesDoNotShowIsSaid) {
+    for (const auto& [environment, sky, said] :
+         {std::tuple("sky", false, true), {"sky", true, false}, {"", false, false}, {"none", false, false}}) {
+        render::RenderJob job = makeJob("builtin:mirror", 32, 18, {"composite"}, {});
+        job.environment = environment;
+        job.settings.reflections.sky.enabled = sky;
+        EXPECT_EQ(testing::PrintToString(run(job).notes).find("sky.enabled is off") != std::string::npos, said)
+            << environment << " " << sky;
+    }
+}
+
 TEST_F(ScenesTest, theSameJobGivesTheSameBits) {
     const render::RenderJob job = makeJob("builtin:hall", 160, 90, {"composite", "outcome"}, {"rough.factor=0.2"});
     const render::RenderResult first = run(job);

@@ -108,6 +108,13 @@ TEST(SettingsNames, RayQueryHasTheNamesOfItsDocument) {
     }
 }
 
+TEST(SettingsNames, APictureIsNoSetting) {
+    for (const char* name : {"environmentTexture", "babylon:environmentTexture", "environment.texture"})
+        EXPECT_EQ(errorOf(name, "a.hdr"),
+                  std::string(name) + ": a picture is no setting; --env FILE says which, and sky.enabled whether rays "
+                                      "that miss show it");
+}
+
 TEST(SettingsNames, AColourIsSetAsAWhole) {
     Settings settings;
     const auto colour = [&] {

@@ -49,6 +49,10 @@ std::vector<Match> matchAliases(SettingsTargets targets, Wanted wanted) {
 }
 
 Error unknownName(SettingsTargets targets, std::string_view name) {
+    if (name == "environmentTexture" || name == "babylon:environmentTexture" || name == "environment.texture")
+        return invalidArgument("{}: a picture is no setting; --env FILE says which, and sky.enabled whether rays that "
+                               "miss show it",
+                               name);
     std::vector<std::string> names;
     for (const SettingsTarget& target : targets) {
         for (const SettingInfo& info : target.table) {

@@ -47,9 +47,7 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     constants.thicknessMultiplier = wanted.thicknessMultiplier;
     constants.absorptionDistance = wanted.absorptionDistance;
     const glm::vec3 color(wanted.transmittanceRed, wanted.transmittanceGreen, wanted.transmittanceBlue);
-    const bool colored = glm::all(glm::greaterThanEqual(color, glm::vec3(0)));
-    constants.transmittance = {glm::packHalf2x16({color.r, color.g}),
-                               glm::packHalf2x16({color.b, colored ? 1.0f : 0.0f})};
+    constants.transmittance = {glm::packHalf2x16({color.r, color.g}), glm::packHalf2x16({color.b, 0.0f})};
     constants.strength = settings.reflect.strength;
     constants.reflectionBorderWidth = settings.fade.borderWidth;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
