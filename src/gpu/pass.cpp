@@ -1,5 +1,6 @@
 #include "gpu/pass.hpp"
 
+#include "base/assert.hpp"
 #include "base/text.hpp"
 
 #include <cstring>
@@ -294,6 +295,7 @@ bool Pass::begin() {
                                     bindingNames(pipeline_)));
     if (frame_.rehearsing() || !pipeline_)
         return false;
+    GLINT_ASSERT(pipeline_.handle() != VK_NULL_HANDLE, "{} is recorded, but was never compiled", pipeline_.name());
 
     frame_.flushBarriers();
     frame_.beginScope(pipeline_.name().c_str());

@@ -139,23 +139,38 @@ Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> s
     return {};
 }
 
-Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
+Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc, Compile when) {
     GLINT_TRY(shader, context.findShader(desc.shader));
     const std::string key = keyOf(*shader, desc);
-    if (const auto known = context.pipelines().find(key); known != context.pipelines().end())
-        return Pipeline(std::static_pointer_cast<Made>(known->second));
+    const auto known = context.pipelines().find(key);
     Pipeline whole;
-    whole.made_ = std::make_shared<Made>();
-    Made& pipeline = *whole.made_;
-    pipeline.context = &context;
-    pipeline.name = desc.shader;
-    pipeline.bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE;
-    pipeline.stages = VK_SHADER_STAGE_COMPUTE_BIT;
-    std::copy(std::begin(shader->localSize), std::end(shader->localSize), pipeline.localSize);
-    GLINT_CHECK(pipeline.makeLayout(std::array{shader}, desc.pushSize, desc.tableLayout));
+    if (known != context.pipelines().end()) {
+        whole.made_ = std::static_pointer_cast<Made>(known->second);
+    } else {
+        whole.made_ = std::make_shared<Made>();
+        Made& pipeline = *whole.made_;
+        pipeline.context = &context;
+        pipeline.name = desc.shader;
+        pipeline.bindPoint = VK_PIPELINE_BIND_POINT_COMPUTE;
+        pipeline.stages = VK_SHADER_STAGE_COMPUTE_BIT;
+        pipeline.computeShader = shader;
+        pipeline.constants = desc.constants;
+        std::copy(std::begin(shader->localSize), std::end(shader->localSize), pipeline.localSize);
+        GLINT_CHECK(pipeline.makeLayout(std::array{shader}, desc.pushSize, desc.tableLayout));
+        context.pipelines()[key] = whole.made_;
+    }
+    if (when == Compile::Now)
+        GLINT_CHECK(whole.compile());
+    return whole;
+}
 
-    const Module module(context, *shader);
-    const Specialization specialization(desc.constants);
+Result<void> Pipeline::compile() const {
+    Made& pipeline = *made_;
+    if (pipeline.pipeline)
+        return {};
+    Context& context = *pipeline.context;
+    const Module module(context, *pipeline.computeShader);
+    const Specialization specialization(pipeline.constants);
     VkComputePipelineCreateInfo info = {VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   nullptr,
@@ -169,11 +184,10 @@ Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc) {
                                                                                &info, nullptr, &pipeline.pipeline)
                                         : VK_ERROR_OUT_OF_HOST_MEMORY;
     if (result != VK_SUCCESS)
-        return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})", desc.shader,
-                         static_cast<int>(result));
+        return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})",
+                         pipeline.name, static_cast<int>(result));
     context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline), pipeline.name.c_str());
-    context.pipelines()[key] = whole.made_;
-    return whole;
+    return {};
 }
 
 Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {

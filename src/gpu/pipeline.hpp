@@ -26,6 +26,12 @@ struct ComputeDesc {
     VkDescriptorSetLayout tableLayout = VK_NULL_HANDLE; ///< set 1, if the shader uses a TextureTable
 };
 
+/// When the driver compiles a compute pipeline. Its layout is known in both cases, so its passes can be rehearsed.
+enum class Compile : uint8_t {
+    Now,
+    Later, ///< with Pipeline::compile, by the settings or inputs that first need it
+};
+
 enum class Blend : uint8_t { None, Premultiplied };
 
 struct RasterDesc {
@@ -51,10 +57,14 @@ struct RasterDesc {
 class Pipeline {
 public:
     Pipeline() = default;
-    static Result<Pipeline> compute(Context& context, const ComputeDesc& desc);
+    static Result<Pipeline> compute(Context& context, const ComputeDesc& desc, Compile when = Compile::Now);
     static Result<Pipeline> raster(Context& context, const RasterDesc& desc);
 
-    explicit operator bool() const { return handle() != VK_NULL_HANDLE; }
+    /// Compiles a pipeline that was to be compiled later; a second call has no effect. Takes up to 2 s on the software
+    /// driver. Errors: Unsupported.
+    Result<void> compile() const;
+
+    explicit operator bool() const { return made_ != nullptr; }
     const std::string& name() const { return it().name; } ///< the shader's path; also the pass's label and timer
     VkPipeline handle() const { return it().pipeline; }
     VkPipelineLayout layout() const { return it().layout; }
@@ -77,6 +87,8 @@ private:
         VkShaderStageFlags stages = 0;
         size_t pushSize = 0;
         uint32_t localSize[3] = {1, 1, 1};
+        const EmbeddedShader* computeShader = nullptr;
+        std::vector<SpecConstant> constants;
 
         Made() = default;
         ~Made();

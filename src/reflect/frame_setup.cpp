@@ -51,6 +51,8 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(raysSource_->setSettings(settings));
     }
     GLINT_CHECK(denoise_->make(settings));
+    if (refraction_ && settings.refraction.enabled)
+        GLINT_CHECK(refraction_->make());
     if ((refraction_ && settings.refraction.enabled) || techniqueFor(settings.screen.march).usesPyramid)
         GLINT_CHECK(pyramid_->make());
     stages_.desc.settings = settings;
@@ -118,6 +120,8 @@ Result<void> FrameStages::setProbes(ProbesState& probes) {
     probesSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs())});
     if (refraction_) {
         GLINT_CHECK(refraction_->setProbes(probes, stages_.retired));
+        if (stages_.settings().refraction.enabled)
+            GLINT_CHECK(refraction_->make());
         LayerImages layer;
         recordLayer(frame, layer);
     }

@@ -108,9 +108,11 @@ uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
 
 Result<std::unique_ptr<Denoise>> Denoise::create(StageContext& stages) {
     std::unique_ptr<Denoise> stage(new Denoise(stages));
-    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"denoise/blur", sizeof(shared::BlurConstants), {}}));
+    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"denoise/blur", sizeof(shared::BlurConstants), {}},
+                                               gpu::Compile::Later));
     GLINT_TRY(upsamplePass,
-              gpu::Pipeline::compute(stages.gpu, {"denoise/upsample", sizeof(shared::UpsampleConstants), {}}));
+              gpu::Pipeline::compute(stages.gpu, {"denoise/upsample", sizeof(shared::UpsampleConstants), {}},
+                                     gpu::Compile::Later));
     stage->blurPass_ = std::move(blurPass);
     stage->upsamplePass_ = std::move(upsamplePass);
     Denoise* const self = stage.get();
@@ -139,8 +141,11 @@ Result<void> Denoise::make(const Settings& settings) {
     const bool smaller = tracedPixels(settings, width) < width || tracedPixels(settings, height) < height;
     if (smaller || blurs(settings))
         GLINT_CHECK(make(whole_, "glint/denoised"));
+    if (smaller || (blurs(settings) && settings.blur.downsample > 0))
+        GLINT_CHECK(upsamplePass_.compile());
     if (!blurs(settings))
         return {};
+    GLINT_CHECK(blurPass_.compile());
     GLINT_CHECK(make(blurred_[0], "glint/blurredX"));
     if (smaller || settings.blur.downsample > 0)
         GLINT_CHECK(make(blurred_[1], "glint/blurred"));

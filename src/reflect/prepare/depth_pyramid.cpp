@@ -9,12 +9,14 @@ namespace glint::reflect {
 
 Result<std::unique_ptr<DepthPyramid>> DepthPyramid::create(StageContext& stages) {
     std::unique_ptr<DepthPyramid> pyramid(new DepthPyramid(stages));
-    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"prepare/pyramid", sizeof(shared::PyramidConstants), {}}));
+    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"prepare/pyramid", sizeof(shared::PyramidConstants), {}},
+                                           gpu::Compile::Later));
     pyramid->pass_ = std::move(pass);
     return pyramid;
 }
 
 Result<void> DepthPyramid::make() {
+    GLINT_CHECK(pass_.compile());
     if (cells_)
         return {};
     const uint32_t width = stages_.width();

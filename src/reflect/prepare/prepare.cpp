@@ -10,7 +10,7 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
     std::unique_ptr<Prepare> prepare(new Prepare(stages));
     using gpu::Pipeline;
     GLINT_TRY(surface, Pipeline::compute(stages.gpu, {"prepare/surface", 0, {}}));
-    GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}));
+    GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}, gpu::Compile::Later));
     GLINT_TRY(backFaces, Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}));
     prepare->surfacePass_ = std::move(surface);
     prepare->surfaceSamplesPass_ = std::move(surfaceSamples);
@@ -50,6 +50,8 @@ Result<void> Prepare::makeBackFaces(bool wanted) {
 }
 
 Result<void> Prepare::makeEdge(bool manySamples) {
+    if (manySamples)
+        GLINT_CHECK(surfaceSamplesPass_.compile());
     const uint32_t width = manySamples ? stages_.width() : 1;
     const uint32_t height = manySamples ? stages_.height() : 1;
     if (edge_ && edge_.width() >= width && edge_.height() >= height)

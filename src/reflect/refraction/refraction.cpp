@@ -76,7 +76,8 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
                          "without ReflectionsDesc::transparentLayers",
                          kSampled, context.info().name, most);
     std::unique_ptr<Refraction> result(new Refraction(context));
-    GLINT_TRY(alone, gpu::Pipeline::compute(context, {"refraction/layer", sizeof(LayerConstants), {}}));
+    GLINT_TRY(alone,
+              gpu::Pipeline::compute(context, {"refraction/layer", sizeof(LayerConstants), {}}, gpu::Compile::Later));
     GLINT_TRY(edges, gpu::Pipeline::compute(context, {"refraction/layer_edges", 0, {}}));
     GLINT_TRY(depth, gpu::Pipeline::compute(context, {"refraction/layers_depth", 0, {}}));
     GLINT_TRY(mipChain, gpu::MipChain::create(context, 1));
@@ -109,9 +110,14 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
     return result;
 }
 
+Result<void> Refraction::make() const {
+    return (withProbes_ ? withProbes_ : alone_).compile();
+}
+
 Result<void> Refraction::setProbes(ProbesState& probes, gpu::Retired& retired) {
     GLINT_TRY(pipeline, gpu::Pipeline::compute(
-                            context_, {"refraction/layer_probes", sizeof(LayerConstants), {}, probes.cubesLayout()}));
+                            context_, {"refraction/layer_probes", sizeof(LayerConstants), {}, probes.cubesLayout()},
+                            gpu::Compile::Later));
     retired.keep(std::move(withProbes_));
     withProbes_ = std::move(pipeline);
     return {};

@@ -44,6 +44,8 @@ public:
     static Result<std::unique_ptr<Refraction>> create(gpu::Context& context, uint32_t width, uint32_t height,
                                                       bool views);
 
+    /// Compiles the pipeline that layers need: by far the largest of the library. Errors: Unsupported.
+    Result<void> make() const;
     /// Creates the pipeline for these probes, which must outlive the frames. Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes, gpu::Retired& retired);
 

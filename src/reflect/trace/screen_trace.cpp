@@ -10,7 +10,8 @@ Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
     GLINT_TRY(classify, Pipeline::compute(stages.gpu, {"trace/classify", sizeof(shared::TraceConstants), {}}));
     trace->classify_ = std::move(classify);
     for (const Technique& technique : techniques()) {
-        GLINT_TRY(marcher, Pipeline::compute(stages.gpu, {technique.shader, sizeof(shared::TraceConstants), {}}));
+        GLINT_TRY(marcher, Pipeline::compute(stages.gpu, {technique.shader, sizeof(shared::TraceConstants), {}},
+                                             gpu::Compile::Later));
         trace->marchers_.push_back(std::move(marcher));
     }
     const uint32_t w = stages.width();
@@ -27,7 +28,12 @@ Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
     return trace;
 }
 
+gpu::Pipeline& ScreenTrace::marcherOf(const Settings& settings) {
+    return marchers_[static_cast<size_t>(&techniqueFor(settings.screen.march) - techniques().data())];
+}
+
 Result<void> ScreenTrace::make(const Settings& settings) {
+    GLINT_CHECK(marcherOf(settings).compile());
     const uint32_t w = stages_.width();
     const uint32_t h = stages_.height();
     if (settings.screen.targetFormat == TargetFormat::Rgba8)
@@ -74,9 +80,8 @@ void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const P
 }
 
 Traced ScreenTrace::record(gpu::Frame& frame, const TraceInputs& inputs) {
-    const Technique& technique = techniqueFor(stages_.settings().screen.march);
-    const auto index = static_cast<size_t>(&technique - techniques().data());
-    technique.record(frame, marchers_[index], stages_.settings(), inputs, target());
+    const Settings& settings = stages_.settings();
+    techniqueFor(settings.screen.march).record(frame, marcherOf(settings), settings, inputs, target());
     untraced_.ask();
     return traced();
 }

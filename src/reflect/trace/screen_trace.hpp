@@ -13,7 +13,8 @@ class ScreenTrace {
 public:
     static Result<std::unique_ptr<ScreenTrace>> create(StageContext& stages);
 
-    /// Creates images that these settings need for the first time. Errors: OutOfMemory.
+    /// Compiles the marcher and creates the images that these settings need for the first time. Errors: OutOfMemory,
+    /// Unsupported.
     Result<void> make(const Settings& settings);
 
     void clear(gpu::Frame& frame);
@@ -33,6 +34,7 @@ public:
 
 private:
     explicit ScreenTrace(StageContext& stages) : stages_(stages) {}
+    gpu::Pipeline& marcherOf(const Settings& settings);
 
     StageContext& stages_;
     gpu::Pipeline classify_;
