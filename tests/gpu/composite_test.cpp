@@ -325,7 +325,8 @@ TEST_F(CompositePassTest, exponentIsOverReflectanceTimesStrength) {
 
 TEST_F(CompositePassTest, whatIsNotGivenIsNotTaken) {
     const std::vector<Pixel> pixels = randomPixels(5);
-    for (const auto& [strength, exponent] : {std::pair(0.5f, 1.0f), {0.001f, 1.0f}, {3.0f, 1.0f}, {1.0f, 4.0f}, {1.0f, 0.5f}}) {
+    for (const auto& [strength, exponent] :
+         {std::pair(0.5f, 1.0f), {0.001f, 1.0f}, {3.0f, 1.0f}, {1.0f, 4.0f}, {1.0f, 0.5f}}) {
         shared::CompositeConstants constants = kPhysical;
         constants.fresnel = 0;
         constants.strength = strength;
