@@ -15,7 +15,7 @@
 namespace glint::cli {
 namespace {
 
-/// Counts frames on a terminal; says nothing into a pipe or a file.
+/// Counts frames, only on a terminal, not into a pipe or a file.
 void showProgress(uint32_t done, uint32_t frames) {
     if (frames > 1 && isatty(fileno(stderr)))
         fmt::print(stderr, "\rframe {} of {}{}", done, frames, done == frames ? "\n" : "");
