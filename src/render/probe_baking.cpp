@@ -88,7 +88,7 @@ private:
         return {};
     }
 
-    // ------------------------------------------------------------ where
+    // ------------------------------------------------------------ places
 
     Result<void> takePlaces() {
         const scene::Bounds& all = renderer_.boundsWS();
