@@ -1,4 +1,4 @@
-// The page of `glint compare --report`: a table of figures, then each config's pictures side by side.
+// The page of `glint compare --report`: a table of figures, then each config's images side by side.
 #include "base/file.hpp"
 #include "comparison_output.hpp"
 #include "scene/image_file.hpp"

@@ -1,4 +1,4 @@
-// glint inspect: the ray of one pixel, as JSON and drawn over the picture.
+// glint inspect: the ray of one pixel, as JSON and drawn over the image.
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"

@@ -22,7 +22,7 @@ Color colorOf(std::string_view decision) {
     return {color[0], color[1], color[2]};
 }
 
-/// Blends shapes with soft edges into a picture.
+/// Blends shapes with soft edges into an image.
 class Canvas {
 public:
     Canvas(uint32_t width, uint32_t height, std::span<uint8_t> rgb) : width_(width), height_(height), rgb_(rgb) {}

@@ -1,4 +1,4 @@
-// glint render: one scene, one camera, pictures and figures.
+// glint render: one scene, one camera, images and figures.
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands.hpp"

@@ -61,7 +61,7 @@ Result<ShaderReload> ShaderReload::create(const std::string& folder) {
     if (!isShaderFolder(folder))
         return invalidArgument("{}: no folder of Glint's shaders: it must hold {}", printable(folder),
                                gpu::shaderFile(gpu::shaders::view().front().name));
-    ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // with one trailing slash
+    ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // without trailing slashes
     GLINT_CHECK(reload.readVariants());
     reload.seen_ = reload.stamps();
     return reload;

@@ -167,7 +167,7 @@ private:
         return {};
     }
 
-    // ------------------------------------------------------------ pictures
+    // ------------------------------------------------------------ faces
 
     uint32_t pictureSize() const { return options_.faceSize * kSamples; }
 
