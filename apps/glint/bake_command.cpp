@@ -25,7 +25,7 @@ struct BakeCommandOptions {
     int64_t bounces = render::BakeOptions().bounces;
 };
 
-/// On a terminal; says nothing into a pipe or a file.
+/// Only on a terminal, not into a pipe or a file.
 void showProgress(const char* what, size_t done, size_t of) {
     if (isatty(fileno(stderr)))
         fmt::print(stderr, "\r\x1b[K{} {} of {}{}", what, done + 1, of, done + 1 == of ? "\n" : "");

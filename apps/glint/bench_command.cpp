@@ -69,7 +69,7 @@ Result<measure::BenchPlan> makePlan(const BenchOptions& options) {
     return plan;
 }
 
-/// All that can be known to be wrong is found here, before any scene is read.
+/// Checks all that can be checked before any scene is read.
 Result<measure::BenchScene> makeScene(const BenchOptions& options, const std::string& name, bool shares) {
     measure::BenchScene scene;
     for (const std::string& text : options.configs) {

@@ -25,7 +25,7 @@ struct CompareOptions {
     std::string json;
 };
 
-/// All that can be known to be wrong is found here, before the scene is read.
+/// Checks all that can be checked before the scene is read.
 Result<std::vector<measure::ComparedConfig>> makeConfigs(const CompareOptions& options) {
     std::vector<measure::ComparedConfig> configs;
     for (const std::string& text : options.configs) {
@@ -35,7 +35,7 @@ Result<std::vector<measure::ComparedConfig>> makeConfigs(const CompareOptions& o
     return configs;
 }
 
-/// One frame, or enough for the samples of preset `reference` to settle where the settings average over frames.
+/// Renders one frame, or 16 if the settings accumulate: enough for preset `reference` to converge.
 Result<std::optional<measure::ComparedConfig>> makeReference(const CompareOptions& options) {
     if (options.reference.empty())
         return std::optional<measure::ComparedConfig>();

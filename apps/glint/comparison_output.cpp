@@ -20,7 +20,7 @@ std::string hitsLine(std::string_view name, const measure::HitFigures& hits) {
                        hits.lookupsMean, hits.lookups95, hits.rays, hits.visibleTruths);
 }
 
-/// "hit 52.5 %, offScreen 36.1 %": the shares of a count a name, those that round to 0.0 % left out.
+/// "hit 52.5 %, offScreen 36.1 %": the share of each outcome, without those that round to 0.0 %.
 template <class Counts>
 std::string sharesText(const Counts& counts, const render::RenderStats& stats, uint64_t whole) {
     std::string text;
@@ -56,7 +56,7 @@ std::string sceneRaysText(const Statistics::SceneRays& scene) {
                        scene.rays, scene.pixels, scene.fromScreen, scene.reusedLight);
 }
 
-/// JSON has no infinity: equal pictures have no PSNR.
+/// Null for infinity, which JSON lacks: the PSNR of equal images.
 Json finite(double value) {
     return std::isfinite(value) ? Json(value) : Json();
 }

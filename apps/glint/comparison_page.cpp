@@ -1,4 +1,4 @@
-// The page of `glint compare --report`: a table of figures, then each config's pictures side by side.
+// The page of `glint compare --report`: a table of figures, then each config's images side by side.
 #include "base/file.hpp"
 #include "comparison_output.hpp"
 #include "scene/image_file.hpp"
@@ -33,7 +33,7 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// "2-screen.step-4.hits.png": the config's number and name, with what a file name cannot have replaced.
+/// "2-screen.step-4.hits.png": the config's number and name, without characters that file names cannot have.
 std::string pictureName(size_t number, std::string_view config, std::string_view picture) {
     std::string name;
     for (const char c : config.substr(0, 40))

@@ -16,7 +16,7 @@ bool isBase(std::string_view text) {
     return isFile(text) || std::ranges::find(presets, text) != presets.end();
 }
 
-/// Of the preset or file at the start of `text`, 0: there is none. A + or a comma ends it, but a file may have its own.
+/// Length of the preset or file name at the start of `text`, up to a + or comma; file names may contain these. 0: none.
 size_t baseLength(std::string_view text) {
     for (size_t i = 1; i <= text.size() && text[i - 1] != '='; ++i)
         if ((i == text.size() || text[i] == ',' || text[i] == '+') && isBase(text.substr(0, i)))

@@ -1,4 +1,4 @@
-// glint inspect: the ray of one pixel, as JSON and drawn over the picture.
+// glint inspect: the ray of one pixel, as JSON and drawn over the image.
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
@@ -42,7 +42,7 @@ Result<render::RenderJob> makeJob(const InspectOptions& options) {
     GLINT_TRY(job, makePictureJob(options.scene));
     GLINT_TRY(pixel, readPixel(options.pixel));
     const bool outside = job.width > 0 && (pixel[0] >= job.width || pixel[1] >= job.height);
-    if (outside) // without --size only the scene knows
+    if (outside) // without --size, known only from the scene
         return invalidArgument("--pixel {},{}: it lies outside the picture of {}x{}", pixel[0], pixel[1], job.width,
                                job.height);
     job.inspect = pixel;

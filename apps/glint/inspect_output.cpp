@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// With the digits that a float has; infinite is null.
+/// With the shortest digits that restore the float; null if not finite.
 Json number(float value) {
     if (!std::isfinite(value))
         return nullptr;
@@ -108,7 +108,7 @@ Json sourcesJson(const RayInspection& inspection) {
 
 constexpr size_t kLineWidth = 180;
 
-/// One line for whatever fits on one: a sample, a point, a list of numbers.
+/// A value that fits on one line is written on one: a sample, a point.
 void write(const Json& json, size_t indent, std::string& out) {
     // Names come from the command line, where bytes need not be UTF-8.
     const std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace);

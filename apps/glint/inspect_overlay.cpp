@@ -22,7 +22,7 @@ Color colorOf(std::string_view decision) {
     return {color[0], color[1], color[2]};
 }
 
-/// Blends shapes with soft edges into a picture.
+/// Blends shapes with soft edges into an image.
 class Canvas {
 public:
     Canvas(uint32_t width, uint32_t height, std::span<uint8_t> rgb) : width_(width), height_(height), rgb_(rgb) {}
@@ -53,7 +53,7 @@ public:
         });
     }
 
-    /// Its outline, just inside.
+    /// Draws the outline, inside the square.
     void square(glm::vec2 low, float side, float width, Color color, float opacity) {
         const glm::vec2 center = low + 0.5f * side;
         shape(low, low + side, color, opacity, [&](glm::vec2 p) {
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// `distance` in pixels to the shape's border, negative inside; nothing of it lies outside [low, high].
+    /// `distance`: pixels to the shape's border, negative inside. The shape lies within [low, high].
     template <class Distance>
     void shape(glm::vec2 low, glm::vec2 high, Color color, float opacity, Distance&& distance) {
         const auto clampTo = [](float value, uint32_t size) {
@@ -97,7 +97,7 @@ glm::vec2 toVec2(const Float2& v) {
     return {v[0], v[1]};
 }
 
-/// The last point of the line, from a start inside, that lies at least `margin` inside a picture of this size.
+/// Clips the line, whose start is inside, to an image of this size less `margin`. Returns its end.
 glm::vec2 lastInside(glm::vec2 start, glm::vec2 end, glm::vec2 size, float margin) {
     float share = 1;
     for (int axis = 0; axis < 2; ++axis) {
@@ -139,7 +139,7 @@ void drawHit(Canvas& canvas, glm::vec2 at, float unit, Color color) {
     strokes(1.0f * unit, color);
 }
 
-/// Where a ray ended that met nothing, or where it left the picture.
+/// Draws the end of a ray without a hit, or the point where it left the image.
 void drawEnd(Canvas& canvas, glm::vec2 at, float unit) {
     const auto strokes = [&](float halfWidth, Color stroke) {
         for (const float turn : {-1.0f, 1.0f}) {

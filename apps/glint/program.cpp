@@ -31,7 +31,7 @@ int exitCodeOf(ErrorCode code) {
     return kFailed;
 }
 
-/// The parser says no more than that a command is required; empty: the first word is one, or an option.
+/// Names an unknown command, which the parser only reports as missing. Empty if the first word is known or an option.
 std::string unknownCommand(const CLI::App& program, int argc, const char* const* argv) {
     if (argc < 2 || argv[1][0] == '-')
         return {};
@@ -64,13 +64,13 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return program.exit(help); // prints the help that was asked for
+        return program.exit(help); // prints the requested help
     } catch (const CLI::ParseError& error) {
         return fail(kBadInput, fmt::format("{} (try glint --help)", error.what()));
     }
     if (auto done = chosen(); !done)
         return fail(exitCodeOf(done.error().code), done.error().message);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) // a full disk under a redirected output shows only here
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) // detects a full disk under redirected output
         return fail(kFailed, fmt::format("standard output: {}", std::strerror(errno)));
     return kDone;
 }

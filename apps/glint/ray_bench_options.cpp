@@ -9,9 +9,9 @@ namespace glint::cli {
 namespace {
 
 constexpr double kFewestTriangles = 100;
-constexpr double kMostTriangles = 1e8; // some 10 GB of the host's memory
+constexpr double kMostTriangles = 1e8; // some 10 GB of host memory
 constexpr int64_t kFewestRays = 64;
-constexpr int64_t kMostRays = 1 << 20; // their buffer is one that any device lets shaders see
+constexpr int64_t kMostRays = 1 << 20; // their buffer stays within every device's limit
 
 } // namespace
 

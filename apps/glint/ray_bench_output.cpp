@@ -14,8 +14,8 @@ using measure::RayBenchResult;
 using measure::RayTraceTimes;
 using measure::RayUpdateTimes;
 
-/// A GPU's timestamps leave out what the CPU needs to start a dispatch, which is much of a short one. A software device
-/// has but one clock for all figures: timestamps around work that it may put off are no better.
+/// GPU timestamps exclude the CPU's cost of a dispatch, which dominates short ones. A software device uses the CPU's
+/// clock throughout and may defer work past a timestamp: wall time is better there.
 const measure::Spread& traceMs(const RayTraceTimes& trace, bool software) {
     return software || trace.gpuMs.median <= 0 ? trace.wallMs : trace.gpuMs;
 }

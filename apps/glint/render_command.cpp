@@ -1,4 +1,4 @@
-// glint render: one scene, one camera, pictures and figures.
+// glint render: one scene, one camera, images and figures.
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands.hpp"
@@ -15,7 +15,7 @@
 namespace glint::cli {
 namespace {
 
-/// Counts frames on a terminal; says nothing into a pipe or a file.
+/// Counts frames, only on a terminal, not into a pipe or a file.
 void showProgress(uint32_t done, uint32_t frames) {
     if (frames > 1 && isatty(fileno(stderr)))
         fmt::print(stderr, "\rframe {} of {}{}", done, frames, done == frames ? "\n" : "");

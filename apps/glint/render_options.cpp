@@ -36,7 +36,7 @@ std::string sceneList() {
     return joinText(names, ", ");
 }
 
-/// An EXR file always has the frame itself as its main layer; a PNG file shows the views that were asked for.
+/// An EXR file always has the frame itself as its main layer; PNG files show only the requested views.
 Result<std::vector<std::string>> chooseViews(const RenderOptions& options, PictureKind kind) {
     std::vector<std::string> views;
     if (kind == PictureKind::Exr || options.views.empty())
@@ -51,7 +51,7 @@ Result<std::vector<std::string>> chooseViews(const RenderOptions& options, Pictu
     return views;
 }
 
-/// What a built-in scene would rather have than the table's defaults.
+/// Settings of a built-in scene that override the table's defaults.
 std::vector<std::string> sceneDefaults(std::string_view scene) {
     for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
         if (scene.starts_with(kBuiltinPrefix) && scene.substr(kBuiltinPrefix.size()) == info.name)

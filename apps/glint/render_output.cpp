@@ -71,7 +71,7 @@ std::string pathForView(const std::string& path, std::string_view view) {
     const std::string ending = named.extension().string();
     std::string part(view);
     std::ranges::replace_if(
-        part, [](char c) { return c == '/' || c == ':'; }, '-'); // of a pass and its image
+        part, [](char c) { return c == '/' || c == ':'; }, '-'); // from "pass:image"
     return named.replace_extension().string() + "." + part + ending;
 }
 

@@ -18,7 +18,7 @@ extern char** environ;
 namespace glint::view {
 namespace {
 
-/// Both ends of a pipe, closed when they go.
+/// Both ends of a pipe, closed on destruction.
 struct Pipe {
     int ends[2] = {-1, -1};
     bool open() { return pipe2(ends, O_CLOEXEC) == 0; }
@@ -35,7 +35,7 @@ struct Pipe {
     Pipe& operator=(const Pipe&) = delete;
 };
 
-/// Reads both pipes at once, as a program blocks on a full pipe.
+/// Reads both pipes together, as the child blocks on a full one.
 void drain(Pipe& out, std::string& outText, Pipe& error, std::string& errorText) {
     std::array<char, 65536> buffer;
     while (out.ends[0] >= 0 || error.ends[0] >= 0) {

@@ -25,7 +25,7 @@ FrameFigures frameFigures(const render::FrameTimes& times, double intervalMs) {
 
 namespace {
 
-/// The upper one of two, as in --stats.
+/// Of an even count the upper middle, as in --stats.
 double median(std::vector<double> values) {
     if (values.empty())
         return 0;
@@ -58,7 +58,7 @@ FrameFigures RecentTimes::figures() const {
         for (size_t i = 0; i < result.size(); ++i)
             result[i].second = over([&, name = result[i].first](const Frame& frame) {
                 const Passes& other = frame.times.*list;
-                if (i < other.size() && other[i].first == name) // one name may stand for several passes
+                if (i < other.size() && other[i].first == name) // several passes may share a name
                     return other[i].second;
                 const auto same = std::ranges::find(other, name, &Passes::value_type::first);
                 return same == other.end() ? -1.0 : same->second;

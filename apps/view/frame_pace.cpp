@@ -4,7 +4,7 @@ namespace glint::view {
 
 void FramePace::rendered(uint32_t divisor, double milliseconds) {
     const double whole = milliseconds * divisor * divisor;
-    // The cost of a full frame is only estimated from coarse frames, which cost more per pixel.
+    // Coarse frames cost more per pixel: they give only the first estimate of a full frame.
     if (divisor == 1 || wholeMs_ == 0)
         wholeMs_ = whole;
 }

@@ -8,7 +8,7 @@ namespace glint::view {
 namespace {
 
 constexpr int kLetter = 1;
-constexpr int kFollows = 10;    ///< right after the letter before
+constexpr int kFollows = 10;    ///< directly after the previous match
 constexpr int kBeginsWord = 8;  ///< also in camelCase
 constexpr int kBeginsText = 12; ///< instead of kBeginsWord
 constexpr int kNone = -1000000;
@@ -38,7 +38,7 @@ std::optional<int> fuzzyScore(std::string_view query, std::string_view text) {
             letters.push_back(lower(c));
     if (letters.empty())
         return 0;
-    // best[i]: the best score of the letters so far where the last of them is text[i].
+    // best[i]: the best score of the letters so far with the last of them at text[i].
     std::vector<int> best(text.size(), kNone);
     for (size_t n = 0; n < letters.size(); ++n) {
         std::vector<int> next(text.size(), kNone);

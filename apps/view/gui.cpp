@@ -19,7 +19,7 @@ constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeyPadEnter;
 constexpr ImGuiKey kKeypadEnter = ImGuiKey_KeypadEnter;
 #endif
 
-/// Those keys that ImGui has a use for.
+/// The keys that ImGui uses.
 constexpr std::array<std::pair<int, ImGuiKey>, 22> kKeys = {{
     {GLFW_KEY_TAB, ImGuiKey_Tab},
     {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
@@ -45,7 +45,7 @@ constexpr std::array<std::pair<int, ImGuiKey>, 22> kKeys = {{
     {GLFW_KEY_Z, ImGuiKey_Z},
 }};
 
-#if IMGUI_VERSION_NUM < 18700 // keys are numbered by us, through a map
+#if IMGUI_VERSION_NUM < 18700 // the program numbers keys, through a map
 
 void prepareKeys(ImGuiIO& io) {
     for (const auto& [ours, theirs] : kKeys)
@@ -108,18 +108,18 @@ void setLooks(float scale) {
     style.WindowRounding = 4;
     style.FrameRounding = 3;
     style.WindowBorderSize = 0;
-    style.Colors[ImGuiCol_WindowBg].w = 0.88f; // the picture stays in sight
+    style.Colors[ImGuiCol_WindowBg].w = 0.88f; // the picture stays visible
     style.ScaleAllSizes(scale);
 }
 
-/// Where the package fonts-dejavu-core has it.
+/// Installed by the package fonts-dejavu-core.
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 constexpr float kFontHeight = 14; ///< pixels on an ordinary screen
 
-/// A scalable font in the size that the screen needs; without the file ImGui's bitmap font, enlarged.
+/// Loads a scalable font at the screen's scale; without the file, enlarges ImGui's bitmap font.
 void setFont(ImGuiIO& io, float scale) {
     std::error_code ignored;
-    const bool there = std::filesystem::exists(kFontFile, ignored); // ImGui asserts that it can be read
+    const bool there = std::filesystem::exists(kFontFile, ignored); // ImGui asserts that the file can be read
     if (there && io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontHeight * scale)))
         return;
     io.FontGlobalScale = scale;
@@ -131,7 +131,7 @@ Gui::Gui(float scale, Clipboard clipboard) : clipboard_(std::move(clipboard)) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // leaves no files behind
+    io.IniFilename = nullptr; // write no file
     setFont(io, scale);
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ClipboardUserData = this;

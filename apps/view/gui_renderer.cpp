@@ -26,7 +26,7 @@ uint32_t textureNumber(ImTextureID id) {
     return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(id));
 }
 
-/// A clip rectangle as pixels of the target; empty ones have no width.
+/// Converts a clip rectangle to pixels of the target; empty ones have no width.
 std::array<uint32_t, 4> clipPixels(const ImVec4& clip, const ImVec2& origin, const gpu::Image& target) {
     const auto pixel = [](float value, uint32_t most) {
         return static_cast<uint32_t>(std::clamp(value, 0.0f, static_cast<float>(most)));
@@ -72,7 +72,7 @@ Result<void> GuiRenderer::setPictures(std::span<const gpu::Image* const> picture
         entries.push_back({picture, sampler(VK_FILTER_LINEAR)});
         entries.push_back({picture, sampler(VK_FILTER_NEAREST)});
     }
-    // As many entries each time: a pipeline's layout has their number.
+    // Always the same number of entries, as pipeline layouts include it.
     while (entries.size() < shared::kGuiTextures)
         entries.push_back(entries.front());
     GLINT_TRY(table, gpu::TextureTable::create(*context_, entries));
@@ -101,7 +101,7 @@ Result<void> GuiRenderer::fill(const ImDrawData& data) {
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
         vertex = std::copy(list.VtxBuffer.begin(), list.VtxBuffer.end(), vertex);
-        index = std::copy(list.IdxBuffer.begin(), list.IdxBuffer.end(), index); // widened: ours have 32 bits
+        index = std::copy(list.IdxBuffer.begin(), list.IdxBuffer.end(), index); // widened to 32 bits
     }
     return {};
 }

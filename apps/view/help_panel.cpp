@@ -1,4 +1,4 @@
-// What the frame costs, and which keys there are.
+// The cost of the frame, and the list of keys.
 #include "panels.hpp"
 #include "ssr_keys.hpp"
 #include "view_commands.hpp"

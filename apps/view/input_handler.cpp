@@ -68,7 +68,7 @@ void InputHandler::fly(ViewerState& state, double seconds) {
     const glm::vec3 direction(held('D') - held('A'), held('E') - held('Q'), held('W') - held('S'));
     if (direction == glm::vec3(0))
         return;
-    const float speed = scale_ * 0.15f * (modifiers_.shift ? 4.0f : 1.0f); // metres a second
+    const float speed = scale_ * 0.15f * (modifiers_.shift ? 4.0f : 1.0f); // metres per second
     state.camera.fly(direction * (speed * static_cast<float>(seconds)));
 }
 
@@ -102,7 +102,7 @@ void InputHandler::move(glm::vec2 to, ViewerState& state, glm::uvec2 window) {
     if (!dragged_ && glm::distance(to, pressedAt_) < kClickSlack)
         return;
     dragged_ = true;
-    if (state.zoom.factor > 1 && drag_ != Drag::Orbit) { // among single pixels the picture itself is slid
+    if (state.zoom.factor > 1 && drag_ != Drag::Orbit) { // zoomed in: pan the picture itself
         state.zoom.centerUV -= step * size.y / size / state.zoom.factor;
         return;
     }

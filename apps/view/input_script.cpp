@@ -45,7 +45,7 @@ constexpr std::array kWords = {
     Word{"close", Kind::Close, Rest::Nothing, 0, "close"},
 };
 
-/// Takes the next word off `text`.
+/// Removes and returns the first word of `text`.
 std::string_view takeWord(std::string_view& text) {
     const size_t start = std::min(text.find_first_not_of(" \t"), text.size());
     text.remove_prefix(start);

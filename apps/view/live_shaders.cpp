@@ -3,7 +3,7 @@
 namespace glint::view {
 namespace {
 
-constexpr const char* kSources = "shaders"; ///< from the sources' root
+constexpr const char* kSources = "shaders"; ///< in the repository root
 constexpr double kBetweenLooks = 1;         ///< seconds
 
 } // namespace

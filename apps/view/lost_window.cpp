@@ -9,10 +9,10 @@
 namespace glint::view {
 namespace {
 
-bool lost = false; // Xlib's handlers are the process's, and know no objects
+bool lost = false; // global, as Xlib's handlers get no user data
 
 /// The head of XErrorEvent (Xlib.h, "Using the Default Error Handlers" in Xlib - C Language X Interface, 11.8.2):
-/// Xlib's headers are GLFW's matter, not ours.
+/// declared here because only GLFW needs Xlib's headers.
 struct XError {
     int type;
     void* display;
@@ -23,13 +23,13 @@ struct XError {
 
 constexpr unsigned char kBadWindow = 3, kBadDrawable = 9;
 
-/// Whatever else an X request fails of is no reason to end.
+/// Other failed X requests are ignored.
 int onError(void*, XError* error) {
     lost = lost || error->code == kBadWindow || error->code == kBadDrawable;
     return 0;
 }
 
-/// Xlib ends the program if this returns, and destructors would talk to the server that is gone.
+/// Xlib exits if this returns; _Exit skips destructors, which would talk to the lost server.
 int onServerGone(void*) {
     constexpr std::string_view kText =
         "glint: error: the connection to the display is gone: its server ended, or has thrown this program out\n";

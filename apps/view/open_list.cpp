@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMostEntries = 5000; ///< of a folder
+constexpr size_t kMostEntries = 5000; ///< per folder
 
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
     return text;
 }
 
-/// Folders and what can be opened, by name, without hidden ones.
+/// Returns folders, then files that can be opened, each by name, without hidden ones.
 std::vector<OpenEntry> entriesOf(const std::string& folder) {
     std::vector<OpenEntry> entries;
     std::error_code error;
@@ -57,7 +57,7 @@ std::vector<OpenEntry> everything(const std::string& folder, std::span<const std
     return all;
 }
 
-/// A path that was typed: its folder's entries that begin as its last part does.
+/// Completes a typed path: entries of its folder that begin with its last part.
 std::vector<OpenEntry> completions(const std::string& folder, std::string_view typed) {
     std::string text(typed);
     if (const char* const home = std::getenv("HOME"); home && text.starts_with("~/"))

@@ -1,4 +1,4 @@
-// The panel that opens files: type a part of a name, or walk through folders.
+// The panel that opens files: search by name, or browse folders.
 #include "panels.hpp"
 
 #include <imgui.h>
@@ -33,14 +33,14 @@ void choose(ViewerState& state, const OpenEntry& entry) {
     if (entry.kind == OpenEntry::Kind::Folder) {
         panel.folder = entry.path;
         panel.text.clear();
-        panel.begins = true; // the cursor goes back into the field
+        panel.begins = true; // the field regains the focus
         return;
     }
     panel.shown = false;
     state.ask(Request::Kind::Open, entry.path);
 }
 
-/// The one that was chosen, by mouse or by Enter.
+/// Returns the entry chosen by mouse or Enter, or null.
 const OpenEntry* rows(OpenPanel& panel, bool enter) {
     const OpenEntry* chosen = nullptr;
     const char* last = "";
@@ -80,7 +80,7 @@ void drawOpenPanel(ViewerState& state) {
         panel.folder = std::filesystem::current_path(ignored).string();
     }
     if (std::exchange(panel.begins, false)) {
-        panel.listed.clear(); // files may have come and gone
+        panel.listed.clear(); // list again, as files may have changed
         ImGui::SetKeyboardFocusHere();
     }
     ImGui::SetNextItemWidth(-1);

@@ -9,7 +9,7 @@
 namespace glint::view {
 namespace {
 
-constexpr float kSteepest = glm::radians(89.0f); ///< where up and down still are
+constexpr float kSteepest = glm::radians(89.0f); ///< limit of the elevation
 constexpr float kNearest = 1e-3f;                ///< metres to the target
 
 struct Angles {

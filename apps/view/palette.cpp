@@ -1,4 +1,4 @@
-// The command palette: type what you mean, or leaf through pages.
+// The command palette: search, or browse pages.
 #include "palette_entries.hpp"
 #include "panels.hpp"
 
@@ -51,7 +51,7 @@ void pageTabs(ViewerState& state) {
     }
 }
 
-/// In as many lines as they need: on a software driver each figure has several digits more.
+/// Wraps lines as needed: on a software driver the figures have more digits.
 void figuresLine(const ViewerState& state) {
     const FrameFigures& f = state.figures;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;

@@ -35,7 +35,7 @@ std::vector<PalettePage> makePages() {
     return pages;
 }
 
-/// A setting answers to its other names too, a little less.
+/// A setting's other names match too, with a slightly lower score.
 std::optional<int> score(std::string_view text, const PaletteEntry& entry) {
     std::optional<int> best = fuzzyScore(text, entry.name);
     if (entry.setting)
@@ -60,7 +60,7 @@ std::vector<PaletteEntry> searchPalette(std::string_view text) {
             if (!value)
                 continue;
             const auto same = [&](const auto& other) { return entry.setting && other.second.setting == entry.setting; };
-            const auto known = std::ranges::find_if(found, same); // compute_ssr's own name, and the table's
+            const auto known = std::ranges::find_if(found, same); // listed under compute_ssr's name and its own
             if (known == found.end())
                 found.emplace_back(*value, entry);
             else if (*value > known->first)

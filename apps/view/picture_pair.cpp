@@ -15,13 +15,13 @@ double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The settings of the picture beside.
+/// Settings of the second picture.
 Result<render::ProgramSettings> besideSettings(const ViewerState& state) {
     if (!state.besidePreset.empty()) {
         SettingsModel model = state.settings;
         GLINT_CHECK(model.usePreset(state.besidePreset));
         render::ProgramSettings settings = model.settings();
-        // What is averaged over frames anyway comes a sample a frame, so that hands are answered between them.
+        // Accumulating settings trace one sample per frame, so that the window stays responsive.
         if (settings.reflections.rays.accumulate)
             settings.reflections.rays.samples = 1;
         return settings;
@@ -31,7 +31,7 @@ Result<render::ProgramSettings> besideSettings(const ViewerState& state) {
     return settings;
 }
 
-/// Four times the absolute difference of displayed colours, and its mean without the factor.
+/// Returns four times the absolute difference of displayed colours; `mean` is without the factor.
 std::vector<uint8_t> difference(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b, double& mean) {
     std::vector<uint8_t> out(a.size());
     double sum = 0;
@@ -68,7 +68,7 @@ Result<void> PicturePair::open(const render::RenderJob& job) {
 
 Result<void> PicturePair::remake() {
     GLINT_CHECK(picture_->remake());
-    beside_.reset(); // made when it is looked at
+    beside_.reset(); // created on demand
     second_.reset();
     heat_ = {};
     shown_.clear();
@@ -213,12 +213,12 @@ Result<void> PicturePair::placeSecond(ViewerState& state) {
     }
     GLINT_TRY(depth, depths(*picture_));
     if (depth.size() != size_t{asked.width} * asked.height)
-        return {}; // not drawn in this size yet: in the next frame
+        return {}; // not yet rendered at this size; retry in the next frame
     state.second.lookAt(*state.ray, state.rayView, depth, state.camera.camera());
     return {};
 }
 
-/// The same settings from elsewhere, in the size of its pane, with the depths that hide parts of the ray.
+/// Renders the same settings from the second camera at its pane's size, and reads the depths that occlude the ray.
 Result<void> PicturePair::updateSecond(ViewerState& state) {
     SecondCamera& second = state.second;
     if (!second.shown) {
@@ -260,7 +260,7 @@ Result<void> PicturePair::updateSecond(ViewerState& state) {
     return {};
 }
 
-/// Of an accumulating reference anew each time when its frames have doubled: work is in the metric, not in the picture.
+/// Recomputes the metric, which is costly: for accumulating pictures only when the number of frames has doubled.
 Result<void> PicturePair::updateHeat(ViewerState& state) {
     if (state.heat == Heat::None || state.beside != Beside::Settings || !beside_)
         return {};

@@ -14,7 +14,7 @@ float depthOf(const render::View& view, const glm::vec3& pointWS) {
     return -(view.worldToView * glm::vec4(pointWS, 1)).z;
 }
 
-/// The frustum up to `depth`: its edges, and the rectangle at its end.
+/// Adds the frustum up to `depth`: its edges and its end rectangle.
 void addFrustum(RayLines& lines, const render::View& view, float depth) {
     const glm::vec2 size(view.width, view.height);
     const std::array<glm::vec2, 4> corners = {glm::vec2(0), {size.x, 0}, size, {0, size.y}};
@@ -72,7 +72,7 @@ RayLines rayLines(const RayInspection& ray, const render::View& view) {
             continue;
         const glm::vec2 px(sample.positionPX[0], sample.positionPX[1]);
         const glm::vec3 point = pointAt(view, px, sample.rayDepth);
-        if (sample.level == 0 && std::isfinite(sample.sceneDepth)) // of a cell the depth is nobody's
+        if (sample.level == 0 && std::isfinite(sample.sceneDepth)) // a coarse cell's depth belongs to no pixel
             result.lines.push_back({RayLine::Kind::Gap, point, pointAt(view, px, sample.sceneDepth)});
         result.points.push_back({RayPoint::Kind::Sample, point, sample.decision});
     }

@@ -64,7 +64,7 @@ private:
     ImDrawList* list_;
 };
 
-/// The part of the line from `start`, inside a picture of this size.
+/// Clips the line from `start` to an image of this size. Returns its end.
 Float2 insideEnd(Float2 start, Float2 end, glm::vec2 size) {
     float share = 1;
     for (size_t axis = 0; axis < 2; ++axis) {

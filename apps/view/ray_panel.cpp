@@ -1,4 +1,4 @@
-// The asked pixel in words: everything that `glint inspect` prints (docs/inspect.md).
+// The inspected pixel in words: everything that `glint inspect` prints (docs/inspect.md).
 #include "panels.hpp"
 
 #include "inspect_overlay.hpp"

@@ -23,7 +23,7 @@ std::string variable(const char* name) {
 
 std::string RecentFiles::usualFile() {
     const std::string state = variable("XDG_STATE_HOME"), home = variable("HOME");
-    if (fs::path(state).is_absolute()) // others are to be ignored (XDG Base Directory Specification 0.8)
+    if (fs::path(state).is_absolute()) // relative ones are invalid (XDG Base Directory Specification 0.8)
         return state + "/glint/recent";
     return home.empty() ? std::string() : home + "/.local/state/glint/recent";
 }

@@ -7,13 +7,13 @@
 namespace glint::view {
 namespace {
 
-constexpr int kVersion = 10000; ///< 1.0.0: later ones only add functions behind those
+constexpr int kVersion = 10000; ///< 1.0.0: later versions only append functions
 constexpr const char* kLibrary = "librenderdoc.so";
 
 } // namespace
 
-/// RENDERDOC_API_1_0_0, "In-application API", renderdoc.org/docs/in_application_api.html: pointers to functions, of
-/// which we call two.
+/// RENDERDOC_API_1_0_0, "In-application API", renderdoc.org/docs/in_application_api.html: function pointers, of which
+/// two are called.
 struct RenderDoc::Functions {
     void (*before[19])();
     void (*startFrameCapture)(void* device, void* window); ///< null: any

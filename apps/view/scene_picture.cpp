@@ -29,7 +29,7 @@ Result<gpu::Image> ScenePicture::makeImage() const {
 }
 
 Result<void> ScenePicture::makeImages() {
-    static uint64_t made = 0; // also from picture to picture
+    static uint64_t made = 0; // unique across all pictures
     GLINT_TRY(image, makeImage());
     GLINT_TRY(second, makeImage());
     image_ = std::move(image);
@@ -48,7 +48,7 @@ uint32_t ScenePicture::wanted() const {
 Result<void> ScenePicture::setSettings(const render::ProgramSettings& settings) {
     if (!settingsRefused_ && sameSettings(settings, job_.settings))
         return {};
-    settingsRefused_ = true; // until they are taken
+    settingsRefused_ = true; // until the session accepts them
     GLINT_CHECK(session_.setSettings(settings));
     settingsRefused_ = false;
     job_.settings = settings;

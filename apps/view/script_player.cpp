@@ -15,7 +15,7 @@ InputEvent keyEvent(const KeyStroke& stroke, bool down) {
     event.kind = InputKind::Key;
     event.key = stroke.key;
     event.down = down;
-    if (down) // with the key the modifiers are let go
+    if (down) // modifiers are released with the key
         event.modifiers = stroke.modifiers;
     return event;
 }
@@ -56,7 +56,7 @@ void ScriptPlayer::start(const ScriptStep& step, const ScriptTarget& target) {
     case Kind::Key: frames_ = {{keyEvent(step.stroke, true)}, {keyEvent(step.stroke, false)}}; break;
     case Kind::Press: frames_ = {{keyEvent(step.stroke, true)}}; break;
     case Kind::Release: frames_ = {{keyEvent(step.stroke, false)}}; break;
-    case Kind::Type: frames_ = {{}, {}, textEvents(step.text), {}}; break; // a field takes two frames to listen
+    case Kind::Type: frames_ = {{}, {}, textEvents(step.text), {}}; break; // a field needs two frames to focus
     case Kind::Move: frames_ = {{moveEvent(n[0], n[1])}, {}}; break;
     case Kind::Click: // a panel detects the mouse one frame before the button press
         frames_ = {{moveEvent(n[0], n[1])}, {}, {buttonEvent(0, true)}, {buttonEvent(0, false)}, {}};

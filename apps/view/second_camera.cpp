@@ -8,13 +8,13 @@
 namespace glint::view {
 namespace {
 
-constexpr float kRight = -0.7f, kUp = -0.3f; ///< radians about what is looked at, from the asking camera's place
-constexpr float kBack = 1.3f;                ///< times the asking camera's distance, or the ray's length
-constexpr uint32_t kPlaces = 12;             ///< tried, across and down the picture
-constexpr uint32_t kShares = 5;              ///< and on the way to what is seen there
+constexpr float kRight = -0.7f, kUp = -0.3f; ///< radians about the target, from the inspecting camera
+constexpr float kBack = 1.3f;                ///< times the inspecting camera's distance, or the ray's length
+constexpr uint32_t kPlaces = 12;             ///< candidate pixels per image axis
+constexpr uint32_t kShares = 5;              ///< candidates on the way to each pixel's surface
 constexpr float kTolerance = 0.01f;          ///< of the depth: rays start and end on surfaces
 
-/// How much of the way between two points the asking camera sees to be free, (0, 1].
+/// Returns the share of the line between two points that the inspecting camera sees unoccluded, (0, 1].
 float openShare(const render::View& asked, std::span<const float> depth, const glm::vec3& a, const glm::vec3& b) {
     constexpr int kSteps = 16;
     int open = 1;
@@ -42,7 +42,7 @@ void SecondCamera::lookAt(const RayInspection& ray, const render::View& asked, s
                           const scene::Camera& asking) {
     const auto vec = [](const Float3& v) { return glm::vec3(v[0], v[1], v[2]); };
     const glm::vec3 start = vec(ray.positionWS);
-    // Without a ray what is looked at is the way to the pixel itself.
+    // Without a ray, show the line from the pixel's surface to the camera.
     const glm::vec3 line = ray.traced ? vec(ray.end.positionWS) - start : asked.positionWS() - start;
     const glm::vec3 middle = start + line * 0.5f;
     const float length = std::max(glm::length(line), 1e-3f);
@@ -53,7 +53,7 @@ void SecondCamera::lookAt(const RayInspection& ray, const render::View& asked, s
         const glm::uvec2 px = (cell * 2u + 1u) * glm::uvec2(asked.width, asked.height) / (2 * kPlaces);
         const float open = std::min(askedDepth[px.y * asked.width + px.x], 4 * length);
         const uint32_t step = i / (kPlaces * kPlaces);
-        const float share = static_cast<float>(step) / kShares; // the first: from the eye itself
+        const float share = static_cast<float>(step) / kShares; // 0: at the inspecting camera
         const glm::vec3 place = pointAt(asked, glm::vec2(px) + 0.5f, std::max(open * share * 0.9f, 1e-3f));
         const glm::vec3 sight = middle - place;
         const float far = std::max(glm::length(sight), 1e-3f);
@@ -62,7 +62,7 @@ void SecondCamera::lookAt(const RayInspection& ray, const render::View& asked, s
         float worth = across * fits;
         if (worth <= best)
             continue;
-        for (const glm::vec3& end : {start, start + line}) // both in the picture
+        for (const glm::vec3& end : {start, start + line}) // prefer both in view
             if (glm::dot(glm::normalize(end - place), sight / far) < std::cos(asking.fovY * 0.45f))
                 worth *= 0.25f;
         for (const float at : {0.05f, 0.3f, 0.6f, 0.95f})

@@ -1,4 +1,4 @@
-// The asked ray in the world, seen by a second camera: a pane that turns by hand as the window does.
+// The inspected ray in the world, seen by a second camera: a pane with the window's own mouse controls.
 #include "gui_renderer.hpp"
 #include "inspect_overlay.hpp"
 #include "panels.hpp"
@@ -14,9 +14,9 @@ namespace glint::view {
 namespace {
 
 constexpr float kTurn = 3;       ///< radians for a drag over the pane's height
-constexpr float kNear = 0.01f;   ///< metres along the view axis: what is nearer is not drawn
-constexpr float kPiece = 5;      ///< pixels of a line that are hidden or not together
-constexpr int kMostPieces = 512; ///< of a line
+constexpr float kNear = 0.01f;   ///< metres along the view axis; nearer parts are not drawn
+constexpr float kPiece = 5;      ///< pixels of a line per occlusion test
+constexpr int kMostPieces = 512; ///< per line
 constexpr ImU32 kBlack = IM_COL32(0, 0, 0, 170);
 
 ImU32 color(std::string_view decision) {
@@ -24,7 +24,7 @@ ImU32 color(std::string_view decision) {
     return IM_COL32(static_cast<int>(c[0] * 255), static_cast<int>(c[1] * 255), static_cast<int>(c[2] * 255), 255);
 }
 
-/// What lies behind a surface is faint and, as a line, dashed.
+/// For marks behind a surface; such lines are also dashed.
 ImU32 faint(ImU32 color) {
     return (color & ~IM_COL32_A_MASK) | (IM_COL32(0, 0, 0, 110) & IM_COL32_A_MASK);
 }
@@ -108,7 +108,7 @@ private:
     ImDrawList& list_;
 };
 
-/// As the window's own mouse (InputHandler).
+/// The same mouse controls as in the window (InputHandler).
 void move(SecondCamera& second, float height) {
     OrbitCamera& camera = second.camera;
     const ImGuiIO& io = ImGui::GetIO();

@@ -1,4 +1,4 @@
-// One setting as something to click: made from its row in the table.
+// The control for one setting, created from its row in the table.
 #include "panels.hpp"
 
 #include <imgui.h>
@@ -30,7 +30,7 @@ void tooltip(const ViewerState& state, const SettingInfo& info) {
     ImGui::EndTooltip();
 }
 
-/// Ranges over several powers of ten move by factors; 0, if it belongs to them, is their end.
+/// Wide ranges are logarithmic, with 0 as the lower end if it is included.
 ImGuiSliderFlags sliderFlags(const SettingInfo& info) {
     const bool wide = info.range.min >= 0 && info.range.max > 100 * std::max(info.range.min, 1.0);
     return ImGuiSliderFlags_NoRoundToFormat | (wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
@@ -48,13 +48,13 @@ void slider(ViewerState& state, const SettingInfo& info) {
         next = number;
     } else {
         float number = static_cast<float>(value);
-        // A text of its own, as the settings' files have it: no digit more or less.
+        // The text as in settings files, with exactly the digits needed.
         const std::string text =
             settingText(info, value) + (info.unit == "m" || info.unit == "px" ? " " + info.unit : "");
         edited = ImGui::SliderFloat("##value", &number, static_cast<float>(info.range.min),
                                     static_cast<float>(std::min(info.range.max, 1e6)), text.c_str(), sliderFlags(info));
         next = static_cast<double>(number);
-        if (edited && !ImGui::GetIO().WantTextInput) { // three digits are enough for a hand
+        if (edited && !ImGui::GetIO().WantTextInput) { // a drag sets three digits
             const double unit = next == 0 ? 1 : std::pow(10, std::floor(std::log10(std::abs(next))) - 2);
             next = std::round(next / unit) * unit;
         }

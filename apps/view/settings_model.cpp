@@ -15,7 +15,7 @@ bool isIn(std::span<const SettingInfo> table, const SettingInfo& info) {
     return !table.empty() && &info >= table.data() && &info < table.data() + table.size();
 }
 
-/// Into the setting's range, and off its open ends by as little as a float can tell.
+/// Clamps to the setting's range; at an open end to the nearest float inside.
 double clamped(const SettingInfo& info, double value) {
     if (info.type == SettingType::Boolean)
         return value != 0 ? 1 : 0;
@@ -40,7 +40,7 @@ bool contains(std::string_view text, std::string_view part) {
     return !std::ranges::search(text, part, {}, lower, lower).empty();
 }
 
-/// How well one setting answers; none: not at all.
+/// Returns how well a setting matches `text`; no value if it does not.
 std::optional<int> answer(const SettingInfo& info, std::string_view text) {
     std::optional<int> best = fuzzyScore(text, info.key);
     for (const SettingAlias& alias : info.aliases)

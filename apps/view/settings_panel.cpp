@@ -1,4 +1,4 @@
-// All settings, made from the one table: groups, a search, presets, files.
+// All settings from the table: groups, search, presets, files.
 #include "panels.hpp"
 
 #include <imgui.h>
@@ -51,7 +51,7 @@ void history(ViewerState& state) {
 }
 
 void groups(ViewerState& state, float width) {
-    std::string open; // the group of the row before
+    std::string open; // the previous row's group
     bool shown = false;
     for (const SettingInfo* info : state.settings.search({})) {
         const std::string group = info->key.substr(0, info->key.rfind('.'));

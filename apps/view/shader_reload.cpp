@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kLongestShader = 1 << 20; ///< bytes of a source file
-constexpr int kErrorLines = 4;             ///< of the compiler's, in a message
+constexpr int kErrorLines = 4;             ///< compiler lines in a message
 
 /// The shaders that can be replaced, by name.
 std::vector<std::string_view> knownShaders() {
@@ -61,7 +61,7 @@ Result<ShaderReload> ShaderReload::create(const std::string& folder) {
     if (!isShaderFolder(folder))
         return invalidArgument("{}: no folder of Glint's shaders: it must hold {}", printable(folder),
                                gpu::shaderFile(gpu::shaders::view().front().name));
-    ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // as it stands before a name
+    ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // without trailing slashes
     GLINT_CHECK(reload.readVariants());
     reload.seen_ = reload.stamps();
     return reload;
@@ -71,7 +71,7 @@ std::map<std::string, ShaderReload::Stamp> ShaderReload::stamps() const {
     std::map<std::string, Stamp> found;
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
-        std::error_code gone; // an editor may just have taken the file away
+        std::error_code gone; // an editor may have just removed the file
         const Stamp stamp = {fs::last_write_time(it->path(), gone), gone ? 0 : fs::file_size(it->path(), gone)};
         if (!gone)
             found[fs::relative(it->path(), folder_, gone).generic_string()] = stamp;
@@ -84,7 +84,7 @@ Result<gpu::ShaderVariants> ShaderReload::readVariants() const {
     return gpu::parseShaderVariants(text);
 }
 
-/// A shader's file and all that it includes, by path in the folder.
+/// Returns a shader's file and all included files, by path in the folder.
 std::set<std::string> ShaderReload::filesOf(const gpu::ShaderSource& source) const {
     std::set<std::string> known = {source.file};
     std::vector<std::string> open = {source.file};
@@ -117,12 +117,12 @@ bool ShaderReload::look() {
     seen_ = std::move(now);
     if (changed.empty())
         return false;
-    if (changed.contains(gpu::kShaderVariantsFile)) { // rare: no need to tell which lines
+    if (changed.contains(gpu::kShaderVariantsFile)) { // rare, so recompile all
         markAll();
         return true;
     }
     const auto variants = readVariants();
-    if (!variants) // every shader waits already, and compile() says why
+    if (!variants) // every shader is already marked; compile() reports the error
         return false;
     bool any = false;
     for (const std::string_view name : knownShaders()) {
@@ -140,7 +140,7 @@ void ShaderReload::markAll() {
         waiting_.insert(std::string(name));
 }
 
-/// As cmake/GlintShaders.cmake does it.
+/// Compiles as cmake/GlintShaders.cmake does.
 Result<gpu::ReflectedShader> ShaderReload::compileOne(const std::string& name, const gpu::ShaderSource& source) const {
     const std::string file = gpu::shaderFile(name);
     std::vector<std::string> command = {"glslc", "--target-env=vulkan1.3", "--target-spv=spv1.5", "-std=460",

@@ -6,7 +6,7 @@
 namespace glint::view {
 namespace {
 
-/// To six digits, as many as a float holds: 20 comes back as 20 after a step down and a step up, not as 19.999998.
+/// Rounds to six digits, a float's precision: a step down and up returns 20 to 20, not to 19.999998.
 double rounded(double value) {
     if (value == 0)
         return 0;
@@ -29,9 +29,9 @@ std::optional<std::string> pressSsrKey(char digit, SettingsModel& model) {
         const bool more = digit == key.more;
         const double now = model.value(info);
         double next = now;
-        if (key.step > 0) // on a grid of steps: ten times 0.1 are 1
+        if (key.step > 0) // on a grid of steps: ten times 0.1 is 1
             next = std::round((now + (more ? key.step : -key.step)) / key.step * 1e6) / 1e6 * key.step;
-        else // what has reached zero must find back
+        else // a value at 0 must be able to grow again
             next = rounded(std::max(now, key.min) * (more ? key.factor : 1 / key.factor));
         model.set(info, std::clamp(next, key.min, key.max));
         return fmt::format("{} {}{}{}", key.name, settingText(info, model.value(info)), info.unit.empty() ? "" : " ",

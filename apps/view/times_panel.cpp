@@ -9,7 +9,7 @@
 namespace glint::view {
 namespace {
 
-/// A colour a pass, far from its neighbours': hues go round by the golden ratio.
+/// A colour per pass, far from its neighbours': hues step by the golden ratio.
 ImU32 passColor(size_t index) {
     const float hue = std::fmod(static_cast<float>(index) * 0.618034f, 1.0f);
     float r = 0, g = 0, b = 0;

@@ -1,4 +1,4 @@
-// The bar along the top: which views, what beside, which camera, what moment; and what was said last.
+// The bar along the top: views, second picture, camera, time; and the last message.
 #include "panels.hpp"
 #include "render/views.hpp"
 
@@ -9,7 +9,7 @@
 namespace glint::view {
 namespace {
 
-/// Names stand before what they name, as in a sentence.
+/// Draws a label to the left of its control.
 void label(const char* text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(text);

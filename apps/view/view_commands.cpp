@@ -10,7 +10,7 @@
 namespace glint::view {
 namespace {
 
-/// "glint-3.png": the first name of this kind that is not there yet.
+/// "glint-3.png": the first such name without a file.
 std::string freeName(const std::string& ending) {
     std::error_code ignored;
     for (int i = 1;; ++i)

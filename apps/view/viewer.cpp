@@ -33,8 +33,8 @@
 namespace glint::view {
 namespace {
 
-constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, unless specified
-constexpr double kScriptFrame = 1.0 / 60;        ///< seconds of a frame in a script, whatever its real time
+constexpr uint32_t kWidth = 1280, kHeight = 720; ///< pixels, by default
+constexpr double kScriptFrame = 1.0 / 60;        ///< seconds per frame in a script, independent of real time
 constexpr uint32_t kMostSurfacesLost = 10;       ///< in a row
 constexpr double kIdle = 0.1;                    ///< seconds to sleep while nothing happens
 
@@ -86,7 +86,7 @@ private:
     ViewOptions options_;
     render::RenderJob job_;
     ViewerState state_;
-    // In the order in which they need each other.
+    // In the order of their dependencies.
     LiveShaders shaders_;
     std::unique_ptr<Window> window_;
     std::unique_ptr<gpu::Context> context_;
@@ -168,7 +168,7 @@ Result<void> Viewer::openScene(const render::RenderJob& job) {
     state_.asked.reset();
     state_.ray.reset();
     state_.second.placed = false;
-    state_.showSettings = job.width >= 640; // in a smaller window it would be all that is seen
+    state_.showSettings = job.width >= 640; // it would cover a smaller window
     handler_.setScale(size);
     window_->setTitle("Glint: " + printable(job.scene));
     return {};
@@ -192,7 +192,7 @@ std::vector<InputEvent> Viewer::input() {
                        step.text);
         },
     };
-    // A script is alone with the window: where the mouse of this machine is must not matter.
+    // A script's result must not depend on the machine's real mouse.
     std::erase_if(events, [](const InputEvent& event) { return event.kind == InputKind::Move; });
     for (InputEvent& event : script_.frame(target, pictures_->complete(), !state_.requests.empty()))
         events.push_back(std::move(event));
@@ -203,7 +203,7 @@ void Viewer::advanceTime(double step) {
     Animation& animation = state_.animation;
     if (animation.playing && animation.length > 0)
         animation.seconds = std::fmod(animation.seconds + step, animation.length);
-    if (state_.cameraIndex >= 0 && !state_.camera.moved()) { // a scene's camera may move by itself
+    if (state_.cameraIndex >= 0 && !state_.camera.moved()) { // a scene's camera may be animated
         const auto& cameras = pictures_->picture().session().inputs().pose.cameras;
         if (static_cast<size_t>(state_.cameraIndex) < cameras.size())
             state_.camera.follow(cameras[static_cast<size_t>(state_.cameraIndex)]);
@@ -224,7 +224,7 @@ Result<void> Viewer::run() {
         if (closeIsAllThatIsAsked()) // no further frame is needed
             break;
         advanceTime(step);
-        if (!scripted_) // a script says itself when
+        if (!scripted_) // a script requests reloads itself
             shaders_.look(state_);
         if (capturing_)
             capturing_->start();
@@ -253,12 +253,12 @@ bool Viewer::closeIsAllThatIsAsked() const {
     return state_.requests.size() == 1 && state_.requests.front().kind == Request::Kind::Close;
 }
 
-/// Draws the picture to the left of the line, and the picture beside to its right.
+/// Draws the picture to the left of the dividing line, the second picture to its right.
 void Viewer::drawPictures() {
     const ImVec2 size = ImGui::GetIO().DisplaySize;
     const Canvas canvas = makeCanvas(state_.zoom, window_->size());
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    // As soon as the window shows a pixel as more than one of its own, pixels are squares.
+    // Magnified pixels are drawn as squares (nearest filter).
     const bool squares =
         size.x / (canvas.highUV.x - canvas.lowUV.x) > static_cast<float>(state_.width) + 0.5f && state_.zoom.factor > 1;
     const auto show = [&](uint32_t picture, float left, float right) {
@@ -298,7 +298,7 @@ Result<void> Viewer::present() {
         surfacesLost_ = 0;
     if (presented != gpu::Presented::SurfaceLost)
         return {};
-    (void)window_->size(); // asks the window system, which may say why
+    (void)window_->size(); // queries the window system, which may report the cause
     GLINT_CHECK(checkWindow());
     if (++surfacesLost_ > kMostSurfacesLost)
         return makeError(ErrorCode::Io, "the window system takes the window's surface away again and again");
@@ -354,14 +354,14 @@ Result<void> Viewer::serveRequests() {
     for (const Request& request : std::exchange(state_.requests, {})) {
         const bool whole = request.kind == Request::Kind::Picture || request.kind == Request::Kind::Save;
         const bool writes = whole || request.kind == Request::Kind::Screenshot || request.kind == Request::Kind::Stats;
-        if (whole && !pictures_->complete()) { // not of a coarse picture that is just being moved
+        if (whole && !pictures_->complete()) { // not of a coarse picture in motion
             later.push_back(request);
             continue;
         }
         if (auto served = serve(request); !served) {
             if (served.error().code == ErrorCode::DeviceLost)
                 return served;
-            if (scripted_ && writes) // whoever plays a script wants the files, and reads no messages
+            if (scripted_ && writes) // a script's user needs the files and reads no messages
                 return makeError(ErrorCode::Io, "{}: {}", printable(options_.script), served.error().message);
             state_.say(served.error().message, true);
         }
@@ -421,7 +421,7 @@ Result<void> Viewer::screenshot(const std::string& path) {
     return {};
 }
 
-/// By the same functions as `glint render`: the same bytes.
+/// Uses the functions of `glint render`, so the bytes are the same.
 Result<void> Viewer::savePicture(const std::string& path) {
     GLINT_TRY(kind, cli::pictureKind(path));
     ScenePicture& picture = pictures_->picture();
@@ -444,8 +444,8 @@ Result<void> Viewer::saveSettings(const std::string& path) {
     GLINT_CHECK(state_.settings.save(path));
     const std::string camera = std::filesystem::path(path).replace_extension(".camera.json").string();
     GLINT_CHECK(writeFile(camera, state_.camera.json(state_.width, state_.height)));
-    GLINT_TRY(read, scene::readCameraFile(camera)); // of a scene's camera that was not moved a copy without its roll
-    if (state_.camera.moved()) // from here on exactly what the file says, whose numbers are rounded
+    GLINT_TRY(read, scene::readCameraFile(camera)); // an unmoved scene camera loses its roll
+    if (state_.camera.moved())                      // continue from the file's rounded numbers
         state_.camera.settle(read);
     savedCamera_ = {camera, read};
     state_.say(fmt::format("settings {}, camera {}", path, camera));
@@ -485,7 +485,7 @@ Result<void> Viewer::remakePipelines() {
     return {};
 }
 
-/// From the next frame's first pass to its last, the scene's among them.
+/// Captures all passes of the next frame, including the scene's.
 Result<void> Viewer::startCapture() {
     capturing_ = RenderDoc::find();
     if (!capturing_)
@@ -503,12 +503,12 @@ void Viewer::endCapture() {
     capturing_.reset();
 }
 
-/// A file's probes fit one scene in one lighting; others can be found or baked.
+/// Returns the probes option for another scene or lighting: a file of probes fits only its own.
 std::string Viewer::probesElsewhere() const {
     return job_.probes == "auto" ? job_.probes : std::string();
 }
 
-/// As `glint render` with the same options does it, but for files that belong to the scene before.
+/// As `glint render` with the same options, without files that belong to the previous scene.
 Result<void> Viewer::openOtherScene(const std::string& path) {
     cli::RenderOptions options = options_.scene;
     options.scene = path;
@@ -526,7 +526,7 @@ Result<void> Viewer::openOtherScene(const std::string& path) {
     return {};
 }
 
-/// The same scene in another light.
+/// Opens the same scene with another environment.
 Result<void> Viewer::openEnvironment(const std::string& path) {
     render::RenderJob job = job_;
     job.settings = state_.settings.settings();

@@ -17,7 +17,7 @@
 
 namespace glint::view {
 
-/// What is shown beside the picture, to the right of a line that can be dragged.
+/// The content to the right of the dividing line, which can be dragged.
 enum class Beside { Nothing, View, Settings };
 
 /// Shown instead of the picture: its difference from the one beside it.

@@ -4,7 +4,7 @@
 #include "lost_window.hpp"
 
 #include <vulkan/vulkan.h>
-// After Vulkan's header: GLFW declares its own Vulkan functions only then.
+// After Vulkan's header, so that GLFW declares its Vulkan functions.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -32,7 +32,7 @@ void onKey(GLFWwindow* window, int key, int, int action, int mods) {
     event.down = action != GLFW_RELEASE;
     event.repeated = action == GLFW_REPEAT;
     event.modifiers = modifiers(mods);
-    // Some systems count a modifier's own key among the modifiers that were held, some do not.
+    // Systems differ in whether a modifier key's own event includes that modifier.
     if (key == GLFW_KEY_LEFT_CONTROL || key == GLFW_KEY_RIGHT_CONTROL)
         event.modifiers.control = event.down;
     else if (key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT)
@@ -155,7 +155,7 @@ glm::uvec2 Window::size() const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     const bool hidden = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-    if (hidden || lost()) // of a lost one the size is anything
+    if (hidden || lost()) // a lost window's size is undefined
         return glm::uvec2(0);
     return glm::uvec2(std::max(width, 0), std::max(height, 0));
 }

@@ -57,7 +57,7 @@ void FrameStages::clear(gpu::Frame& frame) {
         tablesMade_.recorded(stages_.progress);
 }
 
-/// Initializes what the last frame did not need, so that it can be shown.
+/// Initializes images that the last frame did not need, so that views can show them.
 void FrameStages::bringUpToDate(gpu::Frame& frame) {
     if (ranPasses_ || !upToDate_.isNeeded(stages_.progress))
         return;
@@ -119,7 +119,7 @@ gpu::Image& FrameStages::recordLayer(VkCommandBuffer commands, const Transparent
         lend(layer_.*image.borrowed, layer.*image.host, image.name);
     gpu::Frame frame = gpu::Frame::more(stages_.gpu, commands, timers_.get());
     gpu::Image& composite = colors_.now(kComposite);
-    frame.find(composite, layout); // the host may have drawn over it since
+    frame.find(composite, layout); // the host may have drawn over it
     recordLayer(frame, layer_);
     frame.hand(composite, kHandedOut);
     for (const LayerImage& image : kLayerImages)
@@ -164,7 +164,7 @@ void FrameStages::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_
     stages_.progress.end(frame);
 }
 
-// ---------------------------------------------------------------- what the stages read of each other
+// ---------------------------------------------------------------- outputs that other stages read
 
 bool FrameStages::wantsHistory() const {
     const ScreenSettings& screen = stages_.settings().screen;
@@ -191,7 +191,7 @@ InspectorInputs FrameStages::inspectorInputs() {
             *hierarchy_,   rayRecord(),      ranPasses_ ? colors_.now(kComposite) : host_.images.litRadiance};
 }
 
-// ---------------------------------------------------------------- what is known of it
+// ---------------------------------------------------------------- results
 
 std::vector<gpu::PassTime> FrameStages::passTimes() const {
     return ranPasses_ && timers_ ? timers_->latest() : std::vector<gpu::PassTime>();

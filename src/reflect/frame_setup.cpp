@@ -1,9 +1,9 @@
-// FrameStages: its sources, what the host states, and creation.
+// FrameStages: its sources, the host's inputs, and creation.
 #include "reflect/frame.hpp"
 
 namespace glint::reflect {
 
-/// More than any frame has; a longer list is cut.
+/// More than any frame writes; gpu::Frame drops further entries.
 constexpr size_t kMaxWritten = 256;
 
 // ---------------------------------------------------------------- the table of sources
@@ -36,7 +36,7 @@ std::vector<Source> FrameStages::makeSources() {
     return sources;
 }
 
-// ---------------------------------------------------------------- what the host states
+// ---------------------------------------------------------------- the host's inputs
 
 Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(trace_->make(settings));
@@ -85,7 +85,7 @@ Result<void> FrameStages::setRays(rays::Scene& scene, ShadeHits shade) {
     return giveScene();
 }
 
-/// Makes the pipeline of the host's scene as soon as both are there, and rehearses it.
+/// Creates and rehearses the pipeline for the host's scene once source and scene exist.
 Result<void> FrameStages::giveScene() {
     if (!raysSource_ || !rayScene_)
         return {};
@@ -179,7 +179,7 @@ Result<void> FrameStages::createColors() {
     return colors_.make(images, false);
 }
 
-/// Every pass of the stages, without a command buffer: names, kinds and sizes are right, or creation fails.
+/// Runs every pass without a command buffer: creation fails if a binding's name, kind or size is wrong.
 Result<void> FrameStages::rehearse() {
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
     clear(frame);

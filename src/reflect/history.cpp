@@ -57,7 +57,7 @@ bool History::begin(gpu::Frame& frame, bool wanted) {
         turn_ ^= 1;
     else if (wanted && !valid())
         blank_.ask();                        // the content belongs to other frames
-    if (blank_.isNeeded(stages_.progress)) { // what takes turns and is not cleared here is written by this frame
+    if (blank_.isNeeded(stages_.progress)) { // not `now` of ping-pong images: this frame writes it
         for (size_t i = 0; i < images_.size(); ++i)
             frame.clear(before(i), {});
         blank_.recorded(stages_.progress);

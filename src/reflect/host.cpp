@@ -27,7 +27,7 @@ constexpr std::array<InputImage, 8> kInputImages = {{
 void Host::set(const GBuffer& stated, const EnvironmentMap& around) {
     gbuffer = stated;
     environment = around;
-    images = {}; // new images may bear handles of old ones
+    images = {}; // new images may reuse handles of old ones
     lend();
     set_ = true;
 }

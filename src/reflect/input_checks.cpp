@@ -12,7 +12,7 @@
 namespace glint::reflect {
 namespace {
 
-/// Shaders read these as whole numbers, so as images of floats they are undefined.
+/// Integer formats: reading them through a float sampler is undefined.
 bool isInteger(VkFormat format) {
     switch (format) {
     case VK_FORMAT_R8_UINT:
@@ -72,7 +72,7 @@ Result<void> checkGBufferImage(const gpu::Context& context, const HostImage& ima
     return checkImage(context, image, fmt::format("the G-buffer's `{}`", name), role);
 }
 
-/// Images of surfaces keep all of a host's samples, and all of them as many; images of light have their mean.
+/// Images of surfaces may be multisampled, all with the same count; images of radiance must be resolved.
 Result<void> checkSamples(const HostImage& image, const char* name, uint32_t wanted) {
     if (image && image.samples != wanted)
         return invalidArgument(
@@ -82,7 +82,7 @@ Result<void> checkSamples(const HostImage& image, const char* name, uint32_t wan
     return {};
 }
 
-/// What describes surfaces: depth, normal and whatever the kind of material asks for.
+/// Checks the images of surfaces: depth, normal and those that the material kind requires.
 Result<void> checkSurface(const gpu::Context& context, const GBuffer& gbuffer, const ReflectionsDesc& desc) {
     const Conventions& conventions = gbuffer.conventions;
     GLINT_CHECK(checkGBufferImage(context, gbuffer.depth, "depth", desc, ImageRole::Depth));
@@ -104,7 +104,7 @@ Result<void> checkSurface(const gpu::Context& context, const GBuffer& gbuffer, c
     return {};
 }
 
-/// Back faces may have a size of their own.
+/// `backDepth` may have its own size.
 Result<void> checkBackDepth(const gpu::Context& context, const HostImage& image) {
     if (!image)
         return {};
@@ -130,7 +130,7 @@ bool isFinite(const Matrix4& matrix) {
     return std::ranges::all_of(matrix, [](float value) { return std::isfinite(value); });
 }
 
-/// |det| over the product of the columns' lengths: 1 for a rotation, whatever its scale, and 0 without an inverse.
+/// Returns |det| / product of the column lengths: 1 for a scaled rotation, 0 for a singular matrix.
 template <class Matrix>
 double volume(const Matrix& matrix) {
     double lengths = 1;
@@ -185,8 +185,7 @@ Result<void> checkCube(const gpu::Context& context, const HostImage& cube, uint3
 }
 
 Result<void> checkView(const View& view) {
-    constexpr double kFlat =
-        1e-9; // an off-centre projection stays above; float's own rounding makes less of a flat one
+    constexpr double kFlat = 1e-9; // off-centre projections are above; singular ones, with float rounding, below
     if (!isFinite(view.worldToView) || !isFinite(view.viewToClip))
         return invalidArgument("View::{} has a number that is not finite",
                                isFinite(view.worldToView) ? "viewToClip" : "worldToView");

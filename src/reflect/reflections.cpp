@@ -32,7 +32,7 @@ struct Reflections::State : gpu::KeepsContext {
     void refuse(const Error& why);
 };
 
-/// What settings and inputs together leave undone.
+/// Notes which inputs the settings lack.
 void Reflections::State::note() {
     notes.clear();
     refused = false;
@@ -181,7 +181,7 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
                                          : "recordView without a command buffer");
     if (!ofPass)
         return handOut(frame.recordView(commands, static_cast<uint32_t>(found - reflect::kViewNames.begin())));
-    for (size_t i = frame.written().size(); i-- > 0;) // the last of its name
+    for (size_t i = frame.written().size(); i-- > 0;) // the last one with this name
         if (nameOf(frame.written()[i]) == name)
             return handOut(frame.recordWritten(commands, i));
     return invalidArgument("no pass of this frame wrote '{}'; there are {}", name, joinText(passImages(), ", "));

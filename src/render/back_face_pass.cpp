@@ -30,7 +30,7 @@ Result<BackFacePass> BackFacePass::create(gpu::Context& context, const GpuScene&
 void BackFacePass::draw(gpu::Frame& frame, gpu::Buffer& view, GpuScene& scene, bool transparents,
                         gpu::Image& backDepth) {
     const std::vector<GpuItem>& items = scene.items();
-    bool clear = true; // the first pass clears, though it may draw nothing
+    bool clear = true; // the first pass clears, even if it draws nothing
     const auto drawAll = [&](const gpu::Pipeline& pipeline, size_t topology, bool masked) {
         const auto belongs = [&](const GpuItem& item) {
             const bool solid = item.surface == SurfaceClass::Opaque;

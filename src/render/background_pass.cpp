@@ -9,7 +9,7 @@ Result<BackgroundPass> BackgroundPass::create(gpu::Context& context, const GBuff
     desc.fragmentShader = "render/background.frag";
     desc.colorFormats = {kRadianceFormat};
     desc.depthFormat = kDepthFormat;
-    desc.depthCompare = VK_COMPARE_OP_EQUAL; // the triangle lies at 0, infinitely far
+    desc.depthCompare = VK_COMPARE_OP_EQUAL; // the triangle has depth 0, infinitely far
     desc.depthWrite = false;
     desc.samples = options.samples;
     GLINT_TRY(radiance, gpu::Pipeline::raster(context, desc));

@@ -7,11 +7,10 @@
 namespace glint::render {
 namespace {
 
-/// The radius of a ball is half its thickness. An object with less than a fifth of that curvature is a plate, however
-/// it is bent.
+/// A ball's radius is half its thickness. An object with less than a fifth of that curvature is a plate, even if bent.
 constexpr double kPlateFrom = 5;
 
-/// 1 / metres in the mesh's space: the turn of normals from corner to corner per length, mean over the area.
+/// 1 / metres in the mesh's space: difference of corner normals per length, area-weighted mean.
 double meanCurvature(const scene::Geometry& geometry) {
     double sum = 0, all = 0;
     const auto& indices = geometry.indices;

@@ -88,7 +88,7 @@ private:
         return {};
     }
 
-    // ------------------------------------------------------------ where
+    // ------------------------------------------------------------ places
 
     Result<void> takePlaces() {
         const scene::Bounds& all = renderer_.boundsWS();
@@ -167,7 +167,7 @@ private:
         return {};
     }
 
-    // ------------------------------------------------------------ pictures
+    // ------------------------------------------------------------ faces
 
     uint32_t pictureSize() const { return options_.faceSize * kSamples; }
 

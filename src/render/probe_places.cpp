@@ -126,7 +126,7 @@ private:
 
 Result<std::vector<ProbePlace>> parseProbePlaces(const std::string& text, const std::string& name) {
     Json root;
-    try { // the only code that handles exceptions: only they contain the position of the error
+    try { // exceptions, as only they contain the position of the error
         root = Json::parse(text);
     } catch (const Json::exception& exception) {
         const std::string_view what = exception.what();

@@ -15,7 +15,7 @@
 
 namespace glint::render {
 
-/// What a session does in one frame.
+/// The work of a session in one frame.
 struct FramePlan {
     bool draw = true;    ///< run the host's own passes; false: reuse the G-buffer of the previous frame
     bool reflect = true; ///< run the reflections

@@ -66,12 +66,12 @@ private:
     RenderJob job_;
     ViewParameters parameters_;
     std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<ProbeWorld> probeWorld_;    ///< absent unless the job asks for probes
+    std::unique_ptr<ProbeWorld> probeWorld_;    ///< absent unless the job requests probes
     std::unique_ptr<RayWorld> rayWorld_;        ///< absent until the settings enable rays
     std::unique_ptr<RayWorld> retiredRayWorld_; ///< the previous ray world, as long as Reflections may refer to it
     RayBackend rayBackend_ = RayBackend::Auto;
     std::vector<PlanarMirror> mirrors_;        ///< mirrors of the current pose, the best first
-    std::unique_ptr<MirrorWorld> mirrorWorld_; ///< absent unless the job asks for mirrors and the scene has some
+    std::unique_ptr<MirrorWorld> mirrorWorld_; ///< absent unless the job requests mirrors and the scene has some
 };
 
 } // namespace glint::render

@@ -84,14 +84,14 @@ Sky::Sky(float elevation, float azimuth, float turbidity) : turbidity_(turbidity
     dusk_ = std::exp(std::min(elevation, 0.0f) * 40);
     sunIrradiance_ = sunIrradiance(sunTheta_, turbidity_);
 
-    // A grey ground under sun and sky: the sky's irradiance is summed over the upper half.
+    // Grey ground lit by sun and sky; the sky's irradiance is integrated over the upper hemisphere.
     constexpr float kGroundAlbedo = 0.2f;
     glm::vec3 irradiance = elevation > 0 ? sunIrradiance_ * std::sin(elevation) : glm::vec3(0);
     constexpr int kRows = 16;
     constexpr int kColumns = 32;
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {
-            const float cosTheta = std::sqrt((static_cast<float>(row) + 0.5f) / kRows); // equal parts of cos * dw
+            const float cosTheta = std::sqrt((static_cast<float>(row) + 0.5f) / kRows); // strata of equal cos * dw
             const float sinTheta = std::sqrt(1 - cosTheta * cosTheta);
             const float phi = 2 * kPi * (static_cast<float>(column) + 0.5f) / kColumns;
             irradiance += skyRadiance({sinTheta * std::cos(phi), cosTheta, sinTheta * std::sin(phi)}) *
@@ -135,7 +135,7 @@ scene::HdrImage Sky::picture(uint32_t width) const {
 
 std::optional<Sun> Sky::sun() const {
     Sun sun;
-    // The disc sets over its own height.
+    // The disc fades out over its own height as it sets.
     const float above = glm::smoothstep(-sun.angularRadius, sun.angularRadius, std::asin(directionToSun_.y));
     if (above == 0)
         return std::nullopt;

@@ -145,7 +145,7 @@ template <class MakePass>
 void SurfacePass::drawAll(gpu::Frame& frame, const GpuScene& scene, const SurfacePipelines& pipelines,
                           const MakePass& makePass) const {
     const std::vector<GpuItem>& items = scene.items();
-    bool first = true; // the first pass clears, though it may draw nothing
+    bool first = true; // the first pass clears, even if it draws nothing
     const auto drawSome = [&](const gpu::Pipeline& pipeline, SurfaceClass surface, scene::Topology topology) {
         const auto belongs = [&](const GpuItem& item) { return item.surface == surface && item.topology == topology; };
         if (!first && !frame.rehearsing() && std::none_of(items.begin(), items.end(), belongs))

@@ -10,7 +10,7 @@ VkCullModeFlags culled(const GpuItem& item) {
     return item.doubleSided && !item.isBody ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
 }
 
-/// `makePass(topology, first)`: returns a pass with its attachments; the first one clears them, though it may draw
+/// `makePass(topology, first)`: returns a pass with its attachments; the first one clears them, even if it draws
 /// nothing.
 template <class MakePass>
 void drawTransparent(gpu::Frame& frame, const GpuScene& scene, const MakePass& makePass) {

@@ -81,7 +81,7 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
             for (const uint32_t i : order_) {
                 if (!belongs(i))
                     continue;
-                if (items[i].doubleSided) // its far side first
+                if (items[i].doubleSided) // the far side first
                     drawItem(draws, items[i], i, VK_CULL_MODE_FRONT_BIT);
                 drawItem(draws, items[i], i, VK_CULL_MODE_BACK_BIT);
             }

@@ -49,7 +49,7 @@ constexpr std::array kViews = {
 
 constexpr ViewInfo kPassImage = {"PASS:IMAGE", ViewKind::Radiance, "RGBA", "an image that a pass of the frame wrote"};
 
-/// Blue, cyan, green, yellow, red for t in [0, 1]; 0 itself is black, so that "no ray" stands apart.
+/// Blue, cyan, green, yellow, red for t in (0, 1]; black for 0, which means no ray.
 glm::vec3 heat(float t) {
     if (t <= 0)
         return glm::vec3(0);

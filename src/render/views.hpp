@@ -29,7 +29,7 @@ struct ViewInfo {
 /// The first is "composite", the frame itself.
 std::span<const ViewInfo> viewList();
 
-/// A name with a colon is an image that a pass wrote, "trace/hiz:radianceWeight"; the frame knows whether there is one.
+/// A name with a colon is an image that a pass wrote, "trace/hiz:radianceWeight"; the frame checks that it exists.
 /// Errors: InvalidArgument with the nearest name and all names.
 Result<const ViewInfo*> findView(std::string_view name);
 

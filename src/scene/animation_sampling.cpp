@@ -8,7 +8,7 @@
 namespace glint::scene {
 namespace {
 
-/// The keys around a moment, and how far it is from the first to the second.
+/// The two keys around a time, and its position between them.
 struct Segment {
     size_t from = 0;
     size_t to = 0;

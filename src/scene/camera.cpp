@@ -19,13 +19,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A camera file in memory. Getters record the first mistake, as "view.json:3: fovY ...".
+/// A camera file in memory. Getters record the first error, as "view.json:3: fovY ...".
 class CameraFile {
 public:
     CameraFile(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {}
 
     Result<Camera> read() {
-        // The one place that meets exceptions: only they carry the position of the mistake.
+        // Exceptions, as only they contain the position of the error.
         try {
             root_ = Json::parse(text_);
         } catch (const Json::exception& exception) {
@@ -62,7 +62,7 @@ private:
         if (camera.width && camera.height)
             camera.aspectRatio = float(camera.width) / float(camera.height);
         camera.near = number("near", 1e-6f, 1e6f).value_or(camera.near);
-        // An orthographic picture needs an end; without one given it is far beyond anything in metres.
+        // An orthographic depth range must be finite; the default is 1 km.
         camera.far = number("far", 1e-6f, 1e9f).value_or(camera.orthographic ? 1000.0f : camera.far);
         if (!(camera.far > camera.near))
             fail("far", "must be larger than near");
@@ -137,7 +137,7 @@ glm::mat4 lookAt(const glm::vec3& position, const glm::vec3& target) {
     const glm::vec3 difference = position - target;
     const float length = glm::length(difference);
     const glm::vec3 backward = length > 0 ? difference / length : glm::vec3(0, 0, 1);
-    // Seen from straight above, north (-Z) is up.
+    // For a vertical view, -Z is up.
     const bool vertical = std::abs(backward.y) > 0.99999f;
     const glm::vec3 right = glm::normalize(glm::cross(vertical ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0), backward));
     const glm::vec3 up = glm::cross(backward, right);
@@ -149,7 +149,7 @@ Camera frameBounds(const Bounds& bounds, float aspectRatio) {
     if (box.empty())
         box = {glm::vec3(-0.5f), glm::vec3(0.5f)};
     constexpr float kAzimuth = glm::radians(30.0f);   // to the right of glTF's front, +Z
-    constexpr float kElevation = glm::radians(18.0f); // looking down a little
+    constexpr float kElevation = glm::radians(18.0f); // looks slightly down
     constexpr float kMargin = 1.05f;
     const glm::vec3 center = box.min + (box.max - box.min) * 0.5f;
     const glm::vec3 backward(std::sin(kAzimuth) * std::cos(kElevation), std::sin(kElevation),
@@ -162,7 +162,7 @@ Camera frameBounds(const Bounds& bounds, float aspectRatio) {
     const glm::mat3 axes(lookAt(backward, glm::vec3(0)));
     const float tanY = std::tan(camera.fovY / 2) / kMargin;
     const float tanX = tanY * aspectRatio;
-    // A corner at (x, y, z) in the camera's axes around the centre is inside where |x| <= tanX * (distance - z).
+    // A corner (x, y, z), in the camera's axes from the centre, is visible if |x| <= tanX * (distance - z).
     float distance = 0;
     float radius = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -177,7 +177,7 @@ Camera frameBounds(const Bounds& bounds, float aspectRatio) {
         distance = 3 * radius;
     }
     camera.viewToWorld = lookAt(center + backward * distance, center);
-    // Room to move closer, without giving away depth precision.
+    // Leaves room to move closer and keeps depth precision.
     camera.near = std::max((distance - radius) * 0.5f, radius * 1e-3f);
     return camera;
 }

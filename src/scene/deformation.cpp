@@ -9,13 +9,13 @@
 namespace glint::scene {
 namespace {
 
-/// Keeps `fallback` where `v` has no direction.
+/// Returns `fallback` if `v` cannot be normalized.
 glm::vec3 normalizedOr(const glm::vec3& v, const glm::vec3& fallback) {
     const float length = glm::length(v);
     return length > 0 && std::isfinite(length) ? v / length : fallback;
 }
 
-/// The transposed inverse times the determinant; unlike the inverse it exists for flattened shapes too.
+/// The transposed inverse times the determinant; also defined for singular matrices.
 glm::mat3 cofactors(const glm::mat3& m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
@@ -29,7 +29,7 @@ void makeTangentsFit(Geometry& geometry) {
     }
 }
 
-/// The weighted sum of a vertex's joint matrices. Weights are scaled to a sum of 1; exporters miss it by a little.
+/// The weighted sum of a vertex's joint matrices. Weights are normalized, as exporters round them.
 glm::mat4 blendJoints(const Primitive& primitive, std::span<const glm::mat4> skinToWorld, size_t vertex) {
     glm::mat4 sum(0);
     float total = 0;
@@ -42,7 +42,7 @@ glm::mat4 blendJoints(const Primitive& primitive, std::span<const glm::mat4> ski
             total += weight;
         }
     }
-    return total > 0 ? sum * (1 / total) : skinToWorld[0]; // no weights at all: carried by the first joint
+    return total > 0 ? sum * (1 / total) : skinToWorld[0]; // all weights 0: use the first joint
 }
 
 void turnTriangles(Geometry& geometry, const std::vector<bool>& mirrored) {

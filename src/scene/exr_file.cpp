@@ -20,8 +20,8 @@
 namespace glint::scene {
 namespace {
 
-/// Lets the library read from memory, so that a file is opened once and tests need none. It throws the library's own
-/// exceptions, which are the only ones that it cleans up after.
+/// Lets the library read from memory, so that a file is opened once and tests need no files. Throws the library's own
+/// exceptions, the only ones after which it cleans up.
 class MemoryStream : public Imf::IStream {
 public:
     MemoryStream(std::string_view bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
@@ -64,7 +64,7 @@ Result<std::string> findColor(const Imf::ChannelList& channels, std::string_view
     return invalidInput("{}: no R, G and B channels; it has {}", name, printable(joinText(names, ", "), 200));
 }
 
-/// Looks at the header alone, before the library allocates for what it claims.
+/// Checks the header before the library allocates memory for it.
 Result<void> checkHeader(std::string_view bytes, const std::string& name, uint64_t maxPixels) {
     MemoryStream stream(bytes, name);
     char start[8]; // magic number, version and flags
@@ -81,7 +81,7 @@ Result<void> checkHeader(std::string_view bytes, const std::string& name, uint64
     if (width > kMaxImageSide || height > kMaxImageSide || uint64_t(width * height) > maxPixels)
         return invalidInput("{}: {} x {} pixels are too many, at most {} a side and {} in all are read", name, width,
                             height, kMaxImageSide, maxPixels);
-    constexpr int kMaxChannels = 256; // many layers are fine; a row's buffer grows with them
+    constexpr int kMaxChannels = 256; // limits a row's buffer; enough for many layers
     int channels = 0;
     for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
         ++channels;
@@ -116,14 +116,13 @@ Result<HdrImage> readPixels(std::string_view bytes, const std::string& name) {
     return image;
 }
 
-/// What the library says, without the names and quotes that it puts before it.
 Error exrError(ErrorCode code, const std::string& name, const std::exception& exception) {
     return makeError(code, "{}: OpenEXR: {}", name, printable(exception.what(), 200));
 }
 
 // ---------------------------------------------------------------- writing
 
-/// One channel of the file, as rows of its own.
+/// One channel of the file, stored separately.
 struct Plane {
     std::string name;
     std::vector<half> halves;

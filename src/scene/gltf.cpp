@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A whole regular file. `label` is how messages call it.
+/// Reads a whole regular file. `label` is its name in messages.
 Result<std::vector<uint8_t>> readFile(const fs::path& path, const std::string& label, uint64_t maxBytes) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -41,7 +41,7 @@ Result<std::vector<uint8_t>> readFile(const fs::path& path, const std::string& l
     return bytes;
 }
 
-/// The parts in the order in which they need each other.
+/// Reads the parts in the order of their dependencies.
 void readParts(gltf::Document& document, Scene& scene) {
     using Part = void (*)(gltf::Document&, Scene&);
     constexpr Part kParts[] = {gltf::readTextures, gltf::readMaterials, gltf::readCameras,   gltf::readLights,
@@ -77,7 +77,7 @@ Result<Scene> readDocument(std::span<const uint8_t> bytes, const std::string& na
 
 Result<Scene> readGltfMemory(std::span<const uint8_t> bytes, const std::string& name, const UriResolver& resolve,
                              const GltfLimits& limits) {
-    // The standard library and Draco throw when memory ends; nothing else here does.
+    // Only the standard library and Draco throw here, when memory runs out.
     try {
         return readDocument(bytes, name, resolve, limits);
     } catch (const std::bad_alloc&) {

@@ -4,7 +4,7 @@
 
 #include <webp/decode.h>
 
-// The one place where stb_image's functions live.
+// stb_image is compiled only here.
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
@@ -64,9 +64,9 @@ Result<Size> readSize(std::span<const uint8_t> bytes, Format format, const std::
     return size;
 }
 
-/// Most pixels that honest files put into one byte: deflate repeats a byte at most 1032 times; a JPEG block of 64
-/// pixels takes a bit or more in its first scan. A larger claim is refused before the decoder allocates for it. WebP
-/// codes a picture of one colour in no bits at all: there only the limit on pixels holds.
+/// Returns the most pixels that a valid file of this size can contain: deflate repeats a byte at most 1032 times; a
+/// JPEG block of 64 pixels takes at least one bit in its first scan. More is rejected before allocation. WebP needs no
+/// bits for a single colour, so only the pixel limit applies.
 uint64_t mostPixels(std::span<const uint8_t> bytes, Format format) {
     switch (format) {
     case Format::Png: return bytes.size() * uint64_t(1032) * 8; // 1-bit grey

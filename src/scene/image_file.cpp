@@ -11,7 +11,7 @@ Result<HdrImage> readHdrImage(const std::string& path) {
     const Result<std::string> file = readFile(path, kLongestFile);
     if (!file)
         return file.error();
-    const std::string_view bytes = *file; // GCC 12 would take a moved string for uninitialized below
+    const std::string_view bytes = *file; // GCC 12 warns about uninitialized use of a moved string
     if (bytes.empty())
         return invalidInput("{}: the file is empty", path);
     if (bytes.starts_with("#?"))

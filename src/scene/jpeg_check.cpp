@@ -31,7 +31,7 @@ bool tablesFit(std::span<const uint8_t> segment) {
 
 bool jpegTablesFit(std::span<const uint8_t> bytes) {
     for (size_t at = 2; at < bytes.size();) {
-        if (bytes[at++] != 0xFF) // padding, or the picture's own data
+        if (bytes[at++] != 0xFF) // padding or image data
             continue;
         while (at < bytes.size() && bytes[at] == 0xFF)
             ++at;

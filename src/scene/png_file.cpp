@@ -1,4 +1,4 @@
-// PNG out, by stb_image_write: pure arithmetic, so the same pixels make the same bytes on every machine.
+// Writes PNG with stb_image_write: integer arithmetic, so the same pixels give the same bytes on every machine.
 #include "base/assert.hpp"
 #include "base/file.hpp"
 #include "scene/image_file.hpp"

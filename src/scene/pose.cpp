@@ -12,7 +12,7 @@
 namespace glint::scene {
 namespace {
 
-/// What animations may change of a node.
+/// The animated properties of a node.
 struct NodeState {
     glm::mat4 localToParent = glm::mat4(1);
     std::vector<float> weights; ///< empty: the mesh's own
@@ -56,7 +56,7 @@ std::vector<NodeState> animateNodes(const Scene& scene, double time) {
     return states;
 }
 
-/// localToWorld of every node, parents first. Joints may hang outside the drawn scene, so all trees are walked.
+/// Computes localToWorld of every node, parents first. Joints may be outside the drawn scene, so all trees are visited.
 std::vector<glm::mat4> composeTransforms(const Scene& scene, const std::vector<NodeState>& states) {
     std::vector<glm::mat4> localToWorld(scene.nodes.size(), glm::mat4(1));
     std::vector<int> open;
@@ -73,7 +73,7 @@ std::vector<glm::mat4> composeTransforms(const Scene& scene, const std::vector<N
     return localToWorld;
 }
 
-/// The nodes of a scene, depth first in file order.
+/// Returns the nodes of a scene, depth first in file order.
 std::vector<int> visibleNodes(const Scene& scene, const SceneRoots& roots) {
     std::vector<int> order;
     std::vector<int> open(roots.nodes.rbegin(), roots.nodes.rend());
@@ -107,7 +107,7 @@ Bounds localBounds(const Geometry& geometry) {
     return bounds;
 }
 
-/// Takes the node's place and direction, not its scale: a lens cannot be stretched.
+/// Keeps position and rotation without scale, which a lens cannot have.
 glm::mat4 rigid(const glm::mat4& localToWorld) {
     const glm::vec3 backward = glm::vec3(localToWorld[2]);
     const glm::vec3 up = glm::vec3(localToWorld[1]);
@@ -140,7 +140,7 @@ PosedLight placeLight(const Light& light, const glm::mat4& localToWorld) {
     return posed;
 }
 
-/// Gathers a Pose, node by node.
+/// Builds a Pose, node by node.
 class Poser {
 public:
     Poser(const Scene& scene, double time)
@@ -156,7 +156,7 @@ private:
     void addNode(int index) {
         const Node& node = scene_.nodes[size_t(index)];
         const glm::mat4& localToWorld = localToWorld_[size_t(index)];
-        if (!isFinite(localToWorld)) // beyond the range of a float; nothing could be seen
+        if (!isFinite(localToWorld)) // beyond the range of a float: not visible
             return;
         if (node.camera >= 0)
             pose_.cameras.push_back(placeCamera(scene_.cameras[size_t(node.camera)], node.name, localToWorld));
@@ -212,7 +212,7 @@ private:
                                   corner & 4 ? local.max.z : local.min.z);
             const glm::vec3 pointWS(localToWorld * glm::vec4(point, 1));
             if (!isFinite(pointWS))
-                return; // beyond the range of a float; nothing could be seen
+                return; // beyond the range of a float: not visible
             grow(world, pointWS);
         }
         if (world.empty())

@@ -1,4 +1,4 @@
-// Radiance pictures (.hdr): a text header, then rows of RGBE pixels, each row flat or run-length coded in one of two
+// Radiance images (.hdr): a text header, then rows of RGBE pixels, each row flat or run-length coded in one of two
 // ways.
 #include "base/text.hpp"
 #include "scene/image_file.hpp"
@@ -29,7 +29,7 @@ public:
         GLINT_CHECK(readHeader());
         GLINT_CHECK(readResolution());
         std::vector<Rgbe> row(image_.width);
-        std::vector<glm::vec3>& rgb = image_.rgb; // grows with what the file really holds, not with what it claims
+        std::vector<glm::vec3>& rgb = image_.rgb; // grows with the file's data, not with its header's size
         for (uint32_t y = 0; y < image_.height; ++y) {
             if (!readRow(row))
                 return invalidInput("{}: row {} of {} is truncated or broken", name_, y + 1, image_.height);
@@ -100,7 +100,7 @@ private:
     bool readRow(std::vector<Rgbe>& row) {
         const std::string_view rest = bytes_.substr(at_);
         const size_t width = row.size();
-        // A new-style row begins with 2, 2 and its length; only rows of 8 to 32767 pixels may be so.
+        // A new-style row begins with 2, 2 and its length; only rows of 8 to 32767 pixels may use it.
         if (rest.size() >= 4 && rest[0] == 2 && rest[1] == 2 && byte(rest[2]) < 128 && width >= 8) {
             if ((size_t(byte(rest[2])) << 8 | byte(rest[3])) != width)
                 return false;
@@ -129,7 +129,7 @@ private:
         return true;
     }
 
-    /// Whole pixels; 1, 1, 1, n repeats the one before n times, and following repeats count in higher bytes.
+    /// Whole pixels; 1, 1, 1, n repeats the previous pixel n times; directly following repeats add higher bytes to n.
     bool readPixels(std::vector<Rgbe>& row) {
         int shift = 0;
         for (size_t x = 0; x < row.size();) {

@@ -8,15 +8,15 @@
 #include <numeric>
 #include <unordered_map>
 
-// The names follow the thesis: a triangle's first-order derivative of position by texture u is its tangent, the sign of
-// its area in the texture is its orientation, and vertices are grouped so that a group shares one tangent.
+// Names follow the thesis: a triangle's tangent is the first-order derivative of position by texture u, its orientation
+// the sign of its area in the texture; vertices are grouped, and a group shares one tangent.
 namespace glint::scene {
 namespace {
 
 constexpr uint32_t kNone = std::numeric_limits<uint32_t>::max();
 
-/// For each vertex the first that equals it. Vertices with equal position, normal and texture coordinates are one here,
-/// however the file stores them: the result must not depend on how a mesh is indexed.
+/// Returns for each vertex the first with equal position, normal and texture coordinates, so that the result does not
+/// depend on how a mesh is indexed.
 std::vector<uint32_t> weldVertices(const Geometry& geometry, const std::vector<glm::vec2>& uvs) {
     std::unordered_map<BitKey<8>, uint32_t, BitKeyHash> ids;
     std::vector<uint32_t> welded(geometry.positions.size());
@@ -33,7 +33,7 @@ std::vector<uint32_t> weldVertices(const Geometry& geometry, const std::vector<g
 
 struct Face {
     glm::vec3 tangent = glm::vec3(0); ///< unit; zero if the triangle has no area in texture space
-    bool degenerate = false;          ///< two corners in one place: takes no part
+    bool degenerate = false;          ///< two corners coincide: ignored
     int8_t orientation = 0;           ///< +1 or -1; 0: no area in texture space, compatible with both
 };
 
@@ -43,7 +43,7 @@ Face makeFace(const Geometry& geometry, const std::vector<glm::vec2>& uvs, const
     const glm::vec3& p1 = geometry.positions[corner[1]];
     const glm::vec3& p2 = geometry.positions[corner[2]];
     face.degenerate = p0 == p1 || p1 == p2 || p2 == p0;
-    // Mikkelsen 2008, eq. 2.4: the derivative of position by u, times the area that a division would cancel again.
+    // Mikkelsen 2008, eq. 2.4: the derivative of position by u, times the area, as only its direction is needed.
     const glm::dvec3 d1 = glm::dvec3(p1) - glm::dvec3(p0);
     const glm::dvec3 d2 = glm::dvec3(p2) - glm::dvec3(p0);
     const glm::dvec2 t1 = glm::dvec2(uvs[corner[1]]) - glm::dvec2(uvs[corner[0]]);
@@ -55,7 +55,7 @@ Face makeFace(const Geometry& geometry, const std::vector<glm::vec2>& uvs, const
     if (face.degenerate || std::abs(area) <= kSmallest || !(length > kSmallest) || !std::isfinite(length))
         return face;
     face.tangent = glm::vec3(derivative / length);
-    // glTF's v runs down the picture, the method's v runs up: what it calls preserved has negative area here.
+    // glTF's v points down the image, the method's v up: its preserved orientation has negative area here.
     face.orientation = area < 0 ? 1 : -1;
     return face;
 }
@@ -70,7 +70,7 @@ std::vector<uint32_t> findNeighbours(const std::vector<uint32_t>& cornerVertex, 
             continue;
         const uint64_t from = cornerVertex[corner];
         const uint64_t to = cornerVertex[next(corner)];
-        // Neighbours run along their common edge in opposite directions.
+        // Neighbours traverse their common edge in opposite directions.
         if (const auto partner = open.find(to << 32 | from); partner != open.end()) {
             neighbours[corner] = partner->second / 3;
             neighbours[partner->second] = static_cast<uint32_t>(corner / 3);
@@ -114,7 +114,7 @@ private:
     std::vector<uint32_t> parent_;
 };
 
-/// Corners of one vertex belong together when their faces are joined by edges around it and have one orientation.
+/// Groups the corners of a vertex whose faces are connected by edges and have the same orientation.
 Groups groupCorners(const std::vector<uint32_t>& cornerVertex, const std::vector<Face>& faces,
                     const std::vector<uint32_t>& neighbours) {
     Groups groups(cornerVertex.size());
@@ -137,7 +137,7 @@ glm::vec3 acrossNormal(const glm::vec3& v, const glm::vec3& normal) {
     return length > 0 && std::isfinite(length) ? across / length : glm::vec3(0);
 }
 
-/// The face's tangent across the vertex normal, weighted by the angle of the face's corner seen along that normal.
+/// The face's tangent projected orthogonal to the vertex normal, weighted by the corner's angle seen along that normal.
 glm::vec3 weightedTangent(const Geometry& geometry, const Face& face, const uint32_t* triangle, size_t k) {
     const uint32_t vertex = triangle[k];
     const glm::vec3& normal = geometry.normals[vertex];
@@ -177,7 +177,7 @@ std::vector<glm::vec4> computeTangents(const Geometry& geometry, uint32_t texCoo
         sums[groups.find(i)] += weightedTangent(geometry, faces[i / 3], &geometry.indices[i / 3 * size_t(3)], i % 3);
 
     std::vector<glm::vec4> tangents(cornerCount, glm::vec4(0));
-    std::unordered_map<uint32_t, glm::vec4> tangentOfVertex; // for the corners that have none of their own
+    std::unordered_map<uint32_t, glm::vec4> tangentOfVertex; // for corners without their own
     for (uint32_t i = 0; i < cornerCount; ++i) {
         const glm::vec3 direction = acrossNormal(sums[groups.find(i)], geometry.normals[geometry.indices[i]]);
         if (direction == glm::vec3(0))

@@ -12,14 +12,14 @@ bool blurs(const Settings& settings) {
     return settings.blur.strength > 0;
 }
 
-/// Pixels of the blurred images: of the traced ones, fewer with blur.downsample.
+/// Returns the blurred images' side: `traced` / (blur.downsample + 1), rounded up.
 uint32_t blurredPixels(const Settings& settings, uint32_t traced) {
     const auto divisor = static_cast<uint32_t>(settings.blur.downsample) + 1;
     return (traced + divisor - 1) / divisor;
 }
 
 uint32_t maxTaps(const Settings& settings) {
-    constexpr uint32_t kTaps[] = {9, 21, 41}; // the middle one is Babylon.js' own
+    constexpr uint32_t kTaps[] = {9, 21, 41}; // 21: as in Babylon.js
     return kTaps[std::clamp(settings.blur.quality, 1, 3) - 1];
 }
 
@@ -50,7 +50,7 @@ void Denoise::add(Denoiser denoiser) {
 Signal Denoise::blur(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
     const uint32_t w = blurredPixels(stages_.settings(), source.width);
     const uint32_t h = blurredPixels(stages_.settings(), source.height);
-    const bool whole = w == stages_.width() && h == stages_.height(); // then the second pass writes the answer itself
+    const bool whole = w == stages_.width() && h == stages_.height(); // then the second pass writes the answer
     const Signal last = {whole ? &whole_ : &blurred_[1], w, h};
     recordBlur(frame, inputs, false, source, {&blurred_[0], w, h});
     recordBlur(frame, inputs, true, {&blurred_[0], w, h}, last);
@@ -101,7 +101,7 @@ Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal 
 // ---------------------------------------------------------------- creation
 
 uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
-    // A hair less before rounding up: 0.1f is a little above a tenth.
+    // 1e-3 less before rounding up, as 0.1f is slightly above a tenth.
     const double wanted = pixels * static_cast<double>(settings.screen.resolutionScale) - 1e-3;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(pixels)));
 }

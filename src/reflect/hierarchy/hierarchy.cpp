@@ -23,7 +23,7 @@ uint32_t Hierarchy::add(Source source) {
     return static_cast<uint32_t>(sources_.size() - 1);
 }
 
-/// Bit s: source s.
+/// Bit s: source s is used.
 uint32_t Hierarchy::takingPart() const {
     uint32_t bits = 0;
     if (stages_.settings().reflect.strength > 0)

@@ -35,8 +35,8 @@ glm::dmat4 reflection(const PlanarMirror& mirror) {
 } // namespace
 
 View mirroredView(const View& view, const PlanarMirror& mirror) {
-    // The reflected camera's picture, its columns in reverse: exchanging left and right in view space makes the
-    // transform into it rigid again, and in clip space what is off-centre, jitter say, go to the other side.
+    // The reflected camera's image with its columns reversed: negating X in view space makes worldToView rigid again;
+    // negating it on both sides of viewToClip flips only off-centre terms such as jitter.
     glm::dmat4 exchange(1);
     exchange[0][0] = -1;
     View result = view;
@@ -52,7 +52,7 @@ std::array<float, 4> clipPlane(const PlanarMirror& mirror) {
 
 bool facesView(const PlanarMirror& mirror, const View& view) {
     const glm::dmat4 viewToClip = toMatrix(view.viewToClip);
-    if (viewToClip[2][3] == 0) // orthographic: which way it looks is the host's convention, so either side may be seen
+    if (viewToClip[2][3] == 0) // orthographic: the view direction is the host's convention, so assume the front
         return true;
     const glm::dvec3 eyeWS = glm::dvec3(glm::inverse(toMatrix(view.worldToView))[3]);
     return glm::dot(normalOf(mirror), eyeWS) + planeOffset(mirror) > 0;

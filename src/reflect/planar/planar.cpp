@@ -14,7 +14,7 @@
 namespace glint::reflect {
 namespace {
 
-constexpr uint32_t kLargestPicture = 16384; ///< pixels a side: what every Vulkan 1.3 desktop device can hold
+constexpr uint32_t kLargestPicture = 16384; ///< pixels per side; every Vulkan 1.3 desktop device supports it
 
 Result<void> checkMirror(const PlanarMirror& mirror, size_t number) {
     if (!within(mirror.centerWS, -kLongest, kLongest))
@@ -84,7 +84,7 @@ Result<std::unique_ptr<PlanarState>> PlanarState::create(gpu::Context& context, 
     state->table_ = std::move(table);
     if (state->slots_.empty())
         return state;
-    gpu::Frame frame = gpu::Frame::rehearsal(context); // the images stand in for a host's
+    gpu::Frame frame = gpu::Frame::rehearsal(context); // its own images replace the host's
     Slot& slot = state->slots_.front();
     state->take(frame, slot, slot.radiance, slot.viewZ, {});
     GLINT_CHECK(frame.firstError());

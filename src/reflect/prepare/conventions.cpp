@@ -26,7 +26,7 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
     const dmat4 flipZ = dmat4(dvec4(1, 0, 0, 0), dvec4(0, 1, 0, 0), dvec4(0, 0, -1, 0), dvec4(0, 0, 0, 1));
     dmat4 hostViewToClip = glm::make_mat4(view.viewToClip.data());
     const bool orthographic = hostViewToClip[2].w == 0;
-    // The common factor of a projection's numbers has no meaning: scale so that clip.w is viewZ, or 1.
+    // A projection is defined up to a factor: scale it so that clip.w is viewZ (orthographic: 1).
     hostViewToClip /= orthographic ? hostViewToClip[3].w : std::abs(hostViewToClip[2].w);
     const dmat4 hostWorldToView = glm::make_mat4(view.worldToView.data());
     const dmat4 worldToView = leftHanded ? flipZ * hostWorldToView : hostWorldToView;

@@ -25,13 +25,13 @@ Result<void> DepthPyramid::make() {
                          shared::kMaxPyramidLevels - 1);
     const auto half = [](uint32_t size, uint32_t times) { return (size + (1u << times) - 1) >> times; };
     const size_t tiles = size_t{half(width, shared::kPyramidTileLevel)} * half(height, shared::kPyramidTileLevel);
-    const size_t above = tiles; // more than the level above has
+    const size_t above = tiles; // at least the cells of the next level
     GLINT_TRY(tileCells,
               gpu::Buffer::create(stages_.gpu, {"glint/pyramidTiles", 16 + 16 * (tiles + above),
                                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                                 gpu::BufferHome::Device}));
     tiles_ = std::move(tileCells);
-    // Level 1 beside the column of the others: lib/pyramid.glsl.
+    // Level 1, beside it a column of all others: lib/pyramid.glsl.
     return makeImage(stages_.gpu, cells_,
                      {"glint/pyramid", VK_FORMAT_R32G32B32A32_UINT, half(width, 1) + half(width, 2),
                       half(height, 1) + levels_, kCleared});

@@ -36,7 +36,7 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, glm::uvec2 traced, 
     flag(static_cast<bool>(images.motion), shared::kInputMotion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
     flag(previous.valid(), shared::kInputHistory);
-    const bool now = settings.screen.colorSource == ColorSource::Current; // the last frame's picture does not tell them
+    const bool now = settings.screen.colorSource == ColorSource::Current; // the previous image lacks them
     flag(host.conventions().highlightsInAlpha && !settings.screen.highlights && now, shared::kInputHighlights);
     flag(gammaBefore_, shared::kHistoryGamma);
     flag(settings.input.colorIsGamma, shared::kInputGamma);

@@ -31,7 +31,7 @@ Result<void> Prepare::setInputs(const GBuffer& gbuffer) {
     return makeBackFaces(wanted);
 }
 
-/// Not wanted: whatever is there stays, empty.
+/// If not wanted, an existing image is kept, cleared.
 Result<void> Prepare::makeBackFaces(bool wanted) {
     backFacesKnown_ = wanted;
     const uint32_t width = wanted ? stages_.width() : 1;
@@ -80,7 +80,7 @@ void Prepare::rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image&
 }
 
 void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, bool manySamples) {
-    // What this kind of host does not have is not read: any image stands in that has as many samples.
+    // Absent images are not read: any image with the same sample count can be bound instead.
     Inputs& host = inputs.host;
     gpu::Image& material = host.material ? host.material : host.normal;
     gpu::Pass pass = frame.pass(manySamples ? surfaceSamplesPass_ : surfacePass_);

@@ -11,10 +11,10 @@ constexpr size_t kCellsAProbe = 64;
 
 struct CellRange {
     glm::uvec3 first;
-    glm::uvec3 last; ///< belongs to it
+    glm::uvec3 last; ///< inclusive
 };
 
-/// The same arithmetic as the shader's, widened by a hair so that no rounding on either side loses a cell.
+/// As in the shader, but widened by 1e-3 cells so that rounding on either side loses no cell.
 CellRange cellsOf(const ProbeGrid& grid, const ProbeBounds& bounds) {
     const auto place = [&](const glm::vec3& at, float widen) {
         const glm::vec3 cell = (at - grid.originWS) * grid.cellsPerMetre + widen;
@@ -31,7 +31,7 @@ void forCells(const ProbeGrid& grid, const CellRange& range, Visit visit) {
                 visit((size_t{z} * grid.size.y + y) * grid.size.x + x);
 }
 
-/// Cells as near to cubes as whole numbers allow, at most `cells` of them.
+/// Returns the size of a grid of nearly cubic cells, at most `cells`.
 glm::uvec3 gridSize(const glm::vec3& extent, size_t cells) {
     const double volume = std::max(double(extent.x) * extent.y * extent.z, 1e-30);
     const double edge = std::cbrt(volume / static_cast<double>(cells));
@@ -59,7 +59,7 @@ ProbeGrid ProbeGrid::build(std::span<const ProbeBounds> probes) {
         low = glm::min(low, probe.min);
         high = glm::max(high, probe.max);
     }
-    const glm::vec3 extent = glm::max(high - low, glm::vec3(1e-6f)) * 1.001f; // its far faces lie inside
+    const glm::vec3 extent = glm::max(high - low, glm::vec3(1e-6f)) * 1.001f; // the far faces lie inside
     grid.originWS = low - extent * 0.0005f;
 
     std::vector<uint32_t> order(probes.size());

@@ -61,10 +61,10 @@ Result<void> checkProbeCube(const gpu::Context& context, const Probe& probe, siz
     return {};
 }
 
-/// Rows of world -> the volume's axes.
+/// Rows of the world-to-volume transform.
 void packTransform(const ProbeVolume& volume, shared::float4 (&rows)[3]) {
     const auto& q = volume.rotation;
-    const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]))); // columns in the world
+    const glm::dmat3 axes = glm::mat3_cast(glm::normalize(glm::dquat(q[3], q[0], q[1], q[2]))); // columns: WS
     for (int row = 0; row < 3; ++row)
         rows[row] = glm::vec4(axes[row], -glm::dot(axes[row], glm::dvec3(toVec(volume.centerWS))));
 }

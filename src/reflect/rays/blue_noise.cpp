@@ -13,10 +13,10 @@ namespace {
 
 constexpr uint32_t kSize = shared::kBlueNoiseSize;
 constexpr uint32_t kCount = kSize * kSize;
-constexpr uint32_t kFirstPoints = kCount / 10; ///< of the pattern that the ranks grow from
+constexpr uint32_t kFirstPoints = kCount / 10; ///< points of the initial pattern
 
-/// How crowded each texel is: a Gaussian about every point that is set, wrapped around the tile's borders. In integers,
-/// so that adding and taking away leaves no rounding behind, and every machine finds the same minima.
+/// Density at each texel: a sum of Gaussians around the set points, wrapped around the tile's borders. In integers, so
+/// that additions and removals are exact and every machine finds the same minima.
 class Crowding {
 public:
     Crowding() : density_(kCount, 0), isSet_(kCount, false) {
@@ -44,7 +44,7 @@ public:
     }
     bool isSet(uint32_t point) const { return isSet_[point]; }
 
-    /// The most crowded point that is set, the tightest cluster; or the least crowded that is not, the largest void.
+    /// Returns the tightest cluster (densest set point) or the largest void (least dense unset point).
     uint32_t extreme(bool cluster) const {
         uint32_t best = kCount;
         for (uint32_t i = 0; i < kCount; ++i)
@@ -71,7 +71,7 @@ std::vector<uint32_t> voidAndCluster(uint64_t seed) {
         pattern.set(point, true);
         ++i;
     }
-    while (true) { // the tightest cluster's point moves into the largest void, until that is where it was
+    while (true) { // move the tightest cluster's point to the largest void, until they are the same
         const uint32_t cluster = pattern.extreme(true);
         pattern.set(cluster, false);
         const uint32_t hole = pattern.extreme(false);
@@ -86,8 +86,8 @@ std::vector<uint32_t> voidAndCluster(uint64_t seed) {
         shrinking.set(point, false);
         ranks[point] = rank;
     }
-    // Past the half Ulichney turns set and unset round; with a kernel whose sum is the same everywhere that is the
-    // same.
+    // Past half the points Ulichney swaps set and unset; as the kernel's sum is the same at every texel, that changes
+    // nothing.
     for (uint32_t rank = kFirstPoints; rank < kCount; ++rank) {
         const uint32_t point = pattern.extreme(false);
         pattern.set(point, true);

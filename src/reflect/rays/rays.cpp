@@ -12,7 +12,7 @@ namespace {
 
 using rays::Bounds;
 
-/// In the world, of all instances that light goes through.
+/// World-space bounds of all instances that transmit light.
 Bounds transparentBounds(const rays::Scene& scene, const SurfaceTableState& surfaces) {
     Bounds all;
     for (const uint32_t instance : surfaces.transparentInstances())
@@ -106,7 +106,7 @@ shared::RaysConstants RaysSource::constants(const RaysInputs& inputs) const {
     const RaysSettings& rays = settings.rays;
     shared::RaysConstants constants = {};
     constants.samples = static_cast<uint32_t>(rays.samples);
-    constants.bounces = surfaces_ ? static_cast<uint32_t>(rays.bounces) : 1; // the host's shading takes no others
+    constants.bounces = surfaces_ ? static_cast<uint32_t>(rays.bounces) : 1; // the host shades only first hits
     constants.tMin = rays.tMin;
     constants.tMax = rays.tMax;
     constants.maxRoughness = rays.maxRoughness;
@@ -163,7 +163,7 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
     sums_.end(frame);
 }
 
-/// Traces, and shades what the rays hit by the host's table.
+/// Traces rays and shades their hits with the host's table.
 void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
     Inputs& host = inputs.frame.host;
     const StandIns& standIns = inputs.frame.standIns;
@@ -195,7 +195,7 @@ void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
         .dispatch(record_.width(), record_.height());
 }
 
-/// Traces, lets the host shade, and takes its answer.
+/// Traces rays; the host shades their hits into the answer.
 void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
     gpu::Pass pass = frame.pass(traceHits_);
     pass.read("frame", inputs.frame.constants)

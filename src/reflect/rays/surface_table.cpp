@@ -14,7 +14,7 @@ namespace {
 
 // ---------------------------------------------------------------- materials
 
-/// Every texture of a material with its place in the shader's struct.
+/// Visits every texture of a material with its field in the shader's struct.
 template <class Visit>
 void visitTextures(const SurfaceMaterial& m, shared::Material& out, Visit visit) {
     visit(m.baseColorTexture, out.baseColorTexture);

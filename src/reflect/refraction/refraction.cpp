@@ -16,14 +16,14 @@ static_assert(static_cast<uint32_t>(BodyShape::Straight) == shared::kRefractionS
               static_cast<uint32_t>(BodyShape::Thin) == shared::kRefractionThin);
 static_assert(static_cast<uint32_t>(RefractionModel::Thin) == shared::kRefractionThin + 1);
 
-/// What is pushed.
+/// Push constants.
 struct LayerConstants {
     shared::TraceConstants trace;
     shared::RefractionConstants refraction;
 };
 static_assert(sizeof(LayerConstants) <= 128);
 
-/// The march of both rays: hiz, by its own settings.
+/// Both rays are marched by hiz, with settings refraction.*.
 shared::TraceConstants layerTraceConstants(const Settings& settings, uint32_t levels) {
     shared::TraceConstants constants = traceConstants(settings, false);
     const RefractionSettings& wanted = settings.refraction;
@@ -65,7 +65,7 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
 
 Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, uint32_t width, uint32_t height,
                                                        bool views) {
-    constexpr uint32_t kSampled = 21; // in the larger of its passes
+    constexpr uint32_t kSampled = 21; // in the largest pass
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
     const VkPhysicalDeviceLimits& limits = properties.properties.limits;

@@ -1,4 +1,4 @@
-// The `proxy` marcher: one lookup, where the pixel's probe volume says. docs/techniques/proxy.md
+// The `proxy` marcher: one lookup, at the hit that the pixel's probe volume predicts. docs/techniques/proxy.md
 #include "reflect/trace/technique.hpp"
 
 namespace glint::reflect {

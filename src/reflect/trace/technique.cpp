@@ -7,7 +7,7 @@
 
 namespace glint::reflect {
 
-/// As many as compute_ssr takes at most: the longest rays have twice adaptive.steps, up to this.
+/// As in compute_ssr: the longest rays have 2 * adaptive.steps, at most this many.
 static constexpr uint32_t kMostAdaptiveSteps = 128;
 
 std::span<const Technique> techniques() {
@@ -69,7 +69,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
         settings.screen.thicknessMode == ThicknessMode::Relative ? settings.screen.thicknessRelative : 0;
     if (hiz)
         constants.thicknessRelative += settings.hiz.depthBias;
-    // With a blur, roughness widens that instead: jitter would only make it noisy.
+    // With a blur, roughness sets its width instead: jitter would only add noise.
     constants.roughnessFactor = settings.blur.strength > 0 ? 0 : settings.rough.factor;
     switch (settings.screen.march) {
     case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
@@ -88,7 +88,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     constants.minLevel = static_cast<uint32_t>(settings.hiz.minLevel);
     constants.maxLevel = static_cast<uint32_t>(std::max(settings.hiz.minLevel, settings.hiz.maxLevel));
 
-    // Half a step of an 8-bit F0 on top, so that a threshold of 0.04 leaves out plain dielectrics however stored.
+    // Half an 8-bit step more, so that a threshold of 0.04 rejects plain dielectrics in any format of F0.
     constants.threshold = settings.reflect.threshold + 1.0f / 510.0f;
     if (settings.reflect.thresholdOn == ThresholdOn::F0TimesStrength)
         constants.threshold /= std::max(settings.reflect.strength, 1e-30f);

@@ -1,10 +1,9 @@
-// builtin:exact: everything seen is emission and every mirror perfect, so the right picture does not depend on
-// anybody's light model (docs/truth.md, "The exact picture"). There is no environment: what the mirrors do not see is
-// black.
+// builtin:exact: all surfaces are emissive or perfect mirrors, so the correct image does not depend on a lighting
+// model (docs/truth.md, "The exact picture"). There is no environment: rays that hit nothing are black.
 //
-// Most things stand on the floor mirror and overhang nothing: of those, the mirror shows only what the camera sees as
-// well. So from "front" nearly everything that takes one bounce can be found on the screen, and an error there is the
-// tracer's own; the other cameras see more that only rays can answer.
+// Most objects stand on the floor mirror without overhangs, so the mirror shows only surfaces that the camera sees too.
+// From "front", nearly every one-bounce hit is on the screen, and an error there is the tracer's own; the other cameras
+// see more hits that only world-space rays can find.
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
 #include "scene/builtin/shapes.hpp"
@@ -20,7 +19,7 @@ namespace {
 constexpr float kSkylineZ = -5.5f;
 constexpr float kSink = 0.02f; ///< metres below the floor: no face lies in the mirror's plane
 
-// Flat colours, linear; any two differ by far more than the 24/255 in sRGB that count as wrong.
+// Flat colours, linear; any two differ by far more than 24/255 in sRGB, the threshold for a wrong pixel.
 constexpr glm::vec3 kRed(0.85f, 0.05f, 0.04f), kOrange(0.95f, 0.32f, 0.02f), kYellow(0.95f, 0.75f, 0.05f);
 constexpr glm::vec3 kLime(0.35f, 0.8f, 0.05f), kGreen(0.02f, 0.42f, 0.1f), kTeal(0.02f, 0.5f, 0.5f);
 constexpr glm::vec3 kSky(0.15f, 0.55f, 1.f), kBlue(0.04f, 0.1f, 0.85f), kViolet(0.35f, 0.08f, 0.8f);
@@ -58,13 +57,13 @@ private:
         b_.camera("high", {1.2f, 4.2f, 6.2f}, {0, 0, -1.2f}, 45);
     }
 
-    /// Towers of different heights against the black: long straight silhouettes at the far end. Gaps are left for
-    /// the star, the ring and the wall mirror.
+    /// Towers of different heights against black: long straight silhouettes at the far end, with gaps for the star, the
+    /// ring and the wall mirror.
     void skyline() {
         constexpr std::array heights = {1.1f, 0.f, 1.5f, 0.f, 1.0f, 1.8f, 2.6f, 1.3f, 2.1f, 0.9f, 1.7f, 2.3f, 0.f};
         for (size_t i = 0; i < heights.size(); ++i) {
             const float x = 0.72f * (static_cast<float>(i) - 6);
-            // Storeys of different colours: a reflection that lands too high or too low is a wrong colour.
+            // Storeys of different colours: a hit that is too high or too low has a wrong colour.
             const float storey = heights[i] / 4;
             if (storey == 0)
                 continue;
@@ -81,7 +80,7 @@ private:
                {foot + glm::vec3(0, half.y - kSink / 2, 0), turnedY(degrees)});
     }
 
-    /// A box with a colour a face: which face a reflection shows matters.
+    /// A box with one colour per face, so that a hit on the wrong face is an error.
     int facedBox(const glm::vec3& half, size_t firstColor) {
         std::vector<std::pair<Geometry, int>> sides;
         sides.reserve(kAllSides.size());
@@ -101,8 +100,8 @@ private:
         b_.place(facedBox({0.18f, 0.18f, 0.18f}, 8), {{-0.75f, 1.9f, -1.5f}, turnedY(40)}); // floats
     }
 
-    /// Two spheres stand near, a little sunk and with nothing but black behind their feet; the ball and the dome are
-    /// sunk to their equators, so that they hide nothing that their reflections show; one sphere floats.
+    /// Two near spheres are slightly sunk, with only black behind their feet; the ball and the dome are sunk to their
+    /// equators, so that the camera sees all that their reflections show; one sphere floats.
     void spheres() {
         const auto add = [&](float radius, int material, const glm::vec3& center) {
             b_.add("sphere", sphere(radius, 64, 32), material, {center});
@@ -111,7 +110,7 @@ private:
         add(0.3f, color(4), {2.3f, 0.18f, 1.8f});
         add(0.6f, color(8), {-1.5f, 0, -2.2f});
         add(0.28f, color(5), {2.f, 1.5f, -2.6f});
-        // Sectors: a reflection is upside down, not turned, so the sectors must line up.
+        // Sectors: a reflection is flipped vertically, so the sectors must line up.
         constexpr int kSectors = 8;
         std::vector<std::pair<Geometry, int>> sectors;
         sectors.reserve(kSectors);
@@ -120,9 +119,8 @@ private:
         b_.place(b_.mesh("ball", std::move(sectors)), {{0.15f, 0, -3.4f}, turnedY(10)});
     }
 
-    /// Shapes with edges at all angles. The crown stands near, since nothing of it overhangs; star, arch and ring, past
-    /// whose edges a reflection looks at what the camera cannot see, stand in the gaps of the skyline or right before
-    /// it.
+    /// Shapes with edges at all angles. The crown, which has no overhang, stands near. The reflections of star, arch
+    /// and ring show surfaces that the camera cannot see, so these stand in the gaps of the skyline or close to it.
     void silhouettes() {
         const std::array<glm::vec2, 9> crown = {glm::vec2(-0.6f, 0), {0.6f, 0},      {0.6f, 0.7f},
                                                 {0.3f, 0.35f},       {0.15f, 0.9f},  {0.f, 0.4f},
@@ -133,7 +131,7 @@ private:
         b_.add("ring", torus(0.44f, 0.05f, 64, 16), color(3), {{-2.16f, 0.5f, kSkylineZ}, turnedY(20)});
     }
 
-    /// Thin things: from about five pixels wide at 640x360 to less than one.
+    /// Thin objects: from about five pixels wide at 640x360 to less than one.
     void poles() {
         constexpr std::array radii = {0.04f, 0.03f, 0.02f, 0.015f, 0.01f, 0.006f};
         for (size_t i = 0; i < radii.size(); ++i) {
@@ -143,8 +141,8 @@ private:
         }
     }
 
-    /// A mirror that stands on the floor at the right and leans forward, so that most of it shows the floor, which
-    /// shows the things: two bounces.
+    /// A mirror that stands on the floor at the right and leans forward: most of it shows objects reflected in the
+    /// floor, which takes two bounces.
     void wallMirror() {
         const glm::vec2 half(1.6f, 0.85f);
         const glm::quat leaning = glm::angleAxis(glm::radians(24.f), glm::vec3(1, 0, 0));

@@ -1,6 +1,6 @@
-// builtin:glass: the refraction chart, before a chequered wall. From the top: index of refraction 1 to 2.4; roughness 0
-// to 0.6; the distance after which white light is green, 0.1 to 6 m, at a thickness of 0.5 m, in balls and in cubes. A
-// pane stands before the right-hand column.
+// builtin:glass: the refraction chart, in front of a chequered wall. From the top: index of refraction 1 to 2.4;
+// roughness 0 to 0.6; absorption distance (green) 0.1 to 6 m, at a thickness of 0.5 m, in balls and in cubes. A pane
+// stands in front of the right-hand column.
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
 #include "scene/builtin/shapes.hpp"

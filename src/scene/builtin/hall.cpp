@@ -1,9 +1,9 @@
-// builtin:hall, the show piece: a hall at nightfall. A nave between two arcades runs to a wall with the sign; its floor
-// is dark polished stone, and everything else is there to be seen twice.
+// builtin:hall, the show piece: a hall at nightfall. A nave between two arcades leads to a wall with the sign; its
+// floor is dark polished stone that reflects the rest.
 //
-// Light: what glows (sign, ring, strips) is drawn as emission, and each has a punctual light of its colour beside it,
-// because emission alone lights nothing in a rasteriser. Warm light stands on the right and at the far end, cool light
-// on the left, the moon falls in from above. Radiance is scaled so that 1 is white at exposure 0.
+// Light: each emissive object (sign, ring, strips) has a punctual light of its colour beside it, as emission lights
+// nothing in a rasteriser. Warm lights are on the right and at the far end, cool lights on the left, the moon above.
+// Radiance is scaled so that 1 is white at exposure 0.
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
 #include "scene/builtin/shapes.hpp"
@@ -100,7 +100,7 @@ private:
     /// Floor, walls, roof. The nave is open to the sky between the beams; the aisles are covered.
     void building() {
         b_.add("floor", translated(plane({kWallX, kHalfLength}, 12, 24), {0, 0, kMiddleZ}), floor_);
-        // Walls and roof reach into each other: where they only touched, the moon would shine through.
+        // Walls and roof overlap: if they only touched, moonlight would leak through.
         const float innerX = kColumnX - 0.45f, outerX = kWallX + 0.4f, wallTop = kCeiling + 0.3f;
         const int side = b_.mesh("side wall", box({0.2f, wallTop / 2, kHalfLength + 0.4f}), wall_);
         const int roof = b_.mesh("aisle roof", box({(kWallX + 0.2f - innerX) / 2, 0.15f, kHalfLength + 0.2f}), dark_);
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    /// The far end: the word in ice white inside a ring of amber, hung a hand's breadth before the wall.
+    /// The far end: the word in ice white inside a ring of amber, slightly in front of the wall.
     void signWall() {
         const float y = 2.75f, z = kBackZ + 0.25f;
         const int ice = b_.material(emission("ice neon", kIce * 3.2f));
@@ -167,7 +167,7 @@ private:
             b_.place(edge, {{s * (kColumnX - 0.72f), 0.02f, kMiddleZ}});
     }
 
-    /// Three tall panels on the entrance wall, behind the default camera: what the metals have to show of that side.
+    /// Three tall panels on the entrance wall, behind the default camera, visible in the metals.
     void lanterns() {
         const int paper = b_.material(emission("lantern paper", kWarmWhite * 1.3f));
         const int panel = b_.mesh("lantern", roundedBox({0.55f, 1.5f, 0.05f}, 0.03f), paper);
@@ -175,7 +175,7 @@ private:
             b_.place(panel, {{x, 2.1f, kEntranceZ - 0.1f}});
     }
 
-    /// Six spheres in a row, from a perfect polish to none.
+    /// Six spheres in a row, from perfectly smooth to rough.
     void metals() {
         struct Kind {
             const char* name;
@@ -230,7 +230,7 @@ private:
 
     void lights() {
         directional("moon", kMoon, 0.9f, {-5.5f, 9, 3.5f}, {0, 0, 0});
-        // Uplights at the feet of the columns: the arches glow, the shafts stand out.
+        // Uplights at the feet of the columns, for arches and shafts.
         for (int i = 1; i < kBays - 1; ++i) {
             const float z = kFrontZ - kBay * static_cast<float>(i);
             for (const float s : {-1.f, 1.f})
@@ -239,7 +239,7 @@ private:
         }
         spot("metals spot", kWarmWhite, 110, {0.2f, 5.6f, 2.5f}, {-1.75f, 0.5f, 1.2f}, 12, 34);
         spot("pieces spot", kWarmWhite, 110, {0.3f, 5.6f, 3.5f}, {1.7f, 0.8f, 0.8f}, 10, 30);
-        // From the foot of the wall, so that the floor's own highlight stays away from the sign's reflection.
+        // At the foot of the wall, so that its highlight on the floor is away from the sign's reflection.
         for (const float s : {-1.f, 1.f})
             spot("sign wall wash", kAmber, 45, {s * 2.3f, 0.1f, kBackZ + 1.1f}, {s * 1.6f, 3.2f, kBackZ}, 25, 65);
         for (const float z : {2.f, -6.f}) {

@@ -108,7 +108,7 @@ void computeTangents(Geometry& geometry) {
         const float length = glm::length(projected);
         const glm::vec3 tangent =
             length > 1e-6f * glm::length(alongU[i]) && length > 0 ? projected / length : anyTangent(normal);
-        // In glTF the picture's rows run down, but a normal map's green points up: the bitangent is against v.
+        // In glTF v points down the image, but a normal map's green points up: the bitangent is opposite to v.
         const float w = glm::dot(glm::cross(normal, tangent), alongV[i]) > 0 ? -1.f : 1.f;
         geometry.tangents[i] = glm::vec4(tangent, w);
     }

@@ -1,5 +1,5 @@
-// builtin:mirror: glowing boxes over a perfect floor mirror. Where each box's reflection lies follows from one formula
-// (mirror y, project), so a test can name the pixel and the colour that any right reflection shows there.
+// builtin:mirror: emissive boxes over a perfect floor mirror. One formula (mirror y, project) gives the position of
+// each box's reflection, so a test knows the pixel and its correct colour.
 #include "scene/builtin.hpp"
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
@@ -13,8 +13,8 @@ namespace glint::scene {
 
 namespace {
 
-// Two rows, the back one higher and in the gaps of the front one: no box hides another or another's reflection, and
-// every face that the floor shows is one that the camera sees, so screen-space tracing can find it.
+// Two rows, the back one higher and in the gaps of the front one: no box occludes another or its reflection, and the
+// camera sees every face that the floor shows, so screen-space tracing can hit it.
 constexpr glm::vec3 kHalf(0.28f, 0.22f, 0.12f);
 constexpr std::array kBoxes = {
     MirrorBox{{-1.8f, 0.7f, 0.f}, kHalf, {1, 0, 0}},     MirrorBox{{-0.6f, 0.7f, 0.f}, kHalf, {0, 1, 0}},

@@ -9,7 +9,7 @@ namespace glint::scene::builtin {
 
 namespace {
 
-/// A gradient for each of 64 hash values, so that the inner loop has no trigonometry.
+/// A gradient for each of 64 hash values: avoids trigonometry in the inner loop.
 const std::array<glm::vec2, 64>& gradients() {
     static const auto table = [] {
         std::array<glm::vec2, 64> directions;

@@ -132,7 +132,7 @@ Geometry roundedBox(const glm::vec3& halfExtent, float radius, int segments) {
         const int cells = 2 * segments + 1;
         append(out, lattice(cells, cells, [&](int column, int row) {
                    const float right = alongRight[static_cast<size_t>(column)], up = alongUp[static_cast<size_t>(row)];
-                   // A point of the sharp box is pulled onto the inner box, then pushed out by the radius.
+                   // Clamp a point of the sharp box to the inner box, then offset it by the radius.
                    const glm::vec3 sharp = axes.out * halfExtent + axes.right * right + axes.up * up;
                    const glm::vec3 core = glm::clamp(sharp, -inner, inner);
                    const glm::vec3 normal = glm::normalize(sharp - core);
@@ -186,7 +186,7 @@ Geometry torus(float radius, float tubeRadius, int columns, int rows) {
 }
 
 Geometry extrude(std::span<const glm::vec2> outline, float depth) {
-    constexpr float kCreaseCosine = 0.82f; // 35 degrees: an arc of 24 segments is smooth, every drawn corner sharp
+    constexpr float kCreaseCosine = 0.82f; // 35 degrees: arcs of 24 segments are smooth, corners sharp
     const float half = depth / 2;
     Geometry out;
     appendCap(out, outline, half, true);

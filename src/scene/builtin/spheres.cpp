@@ -60,7 +60,7 @@ void addDielectrics(SceneBuilder& b) {
     }
 }
 
-/// Two tall strips of light: their reflections read roughness off at a glance.
+/// Two tall strips of light, whose reflections make roughness visible.
 void addLights(SceneBuilder& b) {
     const int warm = b.material(emission("warm strip", glm::vec3(4, 2.2f, 0.9f)));
     const int cool = b.material(emission("cool strip", glm::vec3(0.7f, 1.9f, 4)));
@@ -69,7 +69,7 @@ void addLights(SceneBuilder& b) {
     Light sun;
     sun.name = "sun";
     sun.color = {1, 0.93f, 0.82f};
-    sun.intensity = 2.5f; // lux, scaled as the whole scene is: white paper in the sun is about 0.8
+    sun.intensity = 2.5f; // lux, in the scene's scale: white paper in the sun has about 0.8
     b.light(sun, {-4, 6, 5}, {0, 0, 0});
 }
 

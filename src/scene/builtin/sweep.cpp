@@ -24,7 +24,7 @@ glm::vec3 pathDirection(std::span<const glm::vec3> path, size_t i, bool closed) 
     return glm::normalize(path[after] - path[before]);
 }
 
-/// Carries `across` from one cross-section to the next with the least turning: it only loses what runs along the path.
+/// Moves `across` to the next cross-section with minimal rotation: removes its component along the path.
 glm::vec3 transported(const glm::vec3& across, const glm::vec3& along) {
     return glm::normalize(across - along * glm::dot(across, along));
 }
@@ -42,7 +42,7 @@ std::vector<Ring> ringsAlong(std::span<const glm::vec3> path, float radius, bool
     if (!closed)
         return rings;
 
-    // Once around, the frame comes back turned by some angle: spread it over the whole length.
+    // After one loop the frame is rotated by some angle: distribute it over the length.
     const glm::vec3 back = transported(across, first);
     const float twist = std::atan2(glm::dot(back, rings[0].up), glm::dot(back, rings[0].across));
     for (Ring& ring : rings) {
@@ -105,7 +105,7 @@ std::vector<glm::vec3> roundedPolyline(std::span<const glm::vec3> corners, float
         const float fitted = leg * std::tan(halfAngle);
         const glm::vec3 inward = glm::normalize(a + b);
         const glm::vec3 center = corners[i] + inward * (fitted / std::sin(halfAngle));
-        // The path arrives along -a; until it leaves along b, the radius vector turns by pi - 2 * halfAngle.
+        // The path arrives along -a and leaves along b: the radius vector turns by pi - 2 * halfAngle.
         const glm::vec3 start = corners[i] + a * leg - center;
         const float sweep = glm::pi<float>() - 2 * halfAngle;
         for (int k = 0; k <= segments; ++k) {

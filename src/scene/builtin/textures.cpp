@@ -19,7 +19,7 @@ float toSrgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-/// Fills a square picture; the callback gets uv in [0, 1) at pixel centres.
+/// Fills a square image; the callback gets uv in [0, 1) at pixel centres.
 Image paint(const std::string& name, int size, bool srgb, const std::function<glm::vec3(const glm::vec2& uv)>& color) {
     Image image;
     image.name = name;
@@ -37,8 +37,8 @@ Image paint(const std::string& name, int size, bool srgb, const std::function<gl
     return image;
 }
 
-/// Veined stone at `p`, in units of about one vein spacing. Veins are where a warped noise crosses zero: thin lines
-/// that meander and branch, as cracks filled with calcite do.
+/// Veined stone at `p`, in units of about one vein spacing. Veins are zero crossings of a warped noise: thin lines
+/// that meander and branch.
 glm::vec3 stone(const glm::vec2& p, const StoneColors& colors, int period, uint32_t seed) {
     const glm::vec2 warp(fractalNoise(p, period, seed, 3), fractalNoise(p + 3.7f, period, seed + 17, 3));
     const glm::vec2 q = p + 0.6f * warp;
@@ -50,7 +50,7 @@ glm::vec3 stone(const glm::vec2& p, const StoneColors& colors, int period, uint3
     return glm::mix(glm::mix(colors.ground, colors.cloud, cloud * cloud), colors.vein, std::min(vein, 1.f));
 }
 
-/// Where a point of a tiled picture lies.
+/// The position of a point in a tiled image.
 struct TilePoint {
     uint32_t x, y;    ///< which tile
     glm::vec2 inside; ///< [0, 1) within it
@@ -68,7 +68,7 @@ TilePoint tileAt(const glm::vec2& uv, int tiles) {
 } // namespace
 
 SurfaceImages stoneFloor(const std::string& name, const StoneFloor& floor) {
-    constexpr int kNoPeriod = 1 << 16; // tiles are cut from an endless block: each repeats only as a whole tile
+    constexpr int kNoPeriod = 1 << 16; // no period inside a tile; the image repeats by whole tiles
     constexpr uint32_t kSeed = 11;
     const float pixel = static_cast<float>(floor.tiles) / static_cast<float>(floor.size);
     const auto jointAt = [&](const TilePoint& tile) {
@@ -117,7 +117,7 @@ std::vector<float> blockHeights(int size, int columns, int rows, uint32_t seed) 
             const float row = std::floor(uv.y * static_cast<float>(rows));
             const float across = uv.x * static_cast<float>(columns) + (std::fmod(row, 2.f) == 0 ? 0.f : 0.5f);
             const glm::vec2 inside(across - std::floor(across), uv.y * static_cast<float>(rows) - row);
-            // Distances to the block's edges in widths of the picture, so that joints are equally wide both ways.
+            // Distances to the block's edges in image widths, so that joints have the same width in both directions.
             const glm::vec2 edge = glm::min(inside, 1.f - inside) / glm::vec2(columns, rows);
             const float face = glm::smoothstep(0.f, 0.012f, std::min(edge.x, edge.y));
             heights.push_back(face * (0.85f + 0.15f * fractalNoise(uv * 24.f, 24, seed, 4)));

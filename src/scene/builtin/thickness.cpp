@@ -1,6 +1,6 @@
-// builtin:thickness: balls on a polished floor before an upright mirror, as in the pictures of Babylon.js' document.
-// The mirror shows the balls' far sides and the floor their undersides, which the camera does not see: what stands
-// there in a screen-space reflection is what `screen.thicknessMode` makes of it (docs/techniques/thickness.md).
+// builtin:thickness: balls on a polished floor in front of an upright mirror, as in Babylon.js' documentation. The
+// mirror shows the balls' far sides and the floor their undersides, which the camera does not see:
+// `screen.thicknessMode` determines screen-space reflections there (docs/techniques/thickness.md).
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
 #include "scene/builtin/shapes.hpp"
@@ -41,7 +41,7 @@ Scene makeThickness() {
     Light sun;
     sun.name = "sun";
     sun.color = {1, 0.95f, 0.88f};
-    sun.intensity = 1.6f; // lux, scaled as the whole scene is: white paper in the sun is about 0.5
+    sun.intensity = 1.6f; // lux, in the scene's scale: white paper in the sun has about 0.5
     b.light(sun, {-4, 5, 2.5f}, {0, 0, 0});
     return b.take();
 }

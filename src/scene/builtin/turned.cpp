@@ -12,7 +12,7 @@ namespace glint::scene::builtin {
 
 namespace {
 
-constexpr float kHeadRadius = 0.84f; ///< of the shaft's foot radius: how far a column narrows
+constexpr float kHeadRadius = 0.84f; ///< fraction of the foot radius: taper of the shaft
 
 /// Unit direction of one column of a lattice around +Y; the last column repeats the first bit for bit.
 glm::vec2 around(int column, int columns) {
@@ -98,8 +98,8 @@ Geometry columnShaft(const Shaft& shaft) {
         const float t = static_cast<float>(row) / static_cast<float>(rows);
         return row == rows ? 1.f : glm::mix(t, 0.5f - 0.5f * std::cos(glm::pi<float>() * t), 0.85f);
     };
-    // Two more rows at either end close it with a flat disc, which base and capital hide: the rim again, then its
-    // middle.
+    // Two more rows at either end close the shaft with a flat disc, hidden by base and capital: the rim again, then the
+    // centre.
     return lattice(columns, rows + 4, [&](int column, int row) {
         SurfacePoint p = shaft.point(column, columns, height(std::clamp(row - 2, 0, rows)));
         if (row < 2 || row > rows + 2)
@@ -151,7 +151,7 @@ Geometry flutedColumn(const ColumnShape& shape) {
     const float capital = shape.radius * 0.75f, abacus = shape.radius * 0.4f;
     const float bottom = plinth + base, top = shape.height - abacus - capital;
     const float abacusHalf = shape.radius * 1.35f;
-    const float overlap = 0.01f; // metres: the parts reach into each other, so no faces coincide
+    const float overlap = 0.01f; // metres: the parts overlap, so no faces coincide
 
     Geometry out = columnShaft({shape, bottom - overlap, top - bottom + 2 * overlap});
     computeTangents(out);

@@ -9,7 +9,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-/// No index may reach this far anyway; below it no product of counts and strides overflows 64 bits.
+/// Beyond any valid index; below it no product of counts and strides overflows 64 bits.
 constexpr uint64_t kMaxCount = uint64_t(1) << 32;
 
 struct ShapeName {
@@ -42,7 +42,7 @@ ComponentType readComponentType(const JsonObject& object) {
     }
 }
 
-/// Whether `count` elements of `size` bytes, `stride` apart, end inside the view.
+/// Checks that `count` elements of `size` bytes, `stride` apart, end inside the view.
 void checkRange(Document& document, const std::string& what, int viewIndex, uint64_t offset, uint64_t count,
                 uint64_t stride, uint64_t size) {
     if (count == 0 || document.failed())
@@ -151,7 +151,7 @@ uint32_t loadInteger(const uint8_t* bytes, ComponentType type) {
     case ComponentType::UInt8: return load<uint8_t>(bytes);
     case ComponentType::UInt16: return load<uint16_t>(bytes);
     case ComponentType::UInt32: return load<uint32_t>(bytes);
-    default: return 0; // refused by readIntegers
+    default: return 0; // rejected by readIntegers
     }
 }
 
@@ -167,7 +167,7 @@ void forEachComponent(const Accessor& accessor, const uint8_t* first, uint64_t c
                 store(position++, first + element * stride + column * columnBytes + row * size);
 }
 
-/// Puts the sparse values over the base ones.
+/// Replaces base values by the sparse ones.
 template <class T, class Load>
 void applySparse(Document& document, const Accessor& accessor, std::vector<T>& values, Load&& loadComponent) {
     const SparseAccessor& sparse = *accessor.sparse;
@@ -192,7 +192,7 @@ void applySparse(Document& document, const Accessor& accessor, std::vector<T>& v
     }
 }
 
-/// The common walk: from the view, from `packed`, or zeros; then the sparse values.
+/// Reads from the view, from `packed`, or zeros; then applies the sparse values.
 template <class T, class Load>
 std::vector<T> readComponents(Document& document, const Accessor& accessor, const std::span<const uint8_t>* packed,
                               Load&& loadComponent) {

@@ -34,7 +34,7 @@ Interpolation readInterpolation(const JsonObject& sampler) {
     return Interpolation::Linear;
 }
 
-/// Floats a key has for this property; 0: the property does not exist on this node.
+/// Returns the floats per key for this property; 0 if the node lacks the property.
 size_t componentsPerKey(const Scene& scene, const AnimationChannel& channel) {
     const Node& node = scene.nodes[size_t(channel.node)];
     switch (channel.path) {

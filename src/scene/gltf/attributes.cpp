@@ -6,7 +6,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-/// Floats of `N` components as vectors; what is not finite becomes 0.
+/// Converts floats to vectors of `N` components; non-finite values become 0.
 template <int N>
 std::vector<glm::vec<N, float>> toVectors(const std::vector<float>& floats) {
     std::vector<glm::vec<N, float>> vectors(floats.size() / N);

@@ -6,7 +6,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-/// A buffer that stands in for views whose real data is compressed elsewhere; it may have no bytes at all.
+/// True for a placeholder buffer, whose views have compressed data elsewhere; it may have no bytes.
 bool isMeshoptFallback(const JsonObject& buffer) {
     return buffer.extension("EXT_meshopt_compression").boolean("fallback", false);
 }
@@ -15,7 +15,7 @@ void readBuffer(Document& document, const JsonObject& buffer, size_t index) {
     const uint64_t length = buffer.requiredCount("byteLength");
     std::span<const uint8_t> bytes;
     if (isMeshoptFallback(buffer)) {
-        // Never read: views into it must be compressed.
+        // Never read: all its views must be compressed.
     } else if (buffer.has("uri")) {
         document.loadedBuffers.push_back(loadUri(document, buffer, buffer.string("uri")));
         bytes = document.loadedBuffers.back();
@@ -34,7 +34,7 @@ void readBuffer(Document& document, const JsonObject& buffer, size_t index) {
     document.buffers.push_back(bytes);
 }
 
-/// Bytes [byteOffset, byteOffset + byteLength) of a buffer, or nothing after recording the mistake.
+/// Returns bytes [byteOffset, byteOffset + byteLength) of a buffer; empty after recording an error.
 std::span<const uint8_t> bufferRange(Document& document, const JsonObject& object, size_t viewIndex) {
     const int buffer = object.requiredIndex("buffer", document.buffers.size(), "buffers");
     const uint64_t offset = object.count("byteOffset").value_or(0);

@@ -50,7 +50,7 @@ Result<Container> openBinary(std::span<const uint8_t> bytes, const std::string& 
             container.json = chunk;
         else if (type == kChunkBin && !container.binary)
             container.binary = chunk;
-        at += chunkLength; // chunks of other types are skipped, as the specification asks
+        at += chunkLength; // other chunk types must be skipped (specification)
     }
     if (first)
         return invalidInput("{}: has no JSON chunk", fileName);

@@ -29,7 +29,7 @@ bool copyAs(ComponentType type, const draco::PointAttribute& attribute, uint32_t
             std::vector<uint8_t>& out) {
     const bool wantsFloat = type == ComponentType::Float32;
     if (wantsFloat != (attribute.data_type() == draco::DT_FLOAT32))
-        return false; // Draco would scale or cut the numbers in ways that glTF does not mean
+        return false; // Draco would convert the numbers in ways that glTF does not define
     switch (type) {
     case ComponentType::Int8: return copyValues<int8_t>(attribute, vertexCount, components, out);
     case ComponentType::UInt8: return copyValues<uint8_t>(attribute, vertexCount, components, out);

@@ -9,7 +9,7 @@ namespace {
 constexpr int kMaxDepth = 128;
 constexpr uint64_t kMaxInteger = uint64_t(1) << 53;
 
-/// Depth of nesting, found without recursion and before anything is built.
+/// Checks the nesting depth without recursion, before parsing.
 bool nestsTooDeep(std::span<const uint8_t> text) {
     int depth = 0;
     bool inString = false;
@@ -32,7 +32,7 @@ bool nestsTooDeep(std::span<const uint8_t> text) {
     return false;
 }
 
-/// The library's messages span lines and begin with their own numbers; keep what helps.
+/// Removes the library's error number and line breaks from its message.
 std::string withoutPrefix(const std::string& message) {
     const size_t end = message.find("] ");
     std::string text = end == std::string::npos ? message : message.substr(end + 2);
@@ -47,7 +47,7 @@ std::string withoutPrefix(const std::string& message) {
 Result<Json> parseJson(std::span<const uint8_t> text, const std::string& fileName) {
     if (nestsTooDeep(text))
         return invalidInput("{}: JSON is nested deeper than {} levels", fileName, kMaxDepth);
-    // The only code that handles exceptions: without them the library does not report the position of an error.
+    // Exceptions, as without them the library does not report the position of an error.
     try {
         Json root = Json::parse(text.begin(), text.end());
         if (!root.is_object())

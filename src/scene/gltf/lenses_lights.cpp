@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// A number that must be there and above 0.
+/// Returns a required number above 0.
 float positive(const JsonObject& object, const char* key) {
     if (!object.has(key)) {
         object.failMissing(key);

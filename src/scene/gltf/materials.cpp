@@ -8,9 +8,9 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// KHR_texture_transform: scaled, then rotated, then moved. The extension counts its angle counter-clockwise as seen in
-/// the picture, where v points down; in (u, v) that is clockwise. (The matrix printed in its text turns the other way;
-/// the Khronos test model TextureTransformTest and the Khronos viewer agree on this one.)
+/// KHR_texture_transform: scale, then rotation, then translation. The extension's angle is counter-clockwise in the
+/// image, where v points down, so clockwise in (u, v). (The matrix in its text rotates the other way; the Khronos test
+/// model TextureTransformTest and the Khronos viewer agree with this one.)
 glm::mat3 readUvTransform(const JsonObject& transform) {
     const glm::vec2 offset = transform.vector<2>("offset", glm::vec2(0));
     const glm::vec2 scale = transform.vector<2>("scale", glm::vec2(1));
@@ -98,7 +98,7 @@ void readSpecular(const JsonObject& specular, const Scene& scene, Material& mate
     material.specularColorTexture = readSlot(specular, "specularColorTexture", scene);
 }
 
-/// 0 stands for infinity; between 0 and 1 nothing is defined.
+/// 0 means infinite; values between 0 and 1 are undefined.
 float readIor(const JsonObject& object) {
     const float ior = object.number("ior", 1.5f, 0);
     return ior > 0 ? std::max(ior, 1.0f) : 0.0f;

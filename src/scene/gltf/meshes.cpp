@@ -26,7 +26,7 @@ void readSkinSets(Attributes& attributes, Primitive& primitive) {
         SkinSet skin{attributes.joints(joints.c_str()), attributes.weights(weights.c_str())};
         if (skin.joints.size() != skin.weights.size())
             return; // one of them failed
-        // Joints that weigh nothing are often left over from other skins; they must not count against this one.
+        // Joints with weight 0 are often left over from other skins and must not be checked against this one.
         for (size_t i = 0; i < skin.joints.size(); ++i)
             for (int k = 0; k < 4; ++k)
                 if (!(skin.weights[i][k] > 0)) {
@@ -66,7 +66,7 @@ void readAttributes(Document& document, const JsonObject& object, const DracoMes
         readMorphTargets(document, object, primitive);
 }
 
-/// The indices as the file has them, or 0, 1, 2, ... where it has none.
+/// Returns the file's indices, or 0, 1, 2, ... without any.
 std::vector<uint32_t> readIndices(Document& document, const JsonObject& object, size_t vertexCount) {
     std::vector<uint32_t> indices;
     if (object.has("indices")) {
@@ -90,7 +90,7 @@ bool checkIndices(Document& document, const JsonObject& object, const std::vecto
     return false;
 }
 
-/// The texture coordinates that a normal map of this material uses, if it has one.
+/// Returns the texture coordinate set of the material's normal map, if it has one.
 std::optional<uint32_t> normalMapTexCoord(const Scene& scene, int material) {
     if (material < 0)
         return std::nullopt;
@@ -105,7 +105,7 @@ std::optional<uint32_t> normalMapTexCoord(const Scene& scene, int material) {
 void completeShadingFrames(Document& document, const Scene& scene, Primitive& primitive) {
     Geometry& geometry = primitive.geometry;
     if (geometry.normals.empty())
-        geometry.tangents.clear(); // tangents without normals mean nothing
+        geometry.tangents.clear(); // tangents without normals are undefined
     repairShadingFrames(geometry);
     if (geometry.normals.empty() && geometry.topology == Topology::Triangles)
         makeFlatNormals(document, primitive);

@@ -5,8 +5,8 @@
 namespace glint::scene::gltf {
 namespace {
 
-/// The codecs spend at least 2 bits on 16 bytes (attributes) or a byte on a triangle, so honest data never grows more
-/// than this; a larger claim is refused before memory is allocated for it.
+/// The codecs need at least 2 bits per 16 bytes (attributes) or a byte per triangle, so valid data never grow more than
+/// this; a larger size is rejected before allocation.
 constexpr uint64_t kMaxGrowth = 64;
 
 struct Request {
@@ -16,7 +16,7 @@ struct Request {
     uint64_t stride = 0;
 };
 
-/// The combinations that the extension allows, which are also the ones that the codecs survive.
+/// Accepts the combinations that the extension allows; the codecs are safe only for these.
 bool checkRequest(Diagnostics& diagnostics, const Request& request, uint64_t sourceBytes, size_t viewIndex) {
     const auto fail = [&](const std::string& what) {
         diagnostics.fail("bufferView {}: EXT_meshopt_compression: {}", viewIndex, what);

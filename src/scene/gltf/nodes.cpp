@@ -37,7 +37,7 @@ void readTransform(const JsonObject& object, Node& node) {
     node.scale = object.vector<3>("scale", glm::vec3(1));
 }
 
-/// EXT_mesh_gpu_instancing: translations, rotations and scales side by side, each optional.
+/// EXT_mesh_gpu_instancing: arrays of translations, rotations and scales, each optional.
 std::vector<glm::mat4> readInstances(Document& document, const JsonObject& extension) {
     const JsonObject attributes = extension.object("attributes");
     const Accessor* translation = findAccessor(document, attributes, "TRANSLATION", {kVec3});
@@ -105,7 +105,7 @@ void linkParents(Document& document, Scene& scene) {
     }
 }
 
-/// With one parent a node, whatever cannot be reached from a parentless node lies on a cycle or below one.
+/// As a node has at most one parent, nodes that no root reaches are on a cycle or below one.
 void checkNoCycles(Document& document, const Scene& scene) {
     std::vector<bool> reached(scene.nodes.size(), false);
     std::vector<int> open;
@@ -155,7 +155,7 @@ uint64_t geometryBytes(const Mesh& mesh) {
     return bytes;
 }
 
-/// What `pose` will make for this scene: an item a primitive, instance and node, and a copy of each deformed mesh.
+/// Reserves the memory that `pose` needs: an item per primitive, instance and node, a copy of each deformed mesh.
 void reservePose(Document& document, const Scene& scene) {
     constexpr uint64_t kItemBytes = 128; // about a DrawItem
     std::vector<uint64_t> bytesOf(scene.meshes.size());

@@ -12,7 +12,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-/// Normalizes; false where there is no direction.
+/// Normalizes `v`; false if it has no direction.
 bool tryNormalize(glm::vec3& v) {
     const glm::dvec3 wide(v);
     const double length = glm::length(wide);
@@ -22,7 +22,7 @@ bool tryNormalize(glm::vec3& v) {
     return true;
 }
 
-/// For every vertex the sum of its faces' normals, weighted by area.
+/// Returns for every vertex the area-weighted sum of its faces' normals.
 std::vector<glm::dvec3> facesAroundVertices(const Geometry& geometry) {
     std::vector<glm::dvec3> sums(geometry.positions.size(), glm::dvec3(0));
     if (geometry.topology != Topology::Triangles)
@@ -41,7 +41,7 @@ std::vector<glm::dvec3> facesAroundVertices(const Geometry& geometry) {
 } // namespace
 
 void repairShadingFrames(Geometry& geometry) {
-    std::vector<glm::dvec3> faces; // made when the first normal needs them
+    std::vector<glm::dvec3> faces; // computed for the first normal that needs them
     for (size_t i = 0; i < geometry.normals.size(); ++i) {
         if (tryNormalize(geometry.normals[i]))
             continue;

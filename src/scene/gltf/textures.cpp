@@ -8,7 +8,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-// glTF keeps OpenGL's numbers.
+// OpenGL's numbers, which glTF uses.
 constexpr uint64_t kNearest = 9728;
 constexpr uint64_t kLinear = 9729;
 constexpr uint64_t kNearestMipmapNearest = 9984;
@@ -57,14 +57,14 @@ Sampler readSampler(const JsonObject& object) {
     return sampler;
 }
 
-/// "Box.gltf: images[0] (Box.png)", so that a message about a damaged picture names its file.
+/// "Box.gltf: images[0] (Box.png)": names a damaged image's file in messages.
 std::string imageLabel(const Document& document, const JsonObject& object) {
     const std::string uri = object.string("uri");
     const std::string name = uri.empty() || uri.starts_with("data:") ? object.string("name") : uri;
     return fmt::format("{}: {}{}", document.diagnostics.file(), object.path(), name.empty() ? "" : " (" + name + ")");
 }
 
-/// Nothing after a mistake, and nothing for KTX2, which is no mistake.
+/// Empty after an error, and for KTX2, which is not an error.
 std::optional<Image> readImage(Document& document, const JsonObject& object) {
     std::vector<uint8_t> loaded;
     std::span<const uint8_t> bytes;
@@ -91,20 +91,20 @@ std::optional<Image> readImage(Document& document, const JsonObject& object) {
     return std::move(image).value();
 }
 
-/// The file's image that a texture draws from: WebP if there is one, else the plain source; -1: none that can be read.
+/// Returns the index of a texture's image: WebP if present, otherwise the core source; -1: none that can be read.
 int readSource(const JsonObject& texture, size_t imageCount) {
     const int webp = texture.extension("EXT_texture_webp").index("source", imageCount, "images");
     return webp >= 0 ? webp : texture.index("source", imageCount, "images");
 }
 
-/// The images of a file, decoded when the first texture wants them.
+/// The images of a file, each decoded on first use.
 class Images {
 public:
     explicit Images(std::vector<JsonObject> objects) : objects_(std::move(objects)), loaded_(objects_.size()) {}
 
     size_t size() const { return objects_.size(); }
 
-    /// The index in Scene::images of the file's image `source`; -1: it is KTX2, or a mistake has been recorded.
+    /// Returns the index in Scene::images of the file's image `source`; -1 for KTX2 or after an error.
     int load(Document& document, int source, Scene& scene) {
         std::optional<int>& index = loaded_[size_t(source)];
         if (!index) {

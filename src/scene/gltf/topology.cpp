@@ -12,7 +12,7 @@ Topology listTopology(PrimitiveMode mode) {
     }
 }
 
-// glTF 2.0 specification, section 3.7.2.1: the order of vertices keeps the winding the same along a strip or fan.
+// glTF 2.0 specification, section 3.7.2.1: this vertex order keeps the winding along a strip or fan.
 std::vector<uint32_t> expandToList(PrimitiveMode mode, std::vector<uint32_t> indices) {
     const size_t count = indices.size();
     std::vector<uint32_t> list;

@@ -3,7 +3,7 @@
 namespace glint::scene::gltf {
 namespace {
 
-/// Calls `visit` with every vertex array: a new kind of vertex data has one place to be added.
+/// Calls `visit` with every vertex array; the one place to add a new one.
 template <class P, class Visit>
 void forEachArray(P& primitive, Visit&& visit) {
     auto& geometry = primitive.geometry;
