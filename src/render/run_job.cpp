@@ -38,7 +38,7 @@ Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
         result.inspection = session.inspection();
     result.notes = session.notes();
     if (!job.environment.empty() && job.environment != "none" && !job.settings.reflections.sky.enabled)
-        result.notes.push_back("--env lights the scene, but rays that miss do not show it: sky.enabled is off");
+        result.notes.emplace_back("--env lights the scene, but rays that miss do not show it: sky.enabled is off");
     return result;
 }
 
