@@ -30,9 +30,7 @@ layout(set = 0, binding = 7) uniform usampler2D rayRecord;
 layout(set = 0, binding = 8) uniform sampler2D dfg;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D composite;
 layout(set = 0, binding = 10) uniform usampler2D edge;
-layout(push_constant, scalar) uniform PushBlock {
-    CompositeConstants settings;
-};
+CompositeConstants settings = frame.settings.composite;
 
 /// Reflectance under the user's settings: strength first, then the exponent over both.
 vec3 falloff(vec3 reflectance) {
@@ -202,7 +200,7 @@ void main() {
             // As in Babylon.js, a ray that was clipped at the frustum ends there.
             if (ray.outcome == kOutcomeOffScreen && settings.debugOutcome == kDebugClipped)
                 ray.outcome = kOutcomeMaxDistance;
-            result = outcomeColor(ray, settings.maxSteps);
+            result = outcomeColor(ray, frame.settings.trace.maxSteps);
             untouched = false;
         }
     }

@@ -27,7 +27,7 @@ layout(set = 0, binding = 10) uniform sampler2D planarAnswer;
 layout(set = 0, binding = 11) uniform sampler2D refracted;         // one texel without layers
 layout(set = 0, binding = 12) uniform sampler2D refractionWeights;
 layout(push_constant, scalar) uniform PushBlock {
-    ViewConstants settings;
+    uint shownView; // kView*
 };
 
 /// A colour a source, that of the heaviest; black where none answered.
@@ -80,7 +80,7 @@ void main() {
     uvec2 shares = texelFetch(weights, px, 0).xy;
 
     vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
-    switch (settings.view) {
+    switch (shownView) {
     case kViewReflection:
         value.rgb = texelFetch(reflected, px, 0).rgb;
         break;
@@ -95,7 +95,7 @@ void main() {
         value.rgb = sourceColor(shares);
         break;
     case kViewOutcome:
-        value.rgb = outcomeColor(ray, settings.maxSteps);
+        value.rgb = outcomeColor(ray, frame.settings.trace.maxSteps);
         break;
     case kViewNormal:
         value.rgb = background ? vec3(0.0) : mat3(frame.constants.viewToWorld) * here.normalVS;

@@ -14,8 +14,9 @@ layout(set = 0, binding = 3) uniform usampler2D rayRecord;
 layout(set = 0, binding = 4) uniform sampler2D source; // radiance, not multiplied by weight
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D blurred;
 layout(push_constant, scalar) uniform PushBlock {
-    BlurConstants settings;
+    BlurPassConstants image;
 };
+BlurConstants settings = frame.settings.blur;
 
 #include "denoise/blur_radius.glsl"
 #include "denoise/neighbourhood.glsl"
@@ -41,9 +42,9 @@ struct Gathered {
 };
 
 void gather(inout Gathered sum, Place here, ivec2 herePX, ivec2 sourcePX, float weight) {
-    if (any(lessThan(sourcePX, ivec2(0))) || any(greaterThanEqual(sourcePX, ivec2(settings.sourceSize))))
+    if (any(lessThan(sourcePX, ivec2(0))) || any(greaterThanEqual(sourcePX, ivec2(image.sourceSize))))
         return;
-    ivec2 tracePX = gridToTracePixel(settings.sourceSize, sourcePX);
+    ivec2 tracePX = gridToTracePixel(image.sourceSize, sourcePX);
     if (!wasTraced(rayOf(tracePX)))
         return;
     ivec2 tapPX = tracePixelToFull(frame.constants, tracePX);
@@ -56,9 +57,9 @@ void gather(inout Gathered sum, Place here, ivec2 herePX, ivec2 sourcePX, float 
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(px, ivec2(settings.targetSize))))
+    if (any(greaterThanEqual(px, ivec2(image.targetSize))))
         return;
-    ivec2 tracePX = gridToTracePixel(settings.targetSize, px);
+    ivec2 tracePX = gridToTracePixel(image.targetSize, px);
     RayRecord ray = rayOf(tracePX);
     if (!wasTraced(ray)) {
         imageStore(blurred, px, vec4(0.0));
@@ -67,11 +68,11 @@ void main() {
     ivec2 herePX = tracePixelToFull(frame.constants, tracePX);
     Place here = placeOf(herePX);
 
-    int axis = int(settings.vertical);
-    vec2 shrink = settings.sourceSize / settings.targetSize; // above 1 when this pass also downsamples
+    int axis = int(image.vertical);
+    vec2 shrink = image.sourceSize / image.targetSize; // above 1 when this pass also downsamples
     float rayPX = length(ray.hitUV * frame.constants.size - (vec2(herePX) + 0.5));
     float reach = blurReach(here.perceptualRoughness, rayPX, settings.strength, settings.roughnessFactor);
-    reach *= settings.sourceSize[axis] / frame.constants.size[axis];
+    reach *= image.sourceSize[axis] / frame.constants.size[axis];
     if (shrink[axis] > 1.0)
         reach = max(reach, 0.75 * shrink[axis]); // no source pixel is skipped
     // One tap for each source pixel, while the taps suffice. Beyond that, neighbours take different taps, so that

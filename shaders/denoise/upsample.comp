@@ -22,8 +22,10 @@ layout(set = 0, binding = 5) uniform sampler2D source; // the same, or blurred
 layout(set = 0, binding = 9) uniform usampler2D rayRecord;
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D radianceWeight;
 layout(push_constant, scalar) uniform PushBlock {
-    UpsampleConstants settings;
+    vec2 sourceSize; // pixels
 };
+TraceConstants settings = frame.settings.trace;
+BlurConstants blur = frame.settings.blur;
 
 #include "denoise/blur_radius.glsl"
 #include "denoise/neighbourhood.glsl"
@@ -217,19 +219,19 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
 /// Weight of the unblurred answer: 1 without a blur, and the remaining weight where the blur is narrower than a pixel
 /// of its image.
 float sharpShare(Place here, ivec2 px) {
-    if (settings.strength <= 0.0)
+    if (blur.strength <= 0.0)
         return 1.0;
     RayRecord ray = rayOf(fullToTracePixel(frame.constants, px));
     if (!wasTraced(ray))
         return 0.0;
     float rayPX = length(ray.hitUV * frame.constants.size - (vec2(px) + 0.5));
-    float reach = blurReach(here.perceptualRoughness, rayPX, settings.strength, settings.roughnessFactor);
-    return 1.0 - clamp(reach * settings.sourceSize.y / frame.constants.size.y, 0.0, 1.0);
+    float reach = blurReach(here.perceptualRoughness, rayPX, blur.strength, blur.roughnessFactor);
+    return 1.0 - clamp(reach * sourceSize.y / frame.constants.size.y, 0.0, 1.0);
 }
 
 vec4 sharpAnswer(Place here, ivec2 px) {
     vec4 answer;
-    bool found = settings.mirrorRays != 0u && any(lessThan(frame.constants.traceSize, frame.constants.size)) &&
+    bool found = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size)) &&
                  aimOwnRay(here, px, answer);
     if (!found)
         found = mixFour(traced, frame.constants.traceSize, here, px, answer);
@@ -247,7 +249,7 @@ void main() {
     }
     vec4 answer = vec4(0.0);
     float sharp = sharpShare(here, px);
-    bool found = sharp < 1.0 && mixFour(source, settings.sourceSize, here, px, answer);
+    bool found = sharp < 1.0 && mixFour(source, sourceSize, here, px, answer);
     if (!found || sharp > 0.0) {
         vec4 unblurred = sharpAnswer(here, px);
         answer = found ? mix(answer, unblurred, sharp) : unblurred;

@@ -16,9 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 4) uniform samplerCube environment;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D reflected; // sum of weight * radiance; total weight
 layout(set = 0, binding = 7, rg32ui) uniform writeonly uimage2D weights;   // lib/source_weights.glsl
-layout(push_constant, scalar) uniform PushBlock {
-    HierarchyConstants settings;
-};
+HierarchyConstants settings = frame.settings.hierarchy;
 
 #include "hierarchy/environment_radiance.glsl"
 

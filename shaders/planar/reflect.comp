@@ -26,8 +26,9 @@ layout(scalar, set = 0, binding = 9) readonly buffer PlanarBlock {
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D planarAnswer; // radiance, weight
 layout(set = 1, binding = 0) uniform sampler2D pictures[];
 layout(push_constant, scalar) uniform PushBlock {
-    PlanarConstants settings;
+    uint mirrorCount;
 };
+PlanarConstants settings = frame.settings.planar;
 
 const float kMirrorLean = 0.8; // cosine: a normal farther off the mirror's is another surface's
 
@@ -186,7 +187,7 @@ vec4 answer(ivec2 px, float z) {
     vec2 centerPx = vec2(px) + 0.5;
     vec3 positionVS = viewPosition(frame.constants, centerPx * frame.constants.invSize, z);
     vec3 reflectedVS = generateRay(positionVS, here).directionVS;
-    for (uint i = 0u; i < settings.count; ++i) {
+    for (uint i = 0u; i < mirrorCount; ++i) {
         PlanarRecord mirror = mirrors.list[i];
         float away = dot(reflectedVS, mirror.normalVS);
         if (!liesOn(mirror, positionVS, here.normalVS) || away <= 0.0)

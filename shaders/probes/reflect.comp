@@ -15,12 +15,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D probesRadianceWeight; // mean radiance, weight
-layout(push_constant, scalar) uniform PushBlock {
-    ProbesConstants constants;
-};
+ProbesConstants settings = frame.settings.probes;
 
 vec4 answer(ivec2 px, float z) {
-    float left = 1.0 - takenBefore(constants.before, px);
+    float left = 1.0 - takenBefore(settings.before, px);
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     if (left <= 0.0 || here.reflectivity <= 0.0)
         return vec4(0.0);
@@ -28,7 +26,7 @@ vec4 answer(ivec2 px, float z) {
     PixelRay ray = generateRay(uv, z, here);
     vec3 positionWS = (frame.constants.viewToWorld * vec4(ray.originVS, 1.0)).xyz;
     vec3 normalWS = mat3(frame.constants.viewToWorld) * here.normalVS;
-    return probesAnswer(positionWS, normalWS, directionWS(ray), ray.roughnessLeft, left, constants.flags);
+    return probesAnswer(positionWS, normalWS, directionWS(ray), ray.roughnessLeft, left, settings.flags);
 }
 
 void main() {

@@ -15,9 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D raysRadianceWeight;
 layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
-layout(push_constant, scalar) uniform PushBlock {
-    RaysConstants settings;
-};
+RaysConstants settings = frame.settings.rays;
 
 #include "rays/after_screen.glsl"
 

@@ -13,9 +13,7 @@ layout(scalar, set = 0, binding = 10) readonly buffer RaysBlock {
     uint pixels[];
 }
 rays;
-layout(push_constant, scalar) uniform PushBlock {
-    RaysConstants settings;
-};
+RaysConstants settings = frame.settings.rays;
 
 bool isOn(uint flag) {
     return (settings.flags & flag) != 0u;

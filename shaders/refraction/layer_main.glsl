@@ -46,13 +46,18 @@ layout(set = 0, binding = 35, rgba16f) uniform writeonly image2D composite;
 layout(set = 0, binding = 36, rgba16f) uniform writeonly image2D refracted;         // of the nearest layer, for views
 layout(set = 0, binding = 37, rgba16f) uniform writeonly image2D refractionWeights; // screen, probes, sky
 
+layout(push_constant, scalar) uniform PushBlock {
+    uint layerImages; // kLayer* of the images that are bound
+};
+RefractionConstants refraction = frame.settings.refraction;
+
 #include "refraction/layer_seen.glsl"
 
 /// A hit farther away than this counts as infinitely far, metres.
 const float kFar = 1e4;
 
 bool layerHas(uint flag) {
-    return (refraction.flags & flag) != 0u;
+    return ((refraction.flags | layerImages) & flag) != 0u;
 }
 
 /// Change of a ray to that of the next pixel, view space. Igehy 1999, "Tracing Ray Differentials".

@@ -27,7 +27,6 @@ struct PlanarTakeConstants {
 };
 
 struct PlanarConstants {
-    uint count;
     uint before; // bit s: source s (shared/hierarchy.h) is asked before this one
     uint steps;
     float roughnessFadeStart;

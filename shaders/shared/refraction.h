@@ -12,7 +12,7 @@ GLINT_CONSTANT(uint, kRefractionPlane, 2);
 GLINT_CONSTANT(uint, kRefractionThin, 3);
 GLINT_CONSTANT(float, kThinWall, 0.005f); // metres, as in HDRP
 
-// Push constants after TraceConstants. Overrides are the settings refraction.*; a value below 0 keeps the host's own.
+// Overrides are the settings refraction.*; a value below 0 keeps the host's own.
 struct RefractionConstants {
     float ior; // 0: the host's own
     float thickness;
@@ -32,7 +32,7 @@ GLINT_CONSTANT(uint, kLayerReflects, 16);
 GLINT_CONSTANT(uint, kLayerScreen, 32); // enabled sources
 GLINT_CONSTANT(uint, kLayerProbes, 64);
 GLINT_CONSTANT(uint, kLayerSky, 128);
-GLINT_CONSTANT(uint, kLayerFallback, 256); // bound images
+GLINT_CONSTANT(uint, kLayerFallback, 256); // bound images: a push constant
 GLINT_CONSTANT(uint, kLayerCenters, 512);
 GLINT_CONSTANT(uint, kLayerCoverage, 1024);
 GLINT_CONSTANT(uint, kLayerViews, 2048); // store what views show

@@ -77,16 +77,10 @@ struct CompositeConstants {
     uint debugOutcome; // kDebug*
     float strength;
     float falloffExponent;
-    uint maxSteps;
 };
 
 GLINT_CONSTANT(uint, kDebugOutcome, 1);
 GLINT_CONSTANT(uint, kDebugClipped, 2); // rays end at the frustum
-
-struct ViewConstants {
-    uint view; // kView*
-    uint maxSteps;
-};
 
 // In the order of kViewNames in src/reflect/composite/view_names.hpp.
 GLINT_CONSTANT(uint, kViewReflection, 0);

@@ -14,9 +14,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(push_constant, scalar) uniform PushBlock {
-    TraceConstants settings;
-};
+TraceConstants settings = frame.settings.trace;
 
 #include "trace/ray_list.glsl"
 #include "trace/traced.glsl"

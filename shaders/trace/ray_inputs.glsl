@@ -9,12 +9,11 @@
 #include "shared/trace_constants.h"
 
 layout(set = 0, binding = 11) uniform sampler2D backViewZ;
-layout(push_constant, scalar) uniform PushBlock {
-    TraceConstants settings;
 #ifdef GLINT_REFRACTION
-    RefractionConstants refraction;
+TraceConstants settings = frame.settings.layerTrace;
+#else
+TraceConstants settings = frame.settings.trace;
 #endif
-};
 
 bool isOn(uint flag) {
     return (settings.flags & flag) != 0u;

@@ -2,6 +2,8 @@
 
 #include "reflect/input_checks.hpp"
 
+#include <algorithm>
+
 namespace glint::reflect {
 
 // ---------------------------------------------------------------- the frame, top to bottom
@@ -41,8 +43,29 @@ void FrameStages::prepare(gpu::Frame& frame, const View& view) {
         colors_.drop(HistoryReset::View);
     trace_->begin(usesRays() && !stages_.settings().screen.enabled); // the record of `rays` has the frame's size
     const Traced traced = trace_->traced();
-    block_->record(frame, host_, {traced.width, traced.height}, colors_);
+    block_->record(frame, host_, resolveSettings(), {traced.width, traced.height}, colors_);
     prepare_->record(frame, inputs(), colors_.now(kViewZ));
+}
+
+/// The settings in force, with the inputs of this frame: a host may add lights or probes at any time.
+shared::SettingsConstants FrameStages::resolveSettings() {
+    const Settings& settings = stages_.settings();
+    const uint32_t levels = pyramid_->pyramid().levels;
+    shared::SettingsConstants resolved = {};
+    resolved.trace = traceConstants(settings, prepare_->backFacesKnown());
+    resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
+    resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);
+    resolved.layerTrace = layerTraceConstants(settings, levels);
+    resolved.refraction =
+        refractionConstants(settings, probes() != nullptr, static_cast<bool>(host_.images.environment));
+    if (usesRays())
+        resolved.rays = raysSource_->constants(host_.images, hierarchy_->before(shared::kSourceRays));
+    resolved.planar = PlanarSource::constants(settings, hierarchy_->before(shared::kSourcePlanar));
+    resolved.probes = {probeFlags(settings), hierarchy_->before(shared::kSourceProbes)};
+    resolved.hierarchy = hierarchy_->constants();
+    resolved.blur = blurConstants(settings);
+    resolved.composite = composite_->constants();
+    return resolved;
 }
 
 /// Initializes images that may be read before they are written.
@@ -78,8 +101,7 @@ void FrameStages::countRays(gpu::Frame& frame) {
 }
 
 void FrameStages::recordLayer(gpu::Frame& frame, LayerImages& layer) {
-    refraction_->record(frame, stages_.settings(), layer, {inputs(), prepared(), pyramid_->pyramid(), probes()},
-                        colors_.now(kComposite));
+    refraction_->record(frame, layer, {inputs(), prepared(), pyramid_->pyramid(), probes()}, colors_.now(kComposite));
 }
 
 // ---------------------------------------------------------------- recordings

@@ -90,6 +90,7 @@ private:
     // Record the frame, top to bottom, and its additions.
     void recordFrame(gpu::Frame& frame, const View& view);
     void prepare(gpu::Frame& frame, const View& view);
+    shared::SettingsConstants resolveSettings();
     void clear(gpu::Frame& frame);
     void bringUpToDate(gpu::Frame& frame);
     void countRays(gpu::Frame& frame);

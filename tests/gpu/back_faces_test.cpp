@@ -2,7 +2,7 @@
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
-#include "shared/frame_constants.h"
+#include "reflect/prepare/frame_block.hpp"
 
 #include <glm/gtc/packing.hpp>
 
@@ -83,7 +83,8 @@ protected:
         constants.invSize = 1.0f / constants.size;
         constants.flags = shared::kInputLinearDepth | (in.coverage.empty() ? 0 : shared::kInputResolved);
         gpu::Buffer frameConstants =
-            must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{constants}, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
+            must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{reflect::FrameBlockValues{constants, {}}},
+                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
         const auto image = [](const char* name, VkFormat format, glm::ivec2 size, const auto& texels) {
             return uploadTestImage(gpu(), name, format, static_cast<uint32_t>(size.x), static_cast<uint32_t>(size.y),
                                    bytesOf(texels));

@@ -4,6 +4,7 @@
 
 #include "reflect/hierarchy/source_order.hpp"
 #include "reflect/prepare/conventions.hpp"
+#include "reflect/prepare/frame_block.hpp"
 #include "shared/hierarchy.h"
 #include "shared/trace_constants.h"
 
@@ -103,7 +104,8 @@ protected:
         return upload("test/surface", VK_FORMAT_R32G32_UINT, bytesOf(packed));
     }
 
-    static gpu::Buffer uploadFrame(uint32_t flags, const TestEnvironment* environment = nullptr) {
+    static gpu::Buffer uploadFrame(uint32_t flags, const shared::SettingsConstants& settings,
+                                   const TestEnvironment* environment = nullptr) {
         shared::FrameConstants frame = reflect::makeFrameConstants(camera().view(kWidth, kHeight), {}, kWidth, kHeight);
         frame.flags |= flags;
         if (environment) {
@@ -111,7 +113,7 @@ protected:
             frame.environmentStrength = environment->map.strength;
             frame.worldToEnvironment = glm::rotate(glm::mat4(1), -environment->map.rotation, glm::vec3(0, 1, 0));
         }
-        return must(gpu::uploadBuffer(gpu(), "test/frame", std::vector<shared::FrameConstants>{frame},
+        return must(gpu::uploadBuffer(gpu(), "test/frame", std::vector<reflect::FrameBlockValues>{{frame, settings}},
                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
     }
 
@@ -151,7 +153,10 @@ protected:
             record.emplace_back(0, pixel.outcome << 28);
         }
         constexpr VkFormat kWide = VK_FORMAT_R32G32B32A32_SFLOAT;
-        gpu::Buffer frameConstants = uploadFrame(hasFallback ? shared::kInputFallback : 0);
+        shared::SettingsConstants settings = {};
+        settings.composite = constants;
+        settings.trace.maxSteps = 1000;
+        gpu::Buffer frameConstants = uploadFrame(hasFallback ? shared::kInputFallback : 0, settings);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));
         gpu::Image materialImage = upload("test/material", kWide, bytesOf(material));
@@ -162,8 +167,7 @@ protected:
         gpu::Image edge =
             uploadTestImage(gpu(), "test/edge", VK_FORMAT_R32G32B32A32_UINT, 1, 1, bytesOf(std::vector<glm::uvec4>(1)));
         gpu::Image composite = output("test/composite", VK_FORMAT_R16G16B16A16_SFLOAT);
-        static const gpu::Pipeline pipeline =
-            must(gpu::Pipeline::compute(gpu(), {"composite/composite", sizeof(constants), {}}));
+        static const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"composite/composite", 0, {}}));
         gpu::Image& table = dfg();
         run([&](VkCommandBuffer commands) {
             gpu::Frame frame(gpu(), commands);
@@ -179,7 +183,6 @@ protected:
                 .read("rayRecord", recordImage)
                 .read("dfg", table)
                 .write("composite", composite)
-                .push(constants)
                 .dispatch(kWidth, kHeight);
         });
         return must(gpu::downloadImageAsFloats(gpu(), composite));
@@ -244,8 +247,8 @@ protected:
     }
 };
 
-constexpr shared::CompositeConstants kPhysical = {0, 1, 0, 1, 1, 1000};
-constexpr shared::CompositeConstants kLerp = {1, 1, 0, 1, 1, 1000};
+constexpr shared::CompositeConstants kPhysical = {0, 1, 0, 1, 1};
+constexpr shared::CompositeConstants kLerp = {1, 1, 0, 1, 1};
 
 /// docs/techniques/composite.md: single scattering from the table, scaled to conserve energy (Turquin 2019, eq. 16).
 glm::dvec3 physicalResponse(const glm::vec3& f0, glm::dvec2 dfg) {
@@ -462,12 +465,12 @@ protected:
             answers.push_back(pixel.answer);
         }
         const auto bit = [](bool on, uint32_t source) { return on ? 1u << source : 0u; };
-        const shared::HierarchyConstants constants = {
-            bit(screen, shared::kSourceScreen) | bit(!rays.empty(), shared::kSourceRays) |
-                bit(!planar.empty(), shared::kSourcePlanar) | bit(!probes.empty(), shared::kSourceProbes) |
-                bit(sky, shared::kSourceSky),
-            reflect::SourceOrder(settings).packed()};
-        gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, &environment);
+        shared::SettingsConstants resolved = {};
+        resolved.hierarchy = {bit(screen, shared::kSourceScreen) | bit(!rays.empty(), shared::kSourceRays) |
+                                  bit(!planar.empty(), shared::kSourcePlanar) |
+                                  bit(!probes.empty(), shared::kSourceProbes) | bit(sky, shared::kSourceSky),
+                              reflect::SourceOrder(settings).packed()};
+        gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, resolved, &environment);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));
         gpu::Image screenImage = upload("test/screen", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(answers));
@@ -481,8 +484,7 @@ protected:
             upload("test/planar", VK_FORMAT_R32G32B32A32_SFLOAT, bytesOf(planar.empty() ? answers : planar));
         gpu::Image reflected = output("test/reflected", VK_FORMAT_R16G16B16A16_SFLOAT);
         gpu::Image weights = output("test/weights", VK_FORMAT_R32G32_UINT);
-        static const gpu::Pipeline pipeline =
-            must(gpu::Pipeline::compute(gpu(), {"hierarchy/combine", sizeof(constants), {}}));
+        static const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"hierarchy/combine", 0, {}}));
         run([&](VkCommandBuffer commands) {
             gpu::Frame frame(gpu(), commands);
             frame.pass(pipeline)
@@ -495,7 +497,6 @@ protected:
                 .read("environment", environment.cube)
                 .write("reflected", reflected)
                 .write("weights", weights)
-                .push(constants)
                 .dispatch(kWidth, kHeight);
         });
         return {must(gpu::downloadImageAsFloats(gpu(), reflected)),

@@ -2,7 +2,7 @@
 // pass runs alone, on the tests' own depths; the test visits all pixels of all cells in double precision.
 #include "gpu/support/synthetic_gbuffer.hpp"
 
-#include "shared/frame_constants.h"
+#include "reflect/prepare/frame_block.hpp"
 #include "shared/trace_constants.h"
 
 #include <fmt/format.h>
@@ -88,7 +88,8 @@ protected:
         constants.invSize = 1.0f / constants.size;
         constants.flags = in.orthographic ? shared::kInputOrthographic : 0;
         gpu::Buffer frameConstants =
-            must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{constants}, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
+            must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{reflect::FrameBlockValues{constants, {}}},
+                                   VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));
         const auto image = [](const char* name, glm::ivec2 size, const std::vector<float>& texels) {
             return uploadTestImage(gpu(), name, VK_FORMAT_R32_SFLOAT, static_cast<uint32_t>(size.x),
                                    static_cast<uint32_t>(size.y), bytesOf(texels));

@@ -1,27 +1,23 @@
 #include "reflect/composite/composite.hpp"
 
-#include "reflect/trace/technique.hpp"
-
 namespace glint::reflect {
 
 Result<Composite> Composite::create(StageContext& stages) {
     Composite composite(stages);
-    GLINT_TRY(pass,
-              gpu::Pipeline::compute(stages.gpu, {"composite/composite", sizeof(shared::CompositeConstants), {}}));
+    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"composite/composite", 0, {}}));
     composite.pass_ = std::move(pass);
     return composite;
 }
 
-void Composite::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
-                       const Reflected& reflected, gpu::Image& rayRecord, gpu::Image& composite) {
+shared::CompositeConstants Composite::constants() const {
     const Settings& settings = stages_->settings();
     const uint32_t debug = settings.screen.clipToFrustum ? shared::kDebugClipped : shared::kDebugOutcome;
-    const shared::CompositeConstants constants = {static_cast<uint32_t>(settings.composite.model),
-                                                  settings.reflect.fresnel,
-                                                  settings.debug.outcome ? debug : 0,
-                                                  settings.reflect.strength,
-                                                  settings.reflect.falloffExponent,
-                                                  traceConstants(settings, prepared.backFacesKnown).maxSteps};
+    return {static_cast<uint32_t>(settings.composite.model), settings.reflect.fresnel,
+            settings.debug.outcome ? debug : 0, settings.reflect.strength, settings.reflect.falloffExponent};
+}
+
+void Composite::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
+                       const Reflected& reflected, gpu::Image& rayRecord, gpu::Image& composite) {
     Inputs& host = inputs.host;
     frame.pass(pass_)
         .read("frame", inputs.constants)
@@ -35,7 +31,6 @@ void Composite::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepa
         .read("rayRecord", rayRecord)
         .read("dfg", inputs.standIns.dfg)
         .write("composite", composite)
-        .push(constants)
         .dispatch(stages_->width(), stages_->height());
 }
 

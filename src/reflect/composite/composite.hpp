@@ -3,6 +3,7 @@
 
 #include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
+#include "shared/trace_constants.h"
 
 namespace glint::reflect {
 
@@ -10,6 +11,7 @@ class Composite {
 public:
     static Result<Composite> create(StageContext& stages);
 
+    shared::CompositeConstants constants() const;
     /// Writes `composite`, RGBA16F. `rayRecord`: the outcomes of the pixels' rays, for debug colours.
     void record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared, const Reflected& reflected,
                 gpu::Image& rayRecord, gpu::Image& composite);

@@ -6,7 +6,7 @@ namespace glint::reflect {
 
 Result<std::unique_ptr<Views>> Views::create(StageContext& stages) {
     std::unique_ptr<Views> views(new Views(stages));
-    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"composite/view", sizeof(shared::ViewConstants), {}}));
+    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"composite/view", sizeof(uint32_t), {}}));
     views->pass_ = std::move(pass);
     GLINT_TRY(show, gpu::Pipeline::compute(stages.gpu, {"composite/show", 0, {}}));
     GLINT_TRY(showIntegers, gpu::Pipeline::compute(stages.gpu, {"composite/show_integers", 0, {}}));
@@ -39,8 +39,6 @@ gpu::Image& Views::record(gpu::Frame& frame, const ViewInputs& inputs, uint32_t 
     const Prepared& prepared = inputs.hierarchy.prepared;
     gpu::Image& black = inputs.hierarchy.frame.standIns.black;
     const Reflected reflected = inputs.sources.reflected();
-    const shared::ViewConstants constants = {view,
-                                             traceConstants(stages_.settings(), prepared.backFacesKnown).maxSteps};
     frame.pass(pass_)
         .read("frame", inputs.hierarchy.frame.constants)
         .read("viewZ", prepared.viewZ)
@@ -55,7 +53,7 @@ gpu::Image& Views::record(gpu::Frame& frame, const ViewInputs& inputs, uint32_t 
         .read("refracted", inputs.refraction ? inputs.refraction->refracted() : black)
         .read("refractionWeights", inputs.refraction ? inputs.refraction->weights() : black)
         .write("view", image_)
-        .push(constants)
+        .push(view)
         .dispatch(stages_.width(), stages_.height());
     return image_;
 }

@@ -1,7 +1,5 @@
 #include "reflect/denoise/denoise.hpp"
 
-#include "shared/denoise_constants.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +22,10 @@ uint32_t maxTaps(const Settings& settings) {
 }
 
 } // namespace
+
+shared::BlurConstants blurConstants(const Settings& settings) {
+    return {maxTaps(settings), settings.blur.strength, settings.rough.factor};
+}
 
 // ---------------------------------------------------------------- the stage
 
@@ -58,9 +60,7 @@ Signal Denoise::blur(gpu::Frame& frame, const DenoiseInputs& inputs, Signal sour
 }
 
 void Denoise::recordBlur(gpu::Frame& frame, const DenoiseInputs& inputs, bool vertical, Signal source, Signal target) {
-    const Settings& settings = stages_.settings();
-    const shared::BlurConstants constants = {source.size(),     target.size(),          vertical,
-                                             maxTaps(settings), settings.blur.strength, settings.rough.factor};
+    const shared::BlurPassConstants constants = {source.size(), target.size(), vertical};
     frame.pass(blurPass_)
         .read("frame", inputs.trace.frame.constants)
         .read("viewZ", inputs.trace.prepared.viewZ)
@@ -75,15 +75,6 @@ void Denoise::recordBlur(gpu::Frame& frame, const DenoiseInputs& inputs, bool ve
 // ---------------------------------------------------------------- upsample
 
 Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
-    const Settings& settings = stages_.settings();
-    const shared::TraceConstants trace = traceConstants(settings, inputs.trace.prepared.backFacesKnown);
-    const shared::UpsampleConstants constants = {source.size(),
-                                                 trace.threshold,
-                                                 trace.roughnessFadeStart,
-                                                 trace.maxRoughness,
-                                                 trace.roughnessFactor <= 0,
-                                                 settings.blur.strength,
-                                                 settings.rough.factor};
     gpu::Pass pass = frame.pass(upsamplePass_);
     readHitColor(pass, inputs.trace);
     pass.read("frame", inputs.trace.frame.constants)
@@ -93,7 +84,7 @@ Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal 
         .read("traced", inputs.traced.target)
         .read("source", *source.image)
         .write("radianceWeight", whole_)
-        .push(constants)
+        .push(source.size())
         .dispatch(stages_.width(), stages_.height());
     return {&whole_, stages_.width(), stages_.height()};
 }
@@ -108,11 +99,10 @@ uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
 
 Result<std::unique_ptr<Denoise>> Denoise::create(StageContext& stages) {
     std::unique_ptr<Denoise> stage(new Denoise(stages));
-    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"denoise/blur", sizeof(shared::BlurConstants), {}},
+    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"denoise/blur", sizeof(shared::BlurPassConstants), {}},
                                                gpu::Compile::Later));
     GLINT_TRY(upsamplePass,
-              gpu::Pipeline::compute(stages.gpu, {"denoise/upsample", sizeof(shared::UpsampleConstants), {}},
-                                     gpu::Compile::Later));
+              gpu::Pipeline::compute(stages.gpu, {"denoise/upsample", sizeof(glm::vec2), {}}, gpu::Compile::Later));
     stage->blurPass_ = std::move(blurPass);
     stage->upsamplePass_ = std::move(upsamplePass);
     Denoise* const self = stage.get();

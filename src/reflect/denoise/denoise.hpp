@@ -4,6 +4,7 @@
 
 #include "reflect/stage.hpp"
 #include "reflect/trace/technique.hpp"
+#include "shared/denoise_constants.h"
 
 #include <functional>
 #include <vector>
@@ -35,6 +36,9 @@ struct Denoiser {
     /// Records the filter's passes and returns their output. In a rehearsal: every pass that it may record.
     std::function<Signal(gpu::Frame& frame, const DenoiseInputs& inputs, Signal signal)> record;
 };
+
+/// Settings blur.*.
+shared::BlurConstants blurConstants(const Settings& settings);
 
 class Denoise {
 public:

@@ -7,8 +7,7 @@ namespace glint::reflect {
 Result<std::unique_ptr<Hierarchy>> Hierarchy::create(StageContext& stages, std::vector<Source> sources) {
     std::unique_ptr<Hierarchy> hierarchy(new Hierarchy(stages));
     hierarchy->sources_ = std::move(sources);
-    GLINT_TRY(combine,
-              gpu::Pipeline::compute(stages.gpu, {"hierarchy/combine", sizeof(shared::HierarchyConstants), {}}));
+    GLINT_TRY(combine, gpu::Pipeline::compute(stages.gpu, {"hierarchy/combine", 0, {}}));
     hierarchy->combine_ = std::move(combine);
     const uint32_t w = stages.width();
     const uint32_t h = stages.height();
@@ -58,7 +57,7 @@ void Hierarchy::recordSources(gpu::Frame& frame, const HierarchyInputs& inputs) 
     const SourceOrder order = this->order();
     for (const uint32_t source : order)
         if (sources_[source].record && sources_[source].takesPart())
-            sources_[source].record(frame, answersOf(takingPart() & order.before(source), inputs));
+            sources_[source].record(frame, answersOf(before(source), inputs));
 }
 
 Reflected Hierarchy::combine(gpu::Frame& frame, const HierarchyInputs& inputs) {
@@ -67,7 +66,6 @@ Reflected Hierarchy::combine(gpu::Frame& frame, const HierarchyInputs& inputs) {
 }
 
 gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const HierarchyInputs& inputs) {
-    const shared::HierarchyConstants constants = {takingPart(), order().packed()};
     Inputs& host = inputs.frame.host;
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frame.constants)
@@ -75,8 +73,7 @@ gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipelin
         .read("surface", inputs.prepared.surface)
         .read("environment", host.environment ? host.environment : inputs.frame.standIns.blackCube)
         .write("reflected", reflected_)
-        .write("weights", weights_)
-        .push(constants);
+        .write("weights", weights_);
     answersOf(takingPart(), inputs).bind(pass);
     return pass;
 }

@@ -40,6 +40,9 @@ public:
     /// True if at least one source is used.
     bool anySource() const { return takingPart() != 0; }
     bool takesPart(uint32_t source) const { return (takingPart() >> source & 1) != 0; }
+    /// Bit s: source s is used, and asked before `source`.
+    uint32_t before(uint32_t source) const { return takingPart() & order().before(source); }
+    shared::HierarchyConstants constants() const { return {takingPart(), order().packed()}; }
 
     /// Records the sources that fill the remaining weight, in the user's order, then the walk over all sources.
     Reflected record(gpu::Frame& frame, const HierarchyInputs& inputs);

@@ -108,10 +108,10 @@ Result<std::unique_ptr<Inspector>> Inspector::create(StageContext& stages) {
     GLINT_TRY(pixel, Pipeline::compute(context, {"trace/log/pixel", sizeof(shared::InspectConstants), {}}));
     inspector->pixel_ = std::move(pixel);
     for (const Technique& technique : techniques()) {
-        GLINT_TRY(pipeline, Pipeline::compute(context, {logShader(technique), sizeof(shared::TraceConstants), {}}));
+        GLINT_TRY(pipeline, Pipeline::compute(context, {logShader(technique), 0, {}}));
         inspector->marchers_.push_back(std::move(pipeline));
     }
-    GLINT_TRY(combine, Pipeline::compute(context, {"hierarchy/log/combine", sizeof(shared::HierarchyConstants), {}}));
+    GLINT_TRY(combine, Pipeline::compute(context, {"hierarchy/log/combine", 0, {}}));
     inspector->combine_ = std::move(combine);
     GLINT_TRY(list, Buffer::create(context, {"glint/inspectedRay", sizeof(shared::RayListHeader) + 4,
                                              VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
@@ -152,7 +152,7 @@ void Inspector::record(gpu::Frame& frame, const InspectorInputs& inputs, uint32_
         .dispatch(1);
     const auto index = static_cast<size_t>(&technique - techniques().data());
     const TraceInputs& trace = inputs.trace;
-    technique.record(frame, marchers_[index], stages_.settings(),
+    technique.record(frame, marchers_[index],
                      {trace.frame, trace.prepared, rays_, trace.pyramid, trace.previous, trace.probes, &log_},
                      inputs.target);
     inputs.sources.combinePass(frame, combine_, inputs.hierarchy)

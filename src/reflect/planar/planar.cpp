@@ -6,6 +6,7 @@
 #include "reflect/input_checks.hpp"
 #include "reflect/planar/mirrored_view.hpp"
 #include "reflect/prepare/conventions.hpp"
+#include "reflect/prepare/frame_block.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -61,7 +62,7 @@ Result<std::unique_ptr<PlanarState>> PlanarState::create(gpu::Context& context, 
               gpu::Pipeline::compute(context, {"planar/take_samples", sizeof(shared::PlanarTakeConstants), {}}));
     GLINT_TRY(shrink, gpu::Pipeline::compute(context, {"planar/shrink", 0, {}}));
     GLINT_TRY(constants,
-              gpu::Buffer::create(context, {"planar/frame", sizeof(shared::FrameConstants),
+              gpu::Buffer::create(context, {"planar/frame", sizeof(FrameBlockValues),
                                             VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                             gpu::BufferHome::Device}));
     state->take_ = std::move(take);
@@ -153,7 +154,7 @@ Result<void> PlanarState::record(VkCommandBuffer commands, uint32_t mirror, cons
 
 void PlanarState::take(gpu::Frame& frame, Slot& slot, gpu::Image& radiance, gpu::Image& depth,
                        const shared::FrameConstants& constants) {
-    frame.update(frameConstants_, &constants, sizeof(constants));
+    frame.update(frameConstants_, &constants, sizeof(constants)); // the passes below read no settings
     const glm::dmat4 worldToView(constants.worldToView);
     const glm::dvec3 normalVS = glm::dmat3(worldToView) * glm::normalize(glm::dvec3(toVec(slot.mirror.normalWS)));
     const glm::dvec3 centerVS(worldToView * glm::dvec4(glm::dvec3(toVec(slot.mirror.centerWS)), 1));

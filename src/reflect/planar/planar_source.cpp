@@ -18,12 +18,16 @@ Result<std::unique_ptr<PlanarSource>> PlanarSource::create(StageContext& stages)
 
 Result<void> PlanarSource::setPlanar(PlanarState& planar) {
     GLINT_TRY(reflect,
-              gpu::Pipeline::compute(stages_.gpu,
-                                     {"planar/reflect", sizeof(shared::PlanarConstants), {}, planar.picturesLayout()}));
+              gpu::Pipeline::compute(stages_.gpu, {"planar/reflect", sizeof(uint32_t), {}, planar.picturesLayout()}));
     stages_.retired.keep(std::move(reflect_));
     reflect_ = std::move(reflect);
     planar_ = &planar;
     return {};
+}
+
+shared::PlanarConstants PlanarSource::constants(const Settings& settings, uint32_t before) {
+    return {before, static_cast<uint32_t>(settings.planar.steps), settings.planar.roughnessFadeStart,
+            settings.planar.maxRoughness, settings.fade.borderWidth};
 }
 
 void PlanarSource::record(gpu::Frame& frame, const PlanarInputs& inputs) {
@@ -31,14 +35,6 @@ void PlanarSource::record(gpu::Frame& frame, const PlanarInputs& inputs) {
     const std::span<const shared::PlanarRecord> records = planar_->records(inputs.frame.values, room);
     if (!records.empty())
         frame.update(records_, records.data(), records.size_bytes());
-    const Settings& settings = stages_.settings();
-    shared::PlanarConstants constants = {};
-    constants.count = static_cast<uint32_t>(records.size());
-    constants.before = inputs.earlier.before;
-    constants.steps = static_cast<uint32_t>(settings.planar.steps);
-    constants.roughnessFadeStart = settings.planar.roughnessFadeStart;
-    constants.maxRoughness = settings.planar.maxRoughness;
-    constants.borderWidth = settings.fade.borderWidth;
     gpu::Pass pass = frame.pass(reflect_);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
@@ -47,7 +43,7 @@ void PlanarSource::record(gpu::Frame& frame, const PlanarInputs& inputs) {
         .write("planarAnswer", answer_)
         .table(planar_->pictures());
     inputs.earlier.bind(pass);
-    pass.push(constants).dispatch(answer_.width(), answer_.height());
+    pass.push(static_cast<uint32_t>(records.size())).dispatch(answer_.width(), answer_.height());
 }
 
 } // namespace glint::reflect

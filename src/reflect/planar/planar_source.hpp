@@ -5,6 +5,7 @@
 #include "reflect/planar/planar.hpp"
 #include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
+#include "shared/planar.h"
 
 namespace glint::reflect {
 
@@ -25,6 +26,8 @@ public:
     Result<void> setPlanar(PlanarState& planar);
     bool hasMirrors() const { return planar_ && planar_->count() > 0; }
 
+    /// `before`: the sources that are asked before this one.
+    static shared::PlanarConstants constants(const Settings& settings, uint32_t before);
     void record(gpu::Frame& frame, const PlanarInputs& inputs);
 
     gpu::Image& answer() { return answer_; }

@@ -11,7 +11,7 @@ namespace glint::reflect {
 Result<FrameBlock> FrameBlock::create(StageContext& stages) {
     FrameBlock block(stages);
     GLINT_TRY(buffer,
-              gpu::Buffer::create(stages.gpu, {"glint/frame", sizeof(shared::FrameConstants),
+              gpu::Buffer::create(stages.gpu, {"glint/frame", sizeof(FrameBlockValues),
                                                VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                                gpu::BufferHome::Device}));
     block.buffer_ = std::move(buffer);
@@ -19,16 +19,21 @@ Result<FrameBlock> FrameBlock::create(StageContext& stages) {
 }
 
 void FrameBlock::begin(const View& view, const Host& host) {
-    before_ = constants_;
-    constants_ = makeFrameConstants(view, host.conventions(), stages_->width(), stages_->height());
-    sameProjection_ = ((constants_.flags ^ before_.flags) & shared::kInputOrthographic) == 0;
-    sameView_ = constants_.worldToView == before_.worldToView && constants_.viewToPixel == before_.viewToPixel;
+    before_ = values_.constants;
+    const shared::FrameConstants now =
+        makeFrameConstants(view, host.conventions(), stages_->width(), stages_->height());
+    values_.constants = now;
+    sameProjection_ = ((now.flags ^ before_.flags) & shared::kInputOrthographic) == 0;
+    sameView_ = now.worldToView == before_.worldToView && now.viewToPixel == before_.viewToPixel;
 }
 
-void FrameBlock::record(gpu::Frame& frame, const Host& host, glm::uvec2 traced, History& previous) {
+void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::SettingsConstants& resolved,
+                        glm::uvec2 traced, History& previous) {
     const Settings& settings = stages_->settings();
+    shared::FrameConstants& constants = values_.constants;
+    values_.settings = resolved;
     const Inputs& images = host.images;
-    const auto flag = [&](bool on, uint32_t bit) { constants_.flags |= on ? bit : 0; };
+    const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(static_cast<bool>(images.environment), shared::kInputEnvironment);
     flag(static_cast<bool>(images.fallbackSpecular), shared::kInputFallback);
     flag(static_cast<bool>(images.material), shared::kInputMaterial);
@@ -42,22 +47,22 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, glm::uvec2 traced, 
     flag(settings.input.colorIsGamma, shared::kInputGamma);
     flag(settings.output.colorIsGamma, shared::kOutputGamma);
     flag(settings.screen.targetFormat == TargetFormat::Rgba8, shared::kTraceTarget8);
-    constants_.traceSize = traced;
-    constants_.traceScale = constants_.size / constants_.traceSize;
-    constants_.motionScale = {host.conventions().motionScale[0], host.conventions().motionScale[1]};
-    constants_.viewToPrevView = glm::mat4(glm::dmat4(before_.worldToView) * glm::dmat4(constants_.viewToWorld));
-    constants_.prevViewToPixel = before_.viewToPixel;
-    constants_.prevUvToView = before_.uvToView;
+    constants.traceSize = traced;
+    constants.traceScale = constants.size / constants.traceSize;
+    constants.motionScale = {host.conventions().motionScale[0], host.conventions().motionScale[1]};
+    constants.viewToPrevView = glm::mat4(glm::dmat4(before_.worldToView) * glm::dmat4(constants.viewToWorld));
+    constants.prevViewToPixel = before_.viewToPixel;
+    constants.prevUvToView = before_.uvToView;
     const EnvironmentMap& environment = host.environment;
-    constants_.environmentStrength = environment.strength;
-    constants_.environmentMips = static_cast<float>(std::max(environment.mips, 1u));
-    constants_.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environment.flipY ? -1 : 1, 1)),
-                                                -environment.rotation, glm::vec3(0, 1, 0));
-    constants_.historyExpected = previous.expectedTag();
+    constants.environmentStrength = environment.strength;
+    constants.environmentMips = static_cast<float>(std::max(environment.mips, 1u));
+    constants.worldToEnvironment = glm::rotate(glm::scale(glm::mat4(1), glm::vec3(1, environment.flipY ? -1 : 1, 1)),
+                                               -environment.rotation, glm::vec3(0, 1, 0));
+    constants.historyExpected = previous.expectedTag();
     gammaBefore_ = settings.output.colorIsGamma;
-    frame.update(buffer_, &constants_, sizeof(constants_));
+    frame.update(buffer_, &values_, sizeof(values_));
     if (previous.valid())
-        previous.copyTag(frame, buffer_, offsetof(shared::FrameConstants, historyTag));
+        previous.copyTag(frame, buffer_, offsetof(FrameBlockValues, constants.historyTag));
 }
 
 } // namespace glint::reflect

@@ -27,6 +27,7 @@ public:
     Prepared prepared(Host& host, gpu::Image& viewZ);
     /// Group counts of the pass that recordBackFaces records.
     glm::uvec2 backFaceGroups() const;
+    bool backFacesKnown() const { return backFacesKnown_; } ///< a host provides them and the settings use them
 
 private:
     explicit Prepare(StageContext& stages) : stages_(stages) {}

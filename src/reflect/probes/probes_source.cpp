@@ -10,8 +10,7 @@ Result<std::unique_ptr<ProbesSource>> ProbesSource::create(StageContext& stages)
 }
 
 Result<void> ProbesSource::setProbes(ProbesState& probes) {
-    GLINT_TRY(reflect, gpu::Pipeline::compute(
-                           stages_.gpu, {"probes/reflect", sizeof(shared::ProbesConstants), {}, probes.cubesLayout()}));
+    GLINT_TRY(reflect, gpu::Pipeline::compute(stages_.gpu, {"probes/reflect", 0, {}, probes.cubesLayout()}));
     stages_.retired.keep(std::move(reflect_));
     reflect_ = std::move(reflect);
     probes_ = &probes;
@@ -25,14 +24,13 @@ uint32_t probeFlags(const Settings& settings) {
 }
 
 void ProbesSource::record(gpu::Frame& frame, const ProbesInputs& inputs) {
-    const shared::ProbesConstants constants = {probeFlags(stages_.settings()), inputs.earlier.before};
     gpu::Pass pass = frame.pass(reflect_);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .write("probesRadianceWeight", answer_);
     inputs.earlier.bind(pass);
-    probes_->bind(pass).push(constants).dispatch(answer_.width(), answer_.height());
+    probes_->bind(pass).dispatch(answer_.width(), answer_.height());
 }
 
 } // namespace glint::reflect

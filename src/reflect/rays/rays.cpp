@@ -30,7 +30,7 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
     const uint32_t width = stages.width();
     const uint32_t height = stages.height();
     std::unique_ptr<RaysSource> source(new RaysSource(stages));
-    GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", sizeof(shared::RaysConstants), {}}));
+    GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", 0, {}}));
     GLINT_TRY(count, gpu::Pipeline::compute(context, {"rays/statistics", 0, {}}));
     source->list_ = std::move(list);
     source->count_ = std::move(count);
@@ -71,8 +71,7 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
 
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
-    GLINT_TRY(reflect, gpu::Pipeline::compute(stages_.gpu,
-                                              {shader, sizeof(shared::RaysConstants), {}, surfaces.textureLayout()}));
+    GLINT_TRY(reflect, gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}, surfaces.textureLayout()}));
     stages_.retired.keep(std::move(reflect_));
     reflect_ = std::move(reflect);
     scene_ = &scene;
@@ -84,7 +83,7 @@ Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surface
 
 Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/hits_query" : "rays/hits_bvh";
-    GLINT_TRY(traceHits, gpu::Pipeline::compute(stages_.gpu, {shader, sizeof(shared::RaysConstants), {}}));
+    GLINT_TRY(traceHits, gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}}));
     if (!hits_) {
         const size_t pixels = size_t{radianceWeight_.width()} * radianceWeight_.height();
         GLINT_TRY(hits,
@@ -101,7 +100,7 @@ Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
     return {};
 }
 
-shared::RaysConstants RaysSource::constants(const RaysInputs& inputs) const {
+shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before) const {
     const Settings& settings = stages_.settings();
     const RaysSettings& rays = settings.rays;
     shared::RaysConstants constants = {};
@@ -116,14 +115,14 @@ shared::RaysConstants RaysSource::constants(const RaysInputs& inputs) const {
     constants.transparents = static_cast<uint32_t>(rays.transparents);
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
     constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
-    constants.before = inputs.earlier.before;
+    constants.before = before;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(rays.alphaTest, shared::kRaysAlphaTest);
     flag(rays.lobe == RayLobe::Mirror || (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1), shared::kRaysMirror);
-    flag(inputs.frame.host.environment && settings.sky.enabled, shared::kRaysEnvironment);
-    flag(static_cast<bool>(inputs.frame.host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
+    flag(host.environment && settings.sky.enabled, shared::kRaysEnvironment);
+    flag(static_cast<bool>(host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
     flag(rays.accumulate, shared::kRaysAccumulate);
-    const bool afterScreen = (inputs.earlier.before & (1u << shared::kSourceScreen)) != 0;
+    const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;
     flag(rays.reuseLight && afterScreen, shared::kRaysReuseLight);
     const Bounds transparents = surfaces_ ? transparentBounds(*scene_, *surfaces_) : Bounds();
     flag(!transparents.empty(), shared::kRaysTransparentScene);
@@ -144,7 +143,6 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
     if (!inputs.sameView && !frame.rehearsing())
         sums_.reset(HistoryReset::View);
     sums_.begin(frame, stages_.settings().rays.accumulate);
-    const shared::RaysConstants constants = this->constants(inputs);
     lister_.begin(frame);
     gpu::Pass list = frame.pass(list_);
     list.read("frame", inputs.frame.constants)
@@ -153,18 +151,18 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("screenRecord", inputs.screenRecord)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_);
-    lister_.bind(inputs.earlier.bind(list)).push(constants).dispatch(radianceWeight_.width(), radianceWeight_.height());
+    lister_.bind(inputs.earlier.bind(list)).dispatch(radianceWeight_.width(), radianceWeight_.height());
     lister_.list(frame, rays_, radianceWeight_.width(), radianceWeight_.height(), {});
 
     if (surfaces_)
-        recordShaded(frame, inputs, constants);
+        recordShaded(frame, inputs);
     else
-        recordHits(frame, inputs, constants);
+        recordHits(frame, inputs);
     sums_.end(frame);
 }
 
 /// Traces rays and shades their hits with the host's table.
-void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
+void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
     Inputs& host = inputs.frame.host;
     const StandIns& standIns = inputs.frame.standIns;
     gpu::Pass pass = frame.pass(reflect_);
@@ -185,7 +183,7 @@ void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs, const
         .readWrite("raysSum", sums_.now(0))
         .readWrite("raysWeights", sums_.now(1));
     scene_->bind(pass);
-    surfaces_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+    surfaces_->bind(pass).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
 }
 
 void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
@@ -196,7 +194,7 @@ void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
 }
 
 /// Traces rays; the host shades their hits into the answer.
-void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants) {
+void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs) {
     gpu::Pass pass = frame.pass(traceHits_);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
@@ -206,7 +204,7 @@ void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs, const s
         .read("blueNoise", blueNoise_)
         .write("raysRecord", record_, 0, true)
         .write("hits", hits_);
-    scene_->bind(pass).push(constants).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+    scene_->bind(pass).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
     if (frame.rehearsing())
         return;
     constexpr VkPipelineStageFlags2 kAnywhere = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;

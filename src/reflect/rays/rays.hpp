@@ -40,6 +40,8 @@ public:
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { sums_.reset(reason); }
 
+    /// `before`: the sources that are asked before this one.
+    shared::RaysConstants constants(const Inputs& host, uint32_t before) const;
     void record(gpu::Frame& frame, const RaysInputs& inputs);
 
     /// Adds the outcomes and costs of this frame's rays to a shared::RayStatistics.
@@ -50,9 +52,8 @@ public:
 
 private:
     explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
-    void recordShaded(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants);
-    void recordHits(gpu::Frame& frame, const RaysInputs& inputs, const shared::RaysConstants& constants);
-    shared::RaysConstants constants(const RaysInputs& inputs) const;
+    void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
+    void recordHits(gpu::Frame& frame, const RaysInputs& inputs);
 
     StageContext& stages_;
     gpu::Pipeline list_;

@@ -16,14 +16,8 @@ static_assert(static_cast<uint32_t>(BodyShape::Straight) == shared::kRefractionS
               static_cast<uint32_t>(BodyShape::Thin) == shared::kRefractionThin);
 static_assert(static_cast<uint32_t>(RefractionModel::Thin) == shared::kRefractionThin + 1);
 
-/// Push constants.
-struct LayerConstants {
-    shared::TraceConstants trace;
-    shared::RefractionConstants refraction;
-};
-static_assert(sizeof(LayerConstants) <= 128);
+} // namespace
 
-/// Both rays are marched by hiz, with settings refraction.*.
 shared::TraceConstants layerTraceConstants(const Settings& settings, uint32_t levels) {
     shared::TraceConstants constants = traceConstants(settings, false);
     const RefractionSettings& wanted = settings.refraction;
@@ -61,8 +55,6 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     return constants;
 }
 
-} // namespace
-
 Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, uint32_t width, uint32_t height,
                                                        bool views) {
     constexpr uint32_t kSampled = 21; // in the largest pass
@@ -76,8 +68,7 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
                          "without ReflectionsDesc::transparentLayers",
                          kSampled, context.info().name, most);
     std::unique_ptr<Refraction> result(new Refraction(context));
-    GLINT_TRY(alone,
-              gpu::Pipeline::compute(context, {"refraction/layer", sizeof(LayerConstants), {}}, gpu::Compile::Later));
+    GLINT_TRY(alone, gpu::Pipeline::compute(context, {"refraction/layer", sizeof(uint32_t), {}}, gpu::Compile::Later));
     GLINT_TRY(edges, gpu::Pipeline::compute(context, {"refraction/layer_edges", 0, {}}));
     GLINT_TRY(depth, gpu::Pipeline::compute(context, {"refraction/layers_depth", 0, {}}));
     GLINT_TRY(mipChain, gpu::MipChain::create(context, 1));
@@ -115,9 +106,9 @@ Result<void> Refraction::make() const {
 }
 
 Result<void> Refraction::setProbes(ProbesState& probes, gpu::Retired& retired) {
-    GLINT_TRY(pipeline, gpu::Pipeline::compute(
-                            context_, {"refraction/layer_probes", sizeof(LayerConstants), {}, probes.cubesLayout()},
-                            gpu::Compile::Later));
+    GLINT_TRY(pipeline,
+              gpu::Pipeline::compute(context_, {"refraction/layer_probes", sizeof(uint32_t), {}, probes.cubesLayout()},
+                                     gpu::Compile::Later));
     retired.keep(std::move(withProbes_));
     withProbes_ = std::move(pipeline);
     return {};
@@ -133,8 +124,7 @@ void Refraction::begin(gpu::Frame& frame, gpu::Image& composite) {
     frame.clear(weights_, {});
 }
 
-void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages& layer, const LayerInputs& inputs,
-                        gpu::Image& composite) {
+void Refraction::record(gpu::Frame& frame, LayerImages& layer, const LayerInputs& inputs, gpu::Image& composite) {
     frame.scope("refraction/picture", [&] {
         frame.copy(composite, behind_);
         mips_.make(frame, behind_);
@@ -142,11 +132,9 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
     Inputs& host = inputs.frame.host;
     const StandIns& standIns = inputs.frame.standIns;
     ProbesState* probes = withProbes_ ? inputs.probes : nullptr;
-    LayerConstants constants = {layerTraceConstants(settings, inputs.pyramid.levels),
-                                refractionConstants(settings, probes != nullptr, static_cast<bool>(host.environment))};
-    constants.refraction.flags |= (layer.fallbackSpecular ? shared::kLayerFallback : 0) |
-                                  (layer.objectCenter ? shared::kLayerCenters : 0) |
-                                  (layer.coverage ? shared::kLayerCoverage : 0) | (views_ ? shared::kLayerViews : 0);
+    const uint32_t images = (layer.fallbackSpecular ? shared::kLayerFallback : 0) |
+                            (layer.objectCenter ? shared::kLayerCenters : 0) |
+                            (layer.coverage ? shared::kLayerCoverage : 0) | (views_ ? shared::kLayerViews : 0);
     gpu::Pass pass = frame.pass(probes ? withProbes_ : alone_);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
@@ -173,7 +161,7 @@ void Refraction::record(gpu::Frame& frame, const Settings& settings, LayerImages
         .write("refractionWeights", weights_, 0, true);
     if (probes)
         probes->bind(pass);
-    pass.push(constants).dispatch(composite.width(), composite.height());
+    pass.push(images).dispatch(composite.width(), composite.height());
     if (layer.coverage || frame.rehearsing())
         frame.pass(edges_)
             .read("frame", inputs.frame.constants)

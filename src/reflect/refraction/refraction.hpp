@@ -9,6 +9,7 @@
 #include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
 #include "shared/refraction.h"
+#include "shared/trace_constants.h"
 
 #include <memory>
 
@@ -36,6 +37,11 @@ struct LayerInputs {
     ProbesState* probes; ///< null: probes are not used
 };
 
+/// Settings for both rays of a layer, which hiz marches. `levels`: of the depth pyramid.
+shared::TraceConstants layerTraceConstants(const Settings& settings, uint32_t levels);
+/// Settings refraction.*. `probes`, `environment`: the host provides them.
+shared::RefractionConstants refractionConstants(const Settings& settings, bool probes, bool environment);
+
 /// Created if the host declares layers (ReflectionsDesc::transparentLayers).
 class Refraction {
 public:
@@ -50,8 +56,7 @@ public:
     Result<void> setProbes(ProbesState& probes, gpu::Retired& retired);
 
     /// Draws a layer over `composite`, in place.
-    void record(gpu::Frame& frame, const Settings& settings, LayerImages& layer, const LayerInputs& inputs,
-                gpu::Image& composite);
+    void record(gpu::Frame& frame, LayerImages& layer, const LayerInputs& inputs, gpu::Image& composite);
     /// Begins the layers of a frame, whose image has no layers yet.
     void begin(gpu::Frame& frame, gpu::Image& composite);
 

@@ -3,9 +3,8 @@
 
 namespace glint::reflect {
 
-static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   TraceTarget out) {
-    tracePass(frame, pipeline, settings, inputs, out).dispatchIndirect(inputs.rays.list);
+static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
+    tracePass(frame, pipeline, inputs, out).dispatchIndirect(inputs.rays.list);
 }
 
 const Technique kAdaptiveTechnique = {

@@ -11,9 +11,8 @@ static gpu::Pass& bindLists(gpu::Pass& pass, TraceInputs& inputs) {
     return pass.read("probes", none).read("probeCells", none).read("probeLists", none);
 }
 
-static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   TraceTarget out) {
-    gpu::Pass pass = tracePass(frame, pipeline, settings, inputs, out);
+static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
+    gpu::Pass pass = tracePass(frame, pipeline, inputs, out);
     bindLists(pass, inputs).dispatchIndirect(inputs.rays.list);
 }
 

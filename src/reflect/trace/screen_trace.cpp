@@ -7,11 +7,10 @@ namespace glint::reflect {
 Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
     std::unique_ptr<ScreenTrace> trace(new ScreenTrace(stages));
     using gpu::Pipeline;
-    GLINT_TRY(classify, Pipeline::compute(stages.gpu, {"trace/classify", sizeof(shared::TraceConstants), {}}));
+    GLINT_TRY(classify, Pipeline::compute(stages.gpu, {"trace/classify", 0, {}}));
     trace->classify_ = std::move(classify);
     for (const Technique& technique : techniques()) {
-        GLINT_TRY(marcher, Pipeline::compute(stages.gpu, {technique.shader, sizeof(shared::TraceConstants), {}},
-                                             gpu::Compile::Later));
+        GLINT_TRY(marcher, Pipeline::compute(stages.gpu, {technique.shader, 0, {}}, gpu::Compile::Later));
         trace->marchers_.push_back(std::move(marcher));
     }
     const uint32_t w = stages.width();
@@ -63,7 +62,7 @@ void ScreenTrace::begin(bool whole) {
 void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups) {
     classify(frame, inputs.frame, inputs.prepared, backFaceGroups);
     for (size_t i = 0; i < techniques().size(); ++i)
-        techniques()[i].record(frame, marchers_[i], stages_.settings(), inputs, target());
+        techniques()[i].record(frame, marchers_[i], inputs, target());
 }
 
 void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
@@ -71,9 +70,7 @@ void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const P
     lister_.begin(frame);
     gpu::Pass pass = frame.pass(classify_);
     pass.read("frame", inputs.constants).read("viewZ", prepared.viewZ).read("surface", prepared.surface);
-    lister_.bind(writeTraced(pass, target(), false))
-        .push(traceConstants(stages_.settings(), prepared.backFacesKnown))
-        .dispatch(width_, height_);
+    lister_.bind(writeTraced(pass, target(), false)).dispatch(width_, height_);
     const glm::uvec2 pyramidGroups =
         (glm::uvec2(stages_.width(), stages_.height()) + shared::kPyramidTile - 1u) / shared::kPyramidTile;
     lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups});
@@ -81,7 +78,7 @@ void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const P
 
 Traced ScreenTrace::record(gpu::Frame& frame, const TraceInputs& inputs) {
     const Settings& settings = stages_.settings();
-    techniqueFor(settings.screen.march).record(frame, marcherOf(settings), settings, inputs, target());
+    techniqueFor(settings.screen.march).record(frame, marcherOf(settings), inputs, target());
     untraced_.ask();
     return traced();
 }

@@ -42,11 +42,7 @@ gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out, bool keep) {
         .write("rayRecord", out.rayRecord, 0, keep);
 }
 
-gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
-                    TraceTarget out) {
-    shared::TraceConstants constants = traceConstants(settings, inputs.prepared.backFacesKnown);
-    constants.minLevel = std::min(constants.minLevel, inputs.pyramid.levels);
-    constants.maxLevel = std::min(constants.maxLevel, inputs.pyramid.levels);
+gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs& inputs, TraceTarget out) {
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frame.constants)
         .read("rays", inputs.rays.list)
@@ -56,7 +52,7 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Sett
     readHitColor(pass, inputs);
     if (inputs.log)
         pass.readWrite("rayLog", *inputs.log);
-    writeTraced(pass, out, true).push(constants);
+    writeTraced(pass, out, true);
     return pass;
 }
 

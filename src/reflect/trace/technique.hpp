@@ -40,8 +40,7 @@ struct Technique {
     /// volumes predict: the result is as accurate as those, and settings of the march (steps, thickness) have no
     /// effect.
     bool walks;
-    void (*record)(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs inputs,
-                   TraceTarget out);
+    void (*record)(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out);
 };
 
 /// All marchers. A new one is a line here, a shader and a file beside this one.
@@ -61,8 +60,7 @@ gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs);
 gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out, bool keep);
 
 /// Begins the pass of any marcher over the listed rays, without the bindings that only one marcher reads.
-gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const Settings& settings, TraceInputs& inputs,
-                    TraceTarget out);
+gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs& inputs, TraceTarget out);
 
 extern const Technique kLinearTechnique;
 extern const Technique kAdaptiveTechnique;
