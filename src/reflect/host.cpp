@@ -1,28 +1,8 @@
 #include "reflect/host.hpp"
 
-#include <array>
+#include "reflect/gbuffer_images.hpp"
 
 namespace glint::reflect {
-namespace {
-
-struct InputImage {
-    const char* name;
-    HostImage GBuffer::*host;
-    gpu::Image Inputs::*borrowed;
-};
-
-constexpr std::array<InputImage, 8> kInputImages = {{
-    {"depth", &GBuffer::depth, &Inputs::depth},
-    {"normal", &GBuffer::normal, &Inputs::normal},
-    {"material", &GBuffer::material, &Inputs::material},
-    {"baseColor", &GBuffer::baseColor, &Inputs::baseColor},
-    {"litRadiance", &GBuffer::litRadiance, &Inputs::litRadiance},
-    {"fallbackSpecular", &GBuffer::fallbackSpecular, &Inputs::fallbackSpecular},
-    {"backDepth", &GBuffer::backDepth, &Inputs::backDepth},
-    {"motion", &GBuffer::motion, &Inputs::motion},
-}};
-
-} // namespace
 
 void Host::set(const GBuffer& stated, const EnvironmentMap& around) {
     gbuffer = stated;
@@ -33,8 +13,8 @@ void Host::set(const GBuffer& stated, const EnvironmentMap& around) {
 }
 
 void Host::lend() {
-    for (const auto& [name, host, borrowed] : kInputImages)
-        reflect::lend(images.*borrowed, gbuffer.*host, name);
+    for (const GBufferImage& image : kGBufferImages)
+        reflect::lend(images.*image.borrowed, gbuffer.*image.host, image.name);
     lendEnvironment();
     reflect::lend(images.environmentDiffuse, environment.diffuse, "environmentDiffuse", 1, 6);
 }
@@ -44,8 +24,8 @@ void Host::lendEnvironment() {
 }
 
 void Host::giveBack(gpu::Frame& frame) {
-    for (const auto& [name, host, borrowed] : kInputImages)
-        reflect::giveBack(frame, images.*borrowed, gbuffer.*host);
+    for (const GBufferImage& image : kGBufferImages)
+        reflect::giveBack(frame, images.*image.borrowed, gbuffer.*image.host);
     reflect::giveBack(frame, images.environment, environment.cube);
     reflect::giveBack(frame, images.environmentDiffuse, environment.diffuse);
 }

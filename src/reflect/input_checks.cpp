@@ -1,5 +1,6 @@
 #include "reflect/input_checks.hpp"
 
+#include "reflect/gbuffer_images.hpp"
 #include "reflect/host_image.hpp"
 
 #include <glm/gtc/matrix_access.hpp>
@@ -62,56 +63,43 @@ bool isInteger(VkFormat format) {
     }
 }
 
-Result<void> checkGBufferImage(const gpu::Context& context, const HostImage& image, const char* name,
-                               const ReflectionsDesc& desc, ImageRole role = ImageRole::Color) {
-    if (!image.image || !image.view)
-        return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", name);
-    if (image.width != desc.width || image.height != desc.height)
-        return invalidArgument("the G-buffer's `{}` is {}x{}, but these reflections were made for {}x{}", name,
+Result<void> checkSize(const HostImage& image, const GBufferImage& known, const ReflectionsDesc& desc) {
+    if (!known.ownSize && (image.width != desc.width || image.height != desc.height))
+        return invalidArgument("the G-buffer's `{}` is {}x{}, but these reflections were made for {}x{}", known.name,
                                image.width, image.height, desc.width, desc.height);
-    return checkImage(context, image, fmt::format("the G-buffer's `{}`", name), role);
-}
-
-/// Images of surfaces may be multisampled, all with the same count; images of radiance must be resolved.
-Result<void> checkSamples(const HostImage& image, const char* name, uint32_t wanted) {
-    if (image && image.samples != wanted)
-        return invalidArgument(
-            "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material and "
-            "baseColor have the same number, all others 1",
-            name, image.samples, wanted);
+    if (image.width < 1 || image.height < 1 || image.width > kMaxSize || image.height > kMaxSize)
+        return invalidArgument("the G-buffer's `{}` is {}x{}: each side must be 1 to {}", known.name, image.width,
+                               image.height, kMaxSize);
     return {};
 }
 
-/// Checks the images of surfaces: depth, normal and those that the material kind requires.
-Result<void> checkSurface(const gpu::Context& context, const GBuffer& gbuffer, const ReflectionsDesc& desc) {
-    const Conventions& conventions = gbuffer.conventions;
-    GLINT_CHECK(checkGBufferImage(context, gbuffer.depth, "depth", desc, ImageRole::Depth));
-    GLINT_CHECK(checkGBufferImage(context, gbuffer.normal, "normal", desc));
-    if (gbuffer.material || conventions.material != MaterialKind::Standard)
-        GLINT_CHECK(checkGBufferImage(context, gbuffer.material, "material", desc));
-    if (gbuffer.baseColor || conventions.material == MaterialKind::MetallicRoughness)
-        GLINT_CHECK(checkGBufferImage(context, gbuffer.baseColor, "baseColor", desc));
-    const uint32_t samples = gbuffer.depth.samples;
-    if (samples < 1 || samples > 16 || !std::has_single_bit(samples))
-        return invalidArgument("the G-buffer's `depth` has {} samples a pixel: 1, 2, 4, 8 or 16", samples);
-    GLINT_CHECK(checkSamples(gbuffer.normal, "normal", samples));
-    GLINT_CHECK(checkSamples(gbuffer.material, "material", samples));
-    GLINT_CHECK(checkSamples(gbuffer.baseColor, "baseColor", samples));
+/// `surfaces`: samples a pixel of the images of surfaces.
+Result<void> checkGBufferImage(const gpu::Context& context, const GBuffer& gbuffer, const GBufferImage& known,
+                               uint32_t surfaces, const ReflectionsDesc& desc) {
+    const HostImage& image = gbuffer.*known.host;
+    if (!image && !known.required(gbuffer.conventions))
+        return {};
+    if (!image.image || !image.view)
+        return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", known.name);
+    GLINT_CHECK(checkSize(image, known, desc));
+    GLINT_CHECK(checkImage(context, image, fmt::format("the G-buffer's `{}`", known.name), known.role));
+    const uint32_t wanted = known.ofSurfaces ? surfaces : 1;
+    if (image.samples != wanted)
+        return invalidArgument(
+            "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material and "
+            "baseColor have the same number, all others 1",
+            known.name, image.samples, wanted);
+    return {};
+}
+
+Result<void> checkConventions(const Conventions& conventions) {
     if (conventions.roughnessChannel > 3)
         return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3", conventions.roughnessChannel);
     if (conventions.metallicChannel > 3)
         return invalidArgument("metallicChannel is {}: an image has channels 0 to 3", conventions.metallicChannel);
+    if (!std::isfinite(conventions.motionScale[0]) || !std::isfinite(conventions.motionScale[1]))
+        return invalidArgument("motionScale must be finite");
     return {};
-}
-
-/// `backDepth` may have its own size.
-Result<void> checkBackDepth(const gpu::Context& context, const HostImage& image) {
-    if (!image)
-        return {};
-    if (!image.view || image.width < 1 || image.height < 1 || image.width > kMaxSize || image.height > kMaxSize)
-        return invalidArgument("the G-buffer's `backDepth` is {}x{}: it needs a view, and each side must be 1 to {}",
-                               image.width, image.height, kMaxSize);
-    return checkImage(context, image, "the G-buffer's `backDepth`", ImageRole::Depth);
 }
 
 Result<void> checkEnvironment(const gpu::Context& context, const EnvironmentMap& environment) {
@@ -205,19 +193,12 @@ Result<void> checkView(const View& view) {
 
 Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, const EnvironmentMap& environment,
                          const ReflectionsDesc& desc) {
-    GLINT_CHECK(checkSurface(context, gbuffer, desc));
-    GLINT_CHECK(checkGBufferImage(context, gbuffer.litRadiance, "litRadiance", desc));
-    if (gbuffer.fallbackSpecular)
-        GLINT_CHECK(checkGBufferImage(context, gbuffer.fallbackSpecular, "fallbackSpecular", desc));
-    GLINT_CHECK(checkBackDepth(context, gbuffer.backDepth));
-    if (gbuffer.motion)
-        GLINT_CHECK(checkGBufferImage(context, gbuffer.motion, "motion", desc));
-    if (!std::isfinite(gbuffer.conventions.motionScale[0]) || !std::isfinite(gbuffer.conventions.motionScale[1]))
-        return invalidArgument("motionScale must be finite");
-    GLINT_CHECK(checkSamples(gbuffer.litRadiance, "litRadiance", 1));
-    GLINT_CHECK(checkSamples(gbuffer.fallbackSpecular, "fallbackSpecular", 1));
-    GLINT_CHECK(checkSamples(gbuffer.backDepth, "backDepth", 1));
-    GLINT_CHECK(checkSamples(gbuffer.motion, "motion", 1));
+    const uint32_t samples = gbuffer.depth.samples;
+    if (gbuffer.depth && (samples < 1 || samples > 16 || !std::has_single_bit(samples)))
+        return invalidArgument("the G-buffer's `depth` has {} samples a pixel: 1, 2, 4, 8 or 16", samples);
+    for (const GBufferImage& known : kGBufferImages)
+        GLINT_CHECK(checkGBufferImage(context, gbuffer, known, samples, desc));
+    GLINT_CHECK(checkConventions(gbuffer.conventions));
     return checkEnvironment(context, environment);
 }
 
