@@ -46,6 +46,12 @@ struct RoughSettings {
 struct BlurSettings {
     GLINT_BLUR_SETTINGS(GLINT_SETTING_MEMBER)
 };
+struct ReuseSettings {
+    GLINT_REUSE_SETTINGS(GLINT_SETTING_MEMBER)
+};
+struct DenoiseSettings {
+    GLINT_DENOISE_SETTINGS(GLINT_SETTING_MEMBER)
+};
 struct FadeSettings {
     GLINT_FADE_SETTINGS(GLINT_SETTING_MEMBER)
 };
@@ -91,6 +97,8 @@ struct Settings {
     ReflectSettings reflect;
     RoughSettings rough;
     BlurSettings blur;
+    ReuseSettings reuse;
+    DenoiseSettings denoise;
     FadeSettings fade;
     RaysSettings rays;
     PlanarSettings planar;

@@ -129,6 +129,34 @@
         "The reflection blur runs at size / (n + 1); 0: full size",                                                    \
         "babylon:blurDownsample")
 
+#define GLINT_REUSE_SETTINGS(SETTING)                                                                                  \
+    SETTING(int, samples, 8, "[0, 16]", "",                                                                            \
+        "With denoise.enabled: neighbouring pixels whose rays a rough pixel uses besides its own; 0: none",            \
+        "")                                                                                                            \
+    SETTING(float, radius, 8, "[1, 32]", "px",                                                                         \
+        "With denoise.enabled: farthest pixel whose ray a rough pixel uses; narrow lobes look less far",               \
+        "")
+
+#define GLINT_DENOISE_SETTINGS(SETTING)                                                                                \
+    SETTING(bool, enabled, false, "", "",                                                                              \
+        "Sample the lobe of rough surfaces with screen and rays together, and average over neighbours and frames",     \
+        "")                                                                                                            \
+    SETTING(float, historySeconds, 0.5f, "[0, 4]", "s",                                                                \
+        "Longest time over which frames are averaged; longer: less noise, but slower to follow changes of light",      \
+        "")                                                                                                            \
+    SETTING(float, disocclusion, 0.005f, "[1e-4, 0.2]", "of viewZ",                                                    \
+        "A place of the previous frame farther than this from the surface's plane is another surface",                 \
+        "")                                                                                                            \
+    SETTING(float, lobeTrail, 0.4f, "[0.05, 2]", "of the lobe",                                                        \
+        "How far a moving reflection may lag, as a fraction of the lobe's width; smaller: sharper, but noisier in motion", \
+        "")                                                                                                            \
+    SETTING(float, maxRadius, 16, "[0, 64]", "px",                                                                     \
+        "Largest radius of the filter that smooths the noise that is left; 0: no filter",                              \
+        "")                                                                                                            \
+    SETTING(float, noiseTarget, 0.05f, "[0.005, 0.5]", "of the mean",                                                  \
+        "Standard deviation above which the filter works at full strength; larger: sharper, but more grain is left",   \
+        "")
+
 #define GLINT_FADE_SETTINGS(SETTING)                                                                                   \
     SETTING(FadeBorder, border, FadeBorder::Linear, "", "",                                                            \
         "Fade of hits near the screen border: none, smooth (wide, as Babylon.js), or linear (over fade.borderWidth)",  \

@@ -15,6 +15,8 @@ struct View {
     Matrix4 viewToClip = kIdentity;  ///< the matrix that made the depth image, with jitter: perspective or orthographic
     uint32_t frameIndex = 0;         ///< changes the noise from frame to frame
     uint32_t seed = 0;               ///< equal seed and frameIndex give bit-identical results
+    /// Time since the previous frame of this view: converts settings in seconds to frames. 0: a sixtieth of a second.
+    float seconds = 0;
     /// The host's frame counter, starting at 1. Glint derives from it which frames the GPU has finished
     /// (ReflectionsDesc::framesInFlight). 0: each call of Reflections::record counts as one frame. Set it if a frame
     /// has several views.

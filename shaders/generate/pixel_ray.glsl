@@ -1,6 +1,6 @@
 // The one ray of a pixel, which every source answers for: where it starts, its direction, and the roughness that is left
-// for prefiltered lookups. Screen, planar mirrors, probes and sky take it from here; the source `rays` samples the lobe
-// around the same direction (rays/pixel_rays.glsl).
+// for prefiltered lookups. Screen, planar mirrors, probes and sky take it from here. Sources that sample the lobe around
+// that direction draw from generate/lobe.glsl.
 //
 // A function and not an image: a direction in full precision is 16 bytes a pixel, which four passes would read instead
 // of the 8 bytes of packed surface that they read anyway.

@@ -1,42 +1,15 @@
-// The rays of a listed pixel: their starts, directions and widths.
+// The rays of a listed pixel: their starts and widths, and their directions by generate/lobe.glsl.
 #ifndef GLINT_RAYS_PIXEL_RAYS_GLSL
 #define GLINT_RAYS_PIXEL_RAYS_GLSL
 
+#include "generate/sampled_ray.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/ray_start.glsl"
-#include "lib/sampling.glsl"
-#include "rays/ray_noise.glsl"
 #include "rays/rays_inputs.glsl"
-
-/// Below this roughness a lobe is narrower than a pixel.
-const float kMirrorRoughness = 0.001;
-
-// ---------------------------------------------------------------- directions
-
-struct Direction {
-    vec3 ws;      // unit
-    float weight; // fraction of the light from there that leaves the facets; 0: below the surface
-};
 
 /// Roughness of the lobe that directions are drawn from; 0 is a mirror.
 float sampledRoughness(float perceptualRoughness) {
     return isOn(kRaysMirror) || perceptualRoughness < kMirrorRoughness ? 0.0 : perceptualRoughness;
-}
-
-/// Draws a direction that reflects to `V`, with the density of visible normals.
-Direction sampleReflection(vec3 N, vec3 V, float perceptualRoughness, vec2 noise) {
-    if (sampledRoughness(perceptualRoughness) == 0.0)
-        return Direction(reflect(-V, N), 1.0);
-    float alpha = square(perceptualRoughness);
-    mat3 frameOfN = orthonormalBasis(N);
-    vec3 wo = V * frameOfN;
-    wo.z = max(wo.z, 1e-3); // a bent normal may face away
-    wo = normalize(wo);
-    vec3 wm = sampleGGXVisibleCap(wo, noise, alpha);
-    vec3 wi = reflect(-wo, wm);
-    if (wi.z <= 1e-4)
-        return Direction(N, 0.0);
-    return Direction(frameOfN * wi, visibleGGXWeight(wo.z, wi.z, alpha));
 }
 
 // ---------------------------------------------------------------- width
@@ -115,14 +88,9 @@ PixelRays loadPixelRays(uint index) {
     return from;
 }
 
-/// Number of sample `i` of this frame, counted across frames.
-uint sampleNumber(uint i) {
-    return frame.constants.frameIndex * settings.samples + i;
-}
-
 Direction samplePixel(PixelRays from, uint i) {
     vec2 noise = firstBounceNoise(from.px, sampleNumber(i), frame.constants.seed);
-    return sampleReflection(from.N, from.V, from.perceptualRoughness, noise);
+    return sampleLobe(from.N, from.V, sampledRoughness(from.perceptualRoughness), noise);
 }
 
 Ray viewRay(vec3 originWS, vec3 directionWS) {

@@ -103,8 +103,8 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
                 maxComponent(path.throughput * met.response) < kLeastThroughput;
     Direction next = Direction(vec3(0.0), 0.0);
     if (!last)
-        next = sampleReflection(met.normalWS, -path.ray.directionWS, met.lobeRoughness,
-                                laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
+        next = sampleLobe(met.normalWS, -path.ray.directionWS, sampledRoughness(met.lobeRoughness),
+                          laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
     path.ended = next.weight <= 0.0;
     path.radiance += path.throughput * (met.own + (path.ended ? met.environmentSpecular : vec3(0.0)));
     path.throughput *= met.response;

@@ -1,4 +1,4 @@
-// Settings of `denoise`, and what differs between its passes.
+// Settings of `denoise` and `reuse`, and what differs between their passes.
 #ifndef GLINT_SHARED_DENOISE_CONSTANTS_H
 #define GLINT_SHARED_DENOISE_CONSTANTS_H
 
@@ -16,6 +16,18 @@ struct BlurPassConstants {
     float2 sourceSize; // pixels of the source image
     float2 targetSize; // pixels of the target image
     uint vertical;     // 0: along x
+};
+
+struct DenoiseConstants {
+    uint reuseSamples;
+    float reuseRadius;    // pixels
+    float historyFrames;  // most frames in the mean
+    float disocclusion;   // fraction of viewZ
+    float lobeTrail;      // fraction of the lobe's width
+    float filterRadius;   // pixels
+    float noiseTarget;    // fraction of the mean
+    uint historyExpected; // number of the recording that the history should hold; 0: there is none
+    uint historyTag;      // number of the one that it holds: written by the GPU
 };
 
 GLINT_SHARED_END

@@ -39,8 +39,6 @@ GLINT_CONSTANT(uint, kRaysReusedMask, 0xfff);
 GLINT_CONSTANT(uint, kRaysStartOnScreen, 0x40000000);  // the first hit is the screen's hit
 GLINT_CONSTANT(uint, kRaysReplaceScreen, 0x80000000u); // the answer replaces the screen's too
 
-GLINT_CONSTANT(uint, kBlueNoiseSize, 64); // texels a side of the mask
-
 GLINT_SHARED_END
 
 #endif

@@ -23,6 +23,7 @@ struct SettingsConstants {
     ProbesConstants probes;
     HierarchyConstants hierarchy;
     BlurConstants blur;
+    DenoiseConstants denoise;
     CompositeConstants composite;
 };
 

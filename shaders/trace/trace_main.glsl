@@ -15,7 +15,7 @@
 #error no marcher: one of GLINT_MARCH_*
 #endif
 
-#include "generate/pixel_ray.glsl"
+#include "generate/sampled_ray.glsl"
 #include "lib/fades.glsl"
 #include "lib/noise.glsl"
 #include "lib/trace_pixel.glsl"
@@ -73,7 +73,11 @@ void main() {
     ray.originVS = generated.originVS;
     ray.originNormalVS = origin.normalVS;
     ray.directionVS = generated.directionVS;
-    if (settings.roughnessFactor > 0.0)
+    if (isOn(kTraceLobe) && !isMirror(origin.perceptualRoughness)) {
+        Direction sampled = sampledDirection(px, ray.originVS, origin);
+        if (sampled.weight > 0.0)
+            ray.directionVS = normalize(mat3(frame.constants.worldToView) * sampled.ws);
+    } else if (settings.roughnessFactor > 0.0)
         ray.directionVS = jitter(ray.directionVS, px, origin);
     ray.screen = makeScreenRay(frame.constants, ray.originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);

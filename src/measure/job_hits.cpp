@@ -30,6 +30,7 @@ render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
     reflections.reflect.roughnessFadeStart = 1;
     reflections.reflect.maxRoughness = 1;
     reflections.rough.factor = 0;
+    reflections.denoise.enabled = false;                    // rays along the mirror direction
     all.render.display.antialias = render::Antialias::None; // one surface per pixel
     return all;
 }

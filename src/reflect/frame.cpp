@@ -12,6 +12,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     const Settings& settings = stages_.settings();
     clear(frame);
     colors_.begin(frame, wantsHistory());
+    if (lobeDenoise_)
+        lobeDenoise_->begin(frame);
     prepare(frame, view);
     const bool reflects = hierarchy_->anySource() || settings.debug.outcome;
     if (reflects && settings.screen.enabled) {
@@ -35,6 +37,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     if (expectsLayers())
         refraction_->begin(frame, colors_.now(kComposite));
     colors_.end(frame, settings.debug.outcome ? HistoryReset::NotLight : HistoryReset::None);
+    if (lobeDenoise_)
+        lobeDenoise_->end(frame);
 }
 
 void FrameStages::prepare(gpu::Frame& frame, const View& view) {
@@ -43,12 +47,14 @@ void FrameStages::prepare(gpu::Frame& frame, const View& view) {
         colors_.drop(HistoryReset::View);
     trace_->begin(usesRays() && !stages_.settings().screen.enabled); // the record of `rays` has the frame's size
     const Traced traced = trace_->traced();
-    block_->record(frame, host_, resolveSettings(), {traced.width, traced.height}, colors_);
+    block_->record(frame, host_, resolveSettings(view), {traced.width, traced.height}, colors_);
+    if (denoisesLobes())
+        lobeDenoise_->copyTag(frame, block_->buffer(), offsetof(FrameBlockValues, settings.denoise.historyTag));
     prepare_->record(frame, inputs(), colors_.now(kViewZ));
 }
 
 /// The settings in force, with the inputs of this frame: a host may add lights or probes at any time.
-shared::SettingsConstants FrameStages::resolveSettings() {
+shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     const Settings& settings = stages_.settings();
     const uint32_t levels = pyramid_->pyramid().levels;
     shared::SettingsConstants resolved = {};
@@ -64,6 +70,8 @@ shared::SettingsConstants FrameStages::resolveSettings() {
     resolved.probes = {probeFlags(settings), hierarchy_->before(shared::kSourceProbes)};
     resolved.hierarchy = hierarchy_->constants();
     resolved.blur = blurConstants(settings);
+    if (denoisesLobes())
+        resolved.denoise = lobeDenoise_->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0);
     resolved.composite = composite_->constants();
     return resolved;
 }
@@ -73,11 +81,7 @@ void FrameStages::clear(gpu::Frame& frame) {
     prepare_->clear(frame);
     pyramid_->clear(frame);
     trace_->clear(frame);
-    if (!frame.rehearsing() && !tablesMade_.isNeeded(stages_.progress))
-        return;
-    tables_->record(frame);
-    if (!frame.rehearsing())
-        tablesMade_.recorded(stages_.progress);
+    tables_->record(frame, stages_.progress);
 }
 
 /// Initializes images that the last frame did not need, so that views can show them.
@@ -191,6 +195,16 @@ void FrameStages::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_
 bool FrameStages::wantsHistory() const {
     const ScreenSettings& screen = stages_.settings().screen;
     return screen.enabled && screen.colorSource == ColorSource::Previous;
+}
+
+/// Joins and denoises the answers of screen and rays.
+gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
+    const Traced traced = trace_->traced();
+    const bool screen = stages_.settings().screen.enabled;
+    return lobeDenoise_->record(frame, {inputs(), prepared(), screen ? &traced.target : nullptr, traced.rayRecord,
+                                        usesRays() ? &raysSource_->answer() : nullptr,
+                                        usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
+                                        hierarchy_->raysComeFirst()});
 }
 
 gpu::Image& FrameStages::rayRecord() {

@@ -6,6 +6,7 @@
 #include "reflect/composite/ray_counts.hpp"
 #include "reflect/composite/views.hpp"
 #include "reflect/denoise/denoise.hpp"
+#include "reflect/denoise/lobe_denoise.hpp"
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/history.hpp"
 #include "reflect/inspect/inspector.hpp"
@@ -86,11 +87,13 @@ private:
     std::vector<Source> makeSources();
     Result<void> rehearse();
     Result<void> giveScene();
+    Result<void> setDenoise(const Settings& settings);
 
     // Record the frame, top to bottom, and its additions.
     void recordFrame(gpu::Frame& frame, const View& view);
     void prepare(gpu::Frame& frame, const View& view);
-    shared::SettingsConstants resolveSettings();
+    shared::SettingsConstants resolveSettings(const View& view);
+    gpu::Image& denoiseLobes(gpu::Frame& frame);
     void clear(gpu::Frame& frame);
     void bringUpToDate(gpu::Frame& frame);
     void countRays(gpu::Frame& frame);
@@ -99,6 +102,7 @@ private:
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
+    bool denoisesLobes() const { return lobeDenoise_ && stages_.settings().denoise.enabled; }
     ProbesState* probes() const { return probesSource_ ? probesSource_->probes() : nullptr; }
 
     // Outputs of stages that other stages read.
@@ -118,8 +122,9 @@ private:
     std::unique_ptr<DepthPyramid> pyramid_;
     std::unique_ptr<ScreenTrace> trace_;
     std::unique_ptr<Denoise> denoise_;
-    std::unique_ptr<RaysSource> raysSource_; ///< absent until settings need it
-    rays::Scene* rayScene_ = nullptr;        ///< the host's, with its surface table
+    std::unique_ptr<LobeDenoise> lobeDenoise_; ///< absent until settings need it
+    std::unique_ptr<RaysSource> raysSource_;   ///< absent until settings need it
+    rays::Scene* rayScene_ = nullptr;          ///< the host's, with its surface table
     SurfaceTableState* raySurfaces_ = nullptr;
     ShadeHits shadeHits_;                        ///< used instead, if the host shades hits
     std::unique_ptr<PlanarSource> planarSource_; ///< absent until the host provides planar mirrors
@@ -138,7 +143,6 @@ private:
     bool recorded_ = false;
     std::vector<gpu::WrittenImage> written_;
     bool ranPasses_ = false; ///< the last frame had something to do
-    gpu::Standing tablesMade_;
     gpu::Standing upToDate_; ///< the images belong to lastView_, whose frame recorded no passes
 };
 

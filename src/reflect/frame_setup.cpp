@@ -42,6 +42,9 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(trace_->make(settings));
     if (settings.screen.colorSource == ColorSource::Previous)
         GLINT_CHECK(colors_.remember());
+    if (settings.rays.enabled || settings.denoise.enabled)
+        GLINT_CHECK(tables_->makeNoise(stages_.gpu));
+    GLINT_CHECK(setDenoise(settings));
     if (settings.rays.enabled && !raysSource_) {
         GLINT_TRY(source, RaysSource::create(stages_));
         GLINT_CHECK(source->setSettings(settings));
@@ -59,6 +62,24 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     recorded_ = false;
     written_.clear();
     return prepare_->setInputs(host_.gbuffer);
+}
+
+/// Creates the denoiser once settings need it, and starts its history anew.
+Result<void> FrameStages::setDenoise(const Settings& settings) {
+    if (lobeDenoise_)
+        lobeDenoise_->forgetFrames(HistoryReset::Settings);
+    if (!settings.denoise.enabled) {
+        hierarchy_->joinScreenAndRays({});
+        return {};
+    }
+    hierarchy_->joinScreenAndRays([this](gpu::Frame& frame) { return &denoiseLobes(frame); });
+    if (lobeDenoise_)
+        return {};
+    GLINT_TRY(denoise, LobeDenoise::create(stages_));
+    lobeDenoise_ = std::move(denoise);
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    denoiseLobes(frame);
+    return frame.firstError();
 }
 
 Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {

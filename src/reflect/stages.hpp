@@ -12,10 +12,11 @@ namespace glint::reflect {
 
 /// Data that does not change from frame to frame (prepare/tables.hpp).
 struct StandIns {
-    gpu::Image& dfg;       ///< RG16F: lib/dfg.glsl
-    gpu::Image& black;     ///< one texel, for absent images
-    gpu::Image& blackCube; ///< for an absent environment
-    gpu::Buffer& noProbes; ///< for the lists of absent probes: zeros, a grid without a cell
+    gpu::Image& dfg;        ///< RG16F: lib/dfg.glsl
+    gpu::Image& black;      ///< one texel, for absent images
+    gpu::Image& blackCube;  ///< for an absent environment
+    gpu::Buffer& noProbes;  ///< for the lists of absent probes: zeros, a grid without a cell
+    gpu::Buffer& blueNoise; ///< noise for directions; without Tables::makeNoise any buffer
 };
 
 /// Inputs of most passes.

@@ -7,7 +7,7 @@ namespace glint::reflect {
 namespace {
 
 bool blurs(const Settings& settings) {
-    return settings.blur.strength > 0;
+    return settings.blur.strength > 0 && !settings.denoise.enabled;
 }
 
 /// Returns the blurred images' side: `traced` / (blur.downsample + 1), rounded up.
@@ -92,6 +92,8 @@ Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal 
 // ---------------------------------------------------------------- creation
 
 uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
+    if (settings.denoise.enabled) // each pixel has a sample of its own lobe
+        return pixels;
     // 1e-3 less before rounding up, as 0.1f is slightly above a tenth.
     const double wanted = pixels * static_cast<double>(settings.screen.resolutionScale) - 1e-3;
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(pixels)));

@@ -31,7 +31,24 @@ uint32_t Hierarchy::takingPart() const {
     return bits;
 }
 
+constexpr uint32_t kScreenAndRays = 1u << shared::kSourceScreen | 1u << shared::kSourceRays;
+
+/// As takingPart; of joined sources only the one in whose place the joined answer stands.
+uint32_t Hierarchy::answering() const {
+    const uint32_t all = takingPart();
+    if (!join_ || (all & kScreenAndRays) != kScreenAndRays)
+        return all;
+    return all & ~(1u << (raysComeFirst() ? shared::kSourceScreen : shared::kSourceRays));
+}
+
+uint32_t Hierarchy::before(uint32_t source) const {
+    const bool joins = source == shared::kSourceScreen || source == shared::kSourceRays;
+    return (joins ? takingPart() : answering()) & order().before(source);
+}
+
 gpu::Image& Hierarchy::answerOf(uint32_t source, const HierarchyInputs& inputs) const {
+    if (joined_ && (kScreenAndRays >> source & 1) != 0)
+        return *joined_;
     gpu::Image* const answer = sources_[source].takesPart() ? sources_[source].answer() : nullptr;
     return answer ? *answer : inputs.frame.standIns.black;
 }
@@ -55,9 +72,16 @@ Reflected Hierarchy::record(gpu::Frame& frame, const HierarchyInputs& inputs) {
 
 void Hierarchy::recordSources(gpu::Frame& frame, const HierarchyInputs& inputs) {
     const SourceOrder order = this->order();
-    for (const uint32_t source : order)
+    uint32_t unjoined = join_ ? takingPart() & kScreenAndRays : 0;
+    joined_ = nullptr;
+    for (const uint32_t source : order) {
         if (sources_[source].record && sources_[source].takesPart())
             sources_[source].record(frame, answersOf(before(source), inputs));
+        const uint32_t left = unjoined & ~(1u << source);
+        if (unjoined != 0 && left == 0)
+            joined_ = join_(frame);
+        unjoined = left;
+    }
 }
 
 Reflected Hierarchy::combine(gpu::Frame& frame, const HierarchyInputs& inputs) {

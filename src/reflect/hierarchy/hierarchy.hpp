@@ -41,8 +41,17 @@ public:
     bool anySource() const { return takingPart() != 0; }
     bool takesPart(uint32_t source) const { return (takingPart() >> source & 1) != 0; }
     /// Bit s: source s is used, and asked before `source`.
-    uint32_t before(uint32_t source) const { return takingPart() & order().before(source); }
-    shared::HierarchyConstants constants() const { return {takingPart(), order().packed()}; }
+    uint32_t before(uint32_t source) const;
+    shared::HierarchyConstants constants() const { return {answering(), order().packed()}; }
+
+    /// The answers of screen and rays count as one, in the place of the first of the two, as soon as both have
+    /// answered. `join` records what makes one of them and returns it. Empty: they count apart.
+    using Join = std::function<gpu::Image*(gpu::Frame& frame)>;
+    void joinScreenAndRays(Join join) {
+        join_ = std::move(join);
+        joined_ = nullptr;
+    }
+    bool raysComeFirst() const { return (order().before(shared::kSourceScreen) >> shared::kSourceRays & 1) != 0; }
 
     /// Records the sources that fill the remaining weight, in the user's order, then the walk over all sources.
     Reflected record(gpu::Frame& frame, const HierarchyInputs& inputs);
@@ -60,12 +69,15 @@ public:
 private:
     explicit Hierarchy(StageContext& stages) : stages_(stages) {}
     uint32_t takingPart() const;
+    uint32_t answering() const;
     SourceOrder order() const { return SourceOrder(stages_.settings(), static_cast<uint32_t>(sources_.size())); }
     /// Returns the answers of the sources in `which`, where bit s is source s.
     EarlierAnswers answersOf(uint32_t which, const HierarchyInputs& inputs) const;
 
     StageContext& stages_;
     std::vector<Source> sources_;
+    Join join_;
+    gpu::Image* joined_ = nullptr; ///< of this frame, once it is recorded
     gpu::Pipeline combine_;
     gpu::Image reflected_;
     gpu::Image weights_;

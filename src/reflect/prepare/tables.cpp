@@ -1,5 +1,6 @@
 #include "reflect/prepare/tables.hpp"
 
+#include "reflect/prepare/blue_noise.hpp"
 #include "shared/probes.h"
 
 namespace glint::reflect {
@@ -23,11 +24,30 @@ Result<Tables> Tables::create(gpu::Context& context) {
     return tables;
 }
 
-void Tables::record(gpu::Frame& frame) {
-    frame.pass(makeDfg_).write("dfg", dfg_).dispatch(kDfgSize, kDfgSize);
-    frame.clear(black_, {});
-    frame.clear(blackCube_, {});
-    frame.fill(noProbes_, 0);
+Result<void> Tables::makeNoise(gpu::Context& context) {
+    if (blueNoise_)
+        return {};
+    GLINT_TRY(noise,
+              gpu::Buffer::create(context, {"glint/blueNoise", blueNoiseMask().size() * sizeof(uint32_t),
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                            gpu::BufferHome::Device}));
+    blueNoise_ = std::move(noise);
+    return {};
+}
+
+void Tables::record(gpu::Frame& frame, gpu::Progress& progress) {
+    if (frame.rehearsing() || filled_.isNeeded(progress)) {
+        frame.pass(makeDfg_).write("dfg", dfg_).dispatch(kDfgSize, kDfgSize);
+        frame.clear(black_, {});
+        frame.clear(blackCube_, {});
+        frame.fill(noProbes_, 0);
+        if (!frame.rehearsing())
+            filled_.recorded(progress);
+    }
+    if (blueNoise_ && !frame.rehearsing() && noiseFilled_.isNeeded(progress)) {
+        frame.update(blueNoise_, blueNoiseMask().data(), blueNoise_.size());
+        noiseFilled_.recorded(progress);
+    }
 }
 
 } // namespace glint::reflect

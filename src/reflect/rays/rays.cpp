@@ -1,7 +1,6 @@
 #include "reflect/rays/rays.hpp"
 
 #include "base/assert.hpp"
-#include "reflect/rays/blue_noise.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/ray_hit.h"
 
@@ -42,15 +41,10 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
     GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32B32A32_UINT));
     GLINT_TRY(lister, RayLister::create(context, width, height));
     GLINT_TRY(rays, RayLister::makeList(context, "glint/raysList", width, height));
-    GLINT_TRY(noise,
-              gpu::Buffer::create(context, {"glint/blueNoise", blueNoiseMask().size() * sizeof(uint32_t),
-                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                                            gpu::BufferHome::Device}));
     source->radianceWeight_ = std::move(radianceWeight);
     source->record_ = std::move(record);
     source->lister_ = std::move(lister);
     source->rays_ = std::move(rays);
-    source->blueNoise_ = std::move(noise);
     return source;
 }
 
@@ -136,10 +130,6 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
     GLINT_ASSERT(frame.rehearsing() || !surfaces_ || scene_->instanceCount() == surfaces_->instanceCount(),
                  "the RayScene has {} instances, its surface table {}", scene_->instanceCount(),
                  surfaces_ ? surfaces_->instanceCount() : 0);
-    if (!frame.rehearsing() && noise_.isNeeded(stages_.progress)) {
-        frame.update(blueNoise_, blueNoiseMask().data(), blueNoise_.size());
-        noise_.recorded(stages_.progress);
-    }
     if (!inputs.sameView && !frame.rehearsing())
         sums_.reset(HistoryReset::View);
     sums_.begin(frame, stages_.settings().rays.accumulate);
@@ -177,7 +167,7 @@ void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("environment", host.environment ? host.environment : standIns.blackCube)
         .read("environmentDiffuse", host.environmentDiffuse ? host.environmentDiffuse : standIns.blackCube)
         .read("dfg", standIns.dfg)
-        .read("blueNoise", blueNoise_)
+        .read("blueNoise", standIns.blueNoise)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .write("raysRecord", record_, 0, true)
         .readWrite("raysSum", sums_.now(0))
@@ -201,7 +191,7 @@ void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)
         .read("screenRecord", inputs.screenRecord)
-        .read("blueNoise", blueNoise_)
+        .read("blueNoise", inputs.frame.standIns.blueNoise)
         .write("raysRecord", record_, 0, true)
         .write("hits", hits_);
     scene_->bind(pass).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));

@@ -71,8 +71,6 @@ private:
     uint32_t sumsHeight_ = 0;
     History sums_;      ///< RGBA32F and R32F, one texel each unless rays.accumulate: reflect_main.glsl
     gpu::Image record_; ///< RGBA32UI, lib/ray_record.glsl: the first hit, mean distance; lookups: rays; kRaysReused...
-    gpu::Buffer blueNoise_;
-    gpu::Standing noise_;
 };
 
 } // namespace glint::reflect

@@ -18,6 +18,8 @@ static std::vector<SettingInfo> makeTable() {
     GLINT_SETTING_GROUP(rows, Settings, reflect, GLINT_REFLECT_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, rough, GLINT_ROUGH_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, blur, GLINT_BLUR_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, reuse, GLINT_REUSE_SETTINGS)
+    GLINT_SETTING_GROUP(rows, Settings, denoise, GLINT_DENOISE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, fade, GLINT_FADE_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, rays, GLINT_RAYS_SETTINGS)
     GLINT_SETTING_GROUP(rows, Settings, planar, GLINT_PLANAR_SETTINGS)

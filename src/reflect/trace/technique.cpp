@@ -48,7 +48,8 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInput
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
         .read("backViewZ", inputs.prepared.backViewZ)
-        .read("surface", inputs.prepared.surface);
+        .read("surface", inputs.prepared.surface)
+        .read("blueNoise", inputs.frame.standIns.blueNoise);
     readHitColor(pass, inputs);
     if (inputs.log)
         pass.readWrite("rayLog", *inputs.log);
@@ -66,7 +67,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     if (hiz)
         constants.thicknessRelative += settings.hiz.depthBias;
     // With a blur, roughness sets its width instead: jitter would only add noise.
-    constants.roughnessFactor = settings.blur.strength > 0 ? 0 : settings.rough.factor;
+    constants.roughnessFactor = settings.blur.strength > 0 || settings.denoise.enabled ? 0 : settings.rough.factor;
     switch (settings.screen.march) {
     case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
     case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
@@ -100,6 +101,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     flag(settings.fade.iterations, shared::kFadeIterations);
     flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
     flag(settings.fade.backface, shared::kFadeBackface);
+    flag(settings.denoise.enabled, shared::kTraceLobe);
     flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
     return constants;
 }

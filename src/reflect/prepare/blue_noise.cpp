@@ -1,6 +1,6 @@
-#include "reflect/rays/blue_noise.hpp"
+#include "reflect/prepare/blue_noise.hpp"
 
-#include "shared/rays_constants.h"
+#include "shared/sample_noise.h"
 
 #include <algorithm>
 #include <array>

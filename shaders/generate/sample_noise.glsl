@@ -1,11 +1,11 @@
 // The random numbers for a pixel's directions.
-#ifndef GLINT_RAYS_RAY_NOISE_GLSL
-#define GLINT_RAYS_RAY_NOISE_GLSL
+#ifndef GLINT_GENERATE_SAMPLE_NOISE_GLSL
+#define GLINT_GENERATE_SAMPLE_NOISE_GLSL
 
 #include "lib/noise.glsl"
-#include "shared/rays_constants.h"
+#include "shared/sample_noise.h"
 
-layout(scalar, set = 0, binding = 6) readonly buffer BlueNoiseBlock {
+layout(scalar, set = 0, binding = 41) readonly buffer BlueNoiseBlock {
     uint mask[]; // kBlueNoiseSize^2 texels: two ranks of 16 bits
 }
 blueNoise;

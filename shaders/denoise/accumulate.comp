@@ -1,0 +1,176 @@
+// Averages a rough pixel's signal over frames. The previous frame is looked up where the surface was, and where the
+// reflection was (the point behind the mirror that the ray's end makes); of the two, the place that mirrored the ray's
+// end better. How far it was off limits the number of frames that count. docs/techniques/denoise.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "denoise/lobe_surface.glsl"
+#include "lib/color.glsl"
+#include "lib/octahedral.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 3) uniform sampler2D reused;         // weight * radiance, weight
+layout(set = 0, binding = 4) uniform sampler2D reusedNearness; // 1 / metres; -1: no ray
+layout(set = 0, binding = 5) uniform sampler2D motion;         // previous UV - current UV, after scaling
+layout(set = 0, binding = 6) uniform sampler2D meanBefore;
+layout(set = 0, binding = 7) uniform sampler2D metaBefore;
+layout(set = 0, binding = 8) uniform usampler2D placeBefore;
+layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D mean;  // weight * radiance, weight
+layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D meta; // frames; luminance: mean, mean square; nearness
+layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place; // viewZ; normal, octahedral in view space
+DenoiseConstants settings = frame.settings.denoise;
+
+/// Angle by which packed normals may be off: sixteen bits a component.
+const float kNormalRounding = 1e-4;
+const float kFar = 1e4;
+
+/// What one place of the previous frame holds.
+struct Candidate {
+    vec4 mean;
+    vec4 meta;
+    float share;    // of the four texels that show this surface, [0, 1]
+    float residual; // angle between the normal there and the one that would mirror the ray's end to the eye
+};
+
+const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0);
+
+vec3 previousPosition(ivec2 px, float z) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    float scale = isOrthographic(frame.constants) ? 1.0 : z;
+    return vec3((uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw) * scale, -z);
+}
+
+vec2 previousPixel(vec3 positionVS) {
+    vec4 pixelH = frame.constants.prevViewToPixel * vec4(positionVS, 1.0);
+    return pixelH.w > 0.0 ? pixelH.xy / pixelH.w : vec2(-1e4);
+}
+
+/// This pixel's surface and its ray's end, in the previous frame's view space.
+struct Was {
+    vec3 position;
+    vec3 normal;
+    vec3 end;
+    bool moved; // by motion: its depth is known roughly
+};
+
+float residualAt(Was was, ivec2 px, float z, vec3 normal) {
+    vec3 position = was.moved ? was.position : previousPosition(px, z);
+    vec3 toEye = -viewDirection(frame.constants, position);
+    vec3 H = normalizeOr(toEye + normalizeOr(was.end - position, normal), normal);
+    return length(H - normal * dot(H, normal));
+}
+
+Candidate lookUp(Was was, vec2 at) {
+    Candidate found = kNone;
+    vec2 corner = floor(at - 0.5);
+    vec2 share = at - 0.5 - corner;
+    float nearest = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        vec2 shares = mix(1.0 - share, share, vec2(offset));
+        float weight = shares.x * shares.y;
+        ivec2 texel = ivec2(corner) + offset;
+        if (weight < 1e-3 || !isInFrame(texel))
+            continue;
+        uvec2 packed = texelFetch(placeBefore, texel, 0).xy;
+        float z = uintBitsToFloat(packed.x);
+        if (z <= 0.0 || z >= kBackgroundZ)
+            continue; // no ray there
+        vec3 normal = decodeOctahedral(unpackSnorm2x16(packed.y));
+        float off = abs(dot(was.normal, previousPosition(texel, z) - was.position));
+        float allowed = (was.moved ? 0.1 : settings.disocclusion) * -was.position.z;
+        if (off > allowed || dot(normal, was.normal) < 0.7)
+            continue;
+        found.mean += weight * texelFetch(meanBefore, texel, 0);
+        found.meta += weight * texelFetch(metaBefore, texel, 0);
+        found.share += weight;
+        if (weight > nearest) {
+            nearest = weight;
+            found.residual = residualAt(was, texel, z, normal);
+        }
+    }
+    if (found.share < 0.01)
+        return kNone;
+    found.mean /= found.share;
+    found.meta /= found.share;
+    return found;
+}
+
+/// Frames of this candidate that count: those over which the reflection moves by less than the allowed part of the lobe.
+float framesOf(Candidate found, float perceptualRoughness) {
+    float off = max(found.residual - kNormalRounding, 0.0);
+    float most = off > 0.0 ? settings.lobeTrail * lobeTangent(perceptualRoughness) / off : 1e6;
+    return min(found.meta.x, most) * sqrt(found.share);
+}
+
+/// Fraction of the way behind the surface at which the middle of the lobe's image appears: a mirror's is at the ray's
+/// end, a rough surface's on the surface itself. Lagarde and de Rousiers 2014, "Moving Frostbite to PBR" (fit).
+float dominantFactor(float NoV, float perceptualRoughness) {
+    float a = 0.298475 * log(39.4115 - 39.0029 * perceptualRoughness);
+    return saturate(pow(1.0 - NoV, 10.8649) * (1.0 - a) + a);
+}
+
+Candidate best(ivec2 px, LobeSurface here, float near, out float frames) {
+    float distance = near > 1.0 / kFar ? 1.0 / near : kFar;
+    vec3 mirrored = reflect(-here.toEyeVS, here.normalVS);
+    mat4 before = frame.constants.viewToPrevView;
+    Was was;
+    was.position = (before * vec4(here.positionVS, 1.0)).xyz;
+    was.normal = mat3(before) * here.normalVS;
+    was.end = (before * vec4(here.positionVS + mirrored * distance, 1.0)).xyz;
+    was.moved = false;
+    vec2 surfacePX = previousPixel(was.position);
+    if ((frame.constants.flags & kInputMotion) != 0u) {
+        vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+        vec2 movedPX = (uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale) * frame.constants.size;
+        const float kMovedPX = 1.5;
+        was.moved = length(movedPX - surfacePX) > kMovedPX;
+        surfacePX = was.moved ? movedPX : surfacePX;
+    }
+    Candidate onSurface = lookUp(was, surfacePX);
+    frames = framesOf(onSurface, here.perceptualRoughness);
+    if (was.moved)
+        return onSurface;
+    float amount = dominantFactor(clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0), here.perceptualRoughness);
+    vec3 imageVS = here.positionVS - here.toEyeVS * (distance * amount);
+    Candidate inMirror = lookUp(was, previousPixel((before * vec4(imageVS, 1.0)).xyz));
+    float mirrorFrames = framesOf(inMirror, here.perceptualRoughness);
+    if (mirrorFrames <= frames)
+        return onSurface;
+    frames = mirrorFrames;
+    return inMirror;
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (!isInFrame(px))
+        return;
+    vec4 answer = texelFetch(reused, px, 0);
+    float near = texelFetch(reusedNearness, px, 0).r;
+    LobeSurface here = lobeSurfaceAt(px);
+    if (near < 0.0) {
+        imageStore(mean, px, vec4(0.0));
+        imageStore(meta, px, vec4(0.0));
+        imageStore(place, px, uvec4(0u));
+        return;
+    }
+    float brightness = luminance(answer.rgb);
+    vec4 moments = vec4(1.0, brightness, square(brightness), near);
+    bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
+    if (hasHistory && !isMirror(here.perceptualRoughness)) {
+        float frames;
+        Candidate found = best(px, here, near, frames);
+        frames = min(frames, settings.historyFrames - 1.0);
+        if (frames > 0.0) {
+            float share = 1.0 / (1.0 + frames);
+            answer = mix(found.mean, answer, share);
+            moments = vec4(frames + 1.0, mix(found.meta.yzw, moments.yzw, share));
+        }
+    }
+    const float kLargestHalf = 6.0e4;
+    imageStore(mean, px, min(answer, vec4(kLargestHalf)));
+    imageStore(meta, px, min(moments, vec4(kLargestHalf)));
+    imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
+}

@@ -1,0 +1,68 @@
+// Smooths the noise that the mean over frames has left, for display only: the mean itself stays unfiltered, so that a
+// view at rest converges to the truth. As wide as the noise asks and the lobe allows. docs/techniques/denoise.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "denoise/lobe_surface.glsl"
+#include "lib/color.glsl"
+#include "lib/noise.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 3) uniform sampler2D mean; // weight * radiance, weight
+layout(set = 0, binding = 4) uniform sampler2D meta; // frames; luminance: mean, mean square; nearness
+layout(set = 0, binding = 5) uniform usampler2D place;
+layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D answer; // radiance, weight
+DenoiseConstants settings = frame.settings.denoise;
+
+const uint kTaps = 16u;
+
+/// Standard deviation of the mean, from the variance over frames; without enough frames, as large as the mean.
+float deviation(vec4 moments) {
+    const float kEnough = 4.0;
+    float overFrames = sqrt(max(moments.z - square(moments.y), 0.0) / max(moments.x, 1.0));
+    return max(overFrames, moments.y * saturate(1.0 - (moments.x - 1.0) / kEnough));
+}
+
+bool hasRay(ivec2 px) {
+    return isInFrame(px) && texelFetch(place, px, 0).x != 0u;
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (!isInFrame(px))
+        return;
+    vec4 sum = texelFetch(mean, px, 0);
+    LobeSurface here = lobeSurfaceAt(px);
+    if (hasRay(px) && !isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
+        vec4 moments = texelFetch(meta, px, 0);
+        float noise = deviation(moments);
+        float strength = saturate(noise / max(settings.noiseTarget * moments.y, 1e-6));
+        float widest = min(settings.filterRadius, 0.5 * lobePixels(here.perceptualRoughness, here.viewZ, moments.w));
+        float radius = widest * strength;
+        if (radius >= 0.5) {
+            mat2 disc = lobeDisc(here, radius);
+            float turn = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).y;
+            float own = luminance(sum.rgb);
+            float total = 1.0;
+            for (uint i = 0u; i < kTaps; ++i) {
+                vec2 at = vogelPoint(i, kTaps, turn);
+                ivec2 tap = ivec2(floor(vec2(px) + 0.5 + disc * at));
+                if (tap == px || !hasRay(tap))
+                    continue;
+                LobeSurface there = lobeSurfaceAt(tap);
+                if (!isSameSurface(here, there))
+                    continue;
+                vec4 other = texelFetch(mean, tap, 0);
+                float theirNoise = deviation(texelFetch(meta, tap, 0));
+                float apart = abs(luminance(other.rgb) - own) / (2.0 * (noise + theirNoise) + 1e-4);
+                float weight = exp(-1.5 * dot(at, at) - apart * apart);
+                sum += weight * other;
+                total += weight;
+            }
+            sum /= total;
+        }
+    }
+    imageStore(answer, px, vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), sum.a));
+}

@@ -1,0 +1,68 @@
+// Joins what screen and rays answered for the pixel's one sampled ray, by the one rule, into one noisy signal.
+// docs/techniques/denoise.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "frame/prepared.glsl"
+#include "hierarchy/walk.glsl"
+#include "lib/ray_record.glsl"
+#include "lib/sanitize.glsl"
+#include "shared/rays_constants.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 3) uniform sampler2D screenAnswer; // radiance, weight
+layout(set = 0, binding = 4) uniform usampler2D screenRecord;
+layout(set = 0, binding = 5) uniform sampler2D raysAnswer;
+layout(set = 0, binding = 6) uniform usampler2D raysRecord;
+layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D noisy;  // weight * radiance, weight
+layout(set = 0, binding = 8, r32f) uniform writeonly image2D nearness; // 1 / metres to the ray's end; -1: no ray
+layout(push_constant, scalar) uniform PushBlock {
+    uint sources; // kJoin*
+};
+
+const uint kJoinScreen = 1u;
+const uint kJoinRays = 2u;
+const uint kJoinRaysFirst = 4u;
+
+struct Answer {
+    vec4 radianceWeight;
+    float nearness;
+    bool traced;
+};
+
+Answer answerOf(vec4 radianceWeight, RayRecord record) {
+    bool traced = record.outcome != kOutcomeNone && record.outcome < kOutcomeBelowThreshold;
+    bool ends = isAnswered(record.outcome) && record.hitDistance > 0.0;
+    return Answer(vec4(sanitize(radianceWeight.rgb), radianceWeight.a), ends ? 1.0 / record.hitDistance : 0.0, traced);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return;
+    const Answer kNone = Answer(vec4(0.0), 0.0, false);
+    Answer screen = kNone;
+    Answer rays = kNone;
+    uvec4 routed = uvec4(0u);
+    if ((sources & kJoinRays) != 0u) {
+        routed = texelFetch(raysRecord, px, 0);
+        rays = answerOf(texelFetch(raysAnswer, px, 0), unpackRayRecord(routed.xy));
+    }
+    if ((sources & kJoinScreen) != 0u) {
+        screen = answerOf(texelFetch(screenAnswer, px, 0), unpackRayRecord(texelFetch(screenRecord, px, 0).xy));
+        if ((routed.z & kRaysReplaceScreen) != 0u)
+            screen.radianceWeight = vec4(0.0);
+    }
+    bool raysFirst = (sources & kJoinRaysFirst) != 0u;
+    Walk walk = beginWalk();
+    float near = 0.0;
+    for (int i = 0; i < 2; ++i) {
+        Answer answer = (i == 0) == raysFirst ? rays : screen;
+        near += take(walk, answer.radianceWeight) * answer.nearness;
+    }
+    bool traced = texelFetch(viewZ, px, 0).r < kBackgroundZ && (screen.traced || rays.traced);
+    imageStore(noisy, px, vec4(walk.radiance, walk.taken));
+    imageStore(nearness, px, vec4(traced ? near / max(walk.taken, 1e-6) : -1.0));
+}

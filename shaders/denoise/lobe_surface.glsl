@@ -1,0 +1,63 @@
+// A pixel's reflecting surface as the passes of the denoiser compare it. World space.
+#ifndef GLINT_DENOISE_LOBE_SURFACE_GLSL
+#define GLINT_DENOISE_LOBE_SURFACE_GLSL
+
+#include "frame/prepared.glsl"
+#include "generate/lobe.glsl"
+#include "lib/camera.glsl"
+#include "lib/surface.glsl"
+
+struct LobeSurface {
+    vec3 positionVS;
+    vec3 normalVS;
+    vec3 toEyeVS;
+    float viewZ;
+    float perceptualRoughness;
+};
+
+LobeSurface lobeSurfaceAt(ivec2 px) {
+    LobeSurface at;
+    at.viewZ = texelFetch(viewZ, px, 0).r;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    at.positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, at.viewZ);
+    at.normalVS = here.normalVS;
+    at.toEyeVS = -viewDirection(frame.constants, at.positionVS);
+    at.perceptualRoughness = here.perceptualRoughness;
+    return at;
+}
+
+bool isInFrame(ivec2 px) {
+    return all(greaterThanEqual(px, ivec2(0))) && all(lessThan(px, ivec2(frame.constants.size)));
+}
+
+/// True where `other` shows the surface of `here`: near its plane (a fraction of viewZ), with a similar normal and
+/// roughness.
+bool isSameSurface(LobeSurface here, LobeSurface other) {
+    const float kPlane = 0.005;
+    const float kNormal = 0.7;
+    float fromPlane = abs(dot(here.normalVS, other.positionVS - here.positionVS));
+    return other.viewZ < kBackgroundZ && fromPlane <= kPlane * here.viewZ &&
+           dot(here.normalVS, other.normalVS) > kNormal &&
+           abs(here.perceptualRoughness - other.perceptualRoughness) < 0.1 + 0.2 * here.perceptualRoughness;
+}
+
+/// Points of a disc, evenly spread: Vogel's spiral. `turn`: a random angle in turns.
+vec2 vogelPoint(uint i, uint count, float turn) {
+    const float kGoldenAngle = 2.39996323;
+    float r = sqrt((float(i) + 0.5) / float(count));
+    float angle = float(i) * kGoldenAngle + turn * 2.0 * kPi;
+    return r * vec2(cos(angle), sin(angle));
+}
+
+/// A disc around a pixel, drawn out along the normal's direction on screen: there a lobe reaches 1 / NoV farther than
+/// across.
+mat2 lobeDisc(LobeSurface at, float radius) {
+    float NoV = clamp(dot(at.normalVS, at.toEyeVS), 0.1, 1.0);
+    vec2 along = vec2(at.normalVS.x, -at.normalVS.y); // pixels: y down
+    float tilt = length(along);
+    along = tilt > 1e-3 ? along / tilt : vec2(0.0, 1.0);
+    vec2 across = vec2(-along.y, along.x);
+    return mat2(along * radius, across * max(radius * NoV, 1.0));
+}
+
+#endif

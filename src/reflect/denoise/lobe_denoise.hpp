@@ -1,0 +1,55 @@
+// Denoises what screen and rays answer for one sampled direction of each rough surface's lobe: joins both, reuses the
+// rays of neighbours, averages frames, and filters what noise is left. docs/techniques/denoise.md.
+#pragma once
+
+#include "reflect/history.hpp"
+#include "reflect/stages.hpp"
+#include "shared/denoise_constants.h"
+
+namespace glint::reflect {
+
+struct LobeDenoiseInputs {
+    FrameInputs frame;
+    Prepared prepared;
+    gpu::Image* screenAnswer; ///< null: the source takes no part
+    gpu::Image& screenRecord;
+    gpu::Image* raysAnswer; ///< null: the source takes no part
+    gpu::Image& raysRecord;
+    bool raysFirst;
+};
+
+/// Created when settings first enable it.
+class LobeDenoise {
+public:
+    /// Errors: OutOfMemory.
+    static Result<std::unique_ptr<LobeDenoise>> create(StageContext& stages);
+
+    /// Begins a frame, before its constants are resolved.
+    void begin(gpu::Frame& frame) { history_.begin(frame, stages_.settings().denoise.enabled); }
+    /// The next frame starts without history.
+    void forgetFrames(HistoryReset reason) { history_.reset(reason); }
+    /// `seconds`: since the previous frame.
+    shared::DenoiseConstants constants(double seconds) const;
+    /// Copies the history's tag to `offset` of the frame's constants.
+    void copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset);
+
+    /// Returns the joined, denoised answer.
+    gpu::Image& record(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    void end(gpu::Frame& frame) { history_.end(frame); }
+
+private:
+    explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
+    void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+
+    StageContext& stages_;
+    gpu::Pipeline gather_;
+    gpu::Pipeline reuse_;
+    gpu::Pipeline accumulate_;
+    gpu::Pipeline filter_;
+    gpu::Image signal_[2];   ///< RGBA16F: weight * radiance, weight; of one ray, then with those of neighbours
+    gpu::Image nearness_[2]; ///< R32F: 1 / metres to the ray's end; -1: no ray
+    gpu::Image answer_;      ///< RGBA16F: radiance, weight
+    History history_;
+};
+
+} // namespace glint::reflect
