@@ -19,11 +19,6 @@ struct SettingRange {
     bool minOpen = false;
     bool maxOpen = false;
     std::string text; ///< empty for Boolean and Enum, which have no range
-
-    /// False for NaN.
-    bool contains(double value) const {
-        return (minOpen ? value > min : value >= min) && (maxOpen ? value < max : value <= max);
-    }
 };
 
 /// How the value of another system's parameter becomes the value of our setting.

@@ -55,8 +55,7 @@ struct Was {
     bool moved; // by motion: its depth is known roughly
 };
 
-float residualAt(Was was, ivec2 px, float z, vec3 normal) {
-    vec3 position = was.moved ? was.position : previousPosition(px, z);
+float residualAt(Was was, vec3 position, vec3 normal) {
     vec3 toEye = -viewDirection(frame.constants, position);
     vec3 H = normalizeOr(toEye + normalizeOr(was.end - position, normal), normal);
     return length(H - normal * dot(H, normal));
@@ -66,7 +65,8 @@ Candidate lookUp(Was was, vec2 at) {
     Candidate found = kNone;
     vec2 corner = floor(at - 0.5);
     vec2 share = at - 0.5 - corner;
-    float nearest = 0.0;
+    vec3 positions = vec3(0.0);
+    vec3 normals = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         vec2 shares = mix(1.0 - share, share, vec2(offset));
@@ -79,22 +79,22 @@ Candidate lookUp(Was was, vec2 at) {
         if (z <= 0.0 || z >= kBackgroundZ)
             continue; // no ray there
         vec3 normal = decodeOctahedral(unpackSnorm2x16(packed.y));
-        float off = abs(dot(was.normal, previousPosition(texel, z) - was.position));
+        vec3 position = previousPosition(texel, z);
+        float off = abs(dot(was.normal, position - was.position));
         float allowed = (was.moved ? 0.1 : settings.disocclusion) * -was.position.z;
         if (off > allowed || dot(normal, was.normal) < 0.7)
             continue;
         found.mean += weight * texelFetch(meanBefore, texel, 0);
         found.meta += weight * texelFetch(metaBefore, texel, 0);
         found.share += weight;
-        if (weight > nearest) {
-            nearest = weight;
-            found.residual = residualAt(was, texel, z, normal);
-        }
+        positions += weight * position;
+        normals += weight * normal;
     }
     if (found.share < 0.01)
         return kNone;
     found.mean /= found.share;
     found.meta /= found.share;
+    found.residual = residualAt(was, was.moved ? was.position : positions / found.share, normalize(normals));
     return found;
 }
 

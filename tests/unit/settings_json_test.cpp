@@ -105,7 +105,7 @@ TEST(Presets, AnUnknownNameListsThem) {
     const auto done = applyPreset(settings, "babylom");
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().message, "unknown preset 'babylom'; there are babylon, balanced, compute-ssr, fast, hdrp, "
-                                    "quality, ray-query and reference");
+                                    "quality, ray-query, real-time and reference");
 }
 
 TEST(Presets, FileBeatsPresetAndSetBeatsFile) {

@@ -128,7 +128,8 @@ TEST(SettingsTable, ValidateFindsWhatAHostWroteIntoTheStruct) {
 
 TEST(SettingsTable, EndsOfARangeThatAreNoFloatsAreValid) {
     Settings settings;
-    settings.fade.borderWidth = 0.5f;
+    settings.denoise.disocclusion = 0.2f;  // above 0.2
+    settings.denoise.noiseTarget = 0.005f; // below 0.005
     settings.reflect.falloffExponent = 16;
     settings.screen.maxDistance = 1e6f;
     EXPECT_TRUE(validate(settings).ok());

@@ -220,8 +220,13 @@ double narrowed(const SettingInfo& info, double value) {
     return info.type == SettingType::Float ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
-bool inRange(const SettingRange& range, double value, double held) {
-    return range.contains(value) && (!range.minOpen || held > range.min) && (!range.maxOpen || held < range.max);
+/// `held`: the value as the setting holds it. So are the ends: 0.2f is above 0.2, and still the end of [0, 0.2].
+bool inRange(const SettingInfo& info, double held) {
+    const SettingRange& range = info.range;
+    const double min = narrowed(info, range.min);
+    const double max = narrowed(info, range.max);
+    return range.text.empty() ||
+           ((range.minOpen ? held > min : held >= min) && (range.maxOpen ? held < max : held <= max));
 }
 
 Error outOfRange(const SettingInfo& info, std::string_view value) {
@@ -243,7 +248,7 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
     GLINT_TRY(written, readValue(name, match, input));
     const double value = transformed(info, match.alias, written);
     assignment.value = narrowed(info, value);
-    if (!info.range.text.empty() && !inRange(info.range, value, assignment.value)) {
+    if (!inRange(info, assignment.value)) {
         Error error = outOfRange(info, fmt::format("{}", value));
         if (match.alias)
             error.message += fmt::format(" (from {} = {})", fullName(*match.alias), printable(input.text));
@@ -316,10 +321,7 @@ Result<void> validateSettings(SettingsTargets targets) {
             const double value = settingValue(info, target.object);
             if (info.type == SettingType::Enum && (value < 0 || value >= static_cast<double>(info.choices.size())))
                 return invalidArgument("{} = {} is none of {}", info.key, value, joinText(info.choices, ", "));
-            SettingRange range = info.range; // as floats see it: 0.3f is above 0.3, and still the range's end
-            range.min = narrowed(info, range.min);
-            range.max = narrowed(info, range.max);
-            if (!range.text.empty() && !range.contains(value))
+            if (!inRange(info, value))
                 return outOfRange(info, settingText(info, value));
         }
     }

@@ -1,0 +1,288 @@
+// Rough reflections with denoise.enabled: one sampled direction a pixel, neighbours' rays, the mean over frames, the
+// filter. Tests what must hold for any formula: energy, unbiased means, mirrors untouched, histories that follow the
+// picture.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glint::test {
+namespace {
+
+constexpr uint32_t kWidth = 80;
+constexpr uint32_t kHeight = 48;
+
+/// A floor of this roughness before a wall whose colour changes along x, from dark to bright.
+SyntheticScene roughFloor(float perceptualRoughness) {
+    Stage stage = floorAndWall();
+    stage.floorRoughness = perceptualRoughness;
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = stage(origin, direction);
+        if (hit && hit->f0.x == 0)
+            hit->radiance = glm::vec3(std::sin(2 * hit->radiance.x) > 0 ? 1.0f : 0.1f);
+        return hit;
+    };
+}
+
+SyntheticScene litBy(const SyntheticScene& scene, const glm::vec3& radiance) {
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = scene(origin, direction);
+        if (hit && hit->f0.x == 0)
+            hit->radiance = radiance;
+        return hit;
+    };
+}
+
+class LobeDenoiseTest : public LibraryTest {
+protected:
+    static Settings denoised() {
+        Settings settings = plainSettings();
+        settings.denoise.enabled = true;
+        settings.reflect.maxRoughness = settings.reflect.roughnessFadeStart = 1;
+        return settings;
+    }
+
+    static SyntheticCamera cameraAt(double x) {
+        SyntheticCamera camera;
+        camera.position.x = x;
+        return camera;
+    }
+
+    /// `frames` frames of a camera that moves by `step` metres a frame and ends where a camera at rest is.
+    static Picture play(Reflections& made, const SyntheticScene& scene, uint32_t frames, double step, uint32_t seed,
+                        uint32_t width = kWidth, uint32_t height = kHeight) {
+        Picture last;
+        for (uint32_t i = 0; i < frames; ++i) {
+            const SyntheticCamera camera = cameraAt(-step * (frames - 1 - i));
+            const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, width, height);
+            must(made.setInputs(host.gbuffer));
+            View view = camera.view(width, height);
+            view.frameIndex = i;
+            view.seed = seed;
+            last = trace(made, view);
+        }
+        return last;
+    }
+    static Picture play(const Settings& settings, const SyntheticScene& scene, uint32_t frames, double step = 0,
+                        uint32_t seed = 0) {
+        Reflections made = reflections(kWidth, kHeight, settings);
+        return play(made, scene, frames, step, seed);
+    }
+
+    /// Root of the mean squared difference of two reflections, where both have an answer.
+    static double difference(const Picture& a, const Picture& b) {
+        double sum = 0;
+        size_t count = 0;
+        for (size_t i = 0; i < a.pixels(); ++i)
+            if (a.weight[i * 4] > 0.99f && b.weight[i * 4] > 0.99f) {
+                const double apart = a.reflection[i * 4] - b.reflection[i * 4];
+                sum += apart * apart;
+                ++count;
+            }
+        EXPECT_GT(count, 300u);
+        return std::sqrt(sum / static_cast<double>(std::max<size_t>(count, 1)));
+    }
+    /// Noise: half of the squared difference of two seeds.
+    static double noise(const Settings& settings, const SyntheticScene& scene, uint32_t frames, double step = 0) {
+        return difference(play(settings, scene, frames, step, 1), play(settings, scene, frames, step, 2)) /
+               std::sqrt(2.0);
+    }
+};
+
+TEST_F(LobeDenoiseTest, mirrorsKeepTheirBits) {
+    Settings off = denoised();
+    off.denoise.enabled = false;
+    for (const uint32_t frames : {1u, 4u}) {
+        const Picture with = play(denoised(), roughFloor(0), frames, 0.03);
+        const Picture without = play(off, roughFloor(0), frames, 0.03);
+        EXPECT_EQ(with.composite, without.composite);
+        EXPECT_EQ(with.reflection, without.reflection);
+    }
+}
+
+TEST_F(LobeDenoiseTest, uniformLightStaysUniform) {
+    const TestEnvironment around =
+        TestEnvironment::make(gpu(), 4, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
+    for (const float perceptualRoughness : {0.1f, 0.3f, 0.7f}) {
+        const SyntheticScene scene = litBy(roughFloor(perceptualRoughness), glm::vec3(1));
+        Reflections made = reflections(kWidth, kHeight, denoised());
+        for (uint32_t i = 0; i < 3; ++i) {
+            const SyntheticCamera camera = cameraAt(0.05 * i);
+            const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, kWidth, kHeight);
+            must(made.setInputs(host.gbuffer, around.map));
+            View view = camera.view(kWidth, kHeight);
+            view.frameIndex = i;
+            const Picture picture = trace(made, view);
+            for (size_t pixel = 0; pixel < picture.pixels(); ++pixel)
+                if (picture.weight[pixel * 4] > 0) {
+                    ASSERT_NEAR(picture.reflection[pixel * 4], 1, 2e-3)
+                        << "roughness " << perceptualRoughness << " frame " << i << " pixel " << pixel;
+                }
+        }
+    }
+}
+
+TEST_F(LobeDenoiseTest, noiseFallsAtRest) {
+    const SyntheticScene scene = roughFloor(0.3f);
+    Settings raw = denoised();
+    raw.reuse.samples = 0;
+    raw.denoise.historySeconds = 0;
+    raw.denoise.maxRadius = 0;
+    const double one = noise(raw, scene, 1);
+    EXPECT_GT(one, 0.1) << "a ray a pixel is noise";
+    Settings overFrames = raw;
+    overFrames.denoise.historySeconds = 4;
+    EXPECT_NEAR(noise(overFrames, scene, 16) / one, 0.25, 0.05) << "the mean of 16 samples";
+    Settings neighbours = raw;
+    neighbours.reuse.samples = 8;
+    EXPECT_LT(noise(neighbours, scene, 1), 0.6 * one);
+    EXPECT_LT(noise(denoised(), scene, 16), 0.1 * one);
+    EXPECT_LT(noise(denoised(), scene, 1), 0.35 * one) << "a first frame is soft, not speckled";
+}
+
+TEST_F(LobeDenoiseTest, neighboursAndFilterKeepTheMean) {
+    const SyntheticScene scene = roughFloor(0.25f);
+    Settings own = denoised();
+    own.reuse.samples = 0;
+    own.denoise.maxRadius = 0;
+    own.denoise.historySeconds = 4;
+    Settings all = denoised();
+    all.denoise.historySeconds = 4;
+    const Picture truth = play(own, scene, 128);
+    const Picture picture = play(all, scene, 32);
+    EXPECT_LT(difference(picture, truth), 0.04);
+    double sum = 0;
+    double expected = 0;
+    for (size_t i = 0; i < truth.pixels(); ++i) {
+        sum += picture.reflection[i * 4];
+        expected += truth.reflection[i * 4];
+    }
+    EXPECT_NEAR(sum / expected, 1, 0.01);
+}
+
+TEST_F(LobeDenoiseTest, aMovingCameraKeepsItsHistory) {
+    for (const float perceptualRoughness : {0.15f, 0.4f}) {
+        const SyntheticScene scene = roughFloor(perceptualRoughness);
+        Settings settings = denoised();
+        settings.denoise.maxRadius = 0;
+        Settings forgets = settings;
+        forgets.denoise.historySeconds = 0;
+        const double kept = noise(settings, scene, 16, 0.02);
+        const double fresh = noise(forgets, scene, 16, 0.02);
+        EXPECT_LT(kept, 0.6 * fresh) << perceptualRoughness;
+        // And it shows what a camera at rest sees there.
+        const Picture moved = play(settings, scene, 16, 0.02);
+        const Picture rested = play(settings, scene, 64);
+        EXPECT_LT(difference(moved, rested), fresh) << perceptualRoughness;
+    }
+}
+
+TEST_F(LobeDenoiseTest, whatWasHiddenHasNoHistory) {
+    // A card before the floor moves away: the floor that it hid is new. Pixels count their frames.
+    const auto withCard = [](double x) -> SyntheticScene {
+        Stage stage = floorAndWall();
+        stage.floorRoughness = 0.2f;
+        stage.cards.push_back({.low = {x - 0.2, -1}, .high = {x + 0.2, 0.5}, .z = -1});
+        return stage;
+    };
+    Reflections made = reflections(kWidth, kHeight, denoised());
+    std::vector<float> frames;
+    const auto frame = [&](const SyntheticScene& scene, uint32_t index) {
+        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, cameraAt(0), kWidth, kHeight);
+        must(made.setInputs(host.gbuffer));
+        View view = cameraAt(0).view(kWidth, kHeight);
+        view.frameIndex = index;
+        trace(made, view);
+        HostImage meta;
+        run([&](VkCommandBuffer commands) { meta = must(made.recordView(commands, "denoise/accumulate:meta")); });
+        frames = download(gpu(), meta);
+    };
+    for (uint32_t i = 0; i < 6; ++i)
+        frame(withCard(0), i);
+    const std::vector<float> before = frames;
+    frame(withCard(0.6), 6);
+    size_t uncovered = 0;
+    size_t kept = 0;
+    for (size_t i = 0; i < before.size(); i += 4) {
+        if (before[i] == 0 && frames[i] > 0) {
+            EXPECT_EQ(frames[i], 1) << "pixel " << i / 4;
+            ++uncovered;
+        }
+        kept += before[i] > 5.9f && frames[i] > 6.9f ? 1 : 0;
+    }
+    EXPECT_GT(uncovered, 20u);
+    EXPECT_GT(kept, 1500u);
+}
+
+TEST_F(LobeDenoiseTest, whatIsNoNumberDoesNotStay) {
+    const SyntheticScene scene = roughFloor(0.3f);
+    const SyntheticScene broken = [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = scene(origin, direction);
+        if (hit && hit->f0.x == 0 && std::abs(direction.x) < 0.05)
+            hit->radiance =
+                glm::vec3(std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), 1e9f);
+        return hit;
+    };
+    Reflections made = reflections(kWidth, kHeight, denoised());
+    uint32_t index = 0;
+    for (const SyntheticScene* shown : {&broken, &scene, &scene}) {
+        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), *shown, cameraAt(0), kWidth, kHeight);
+        must(made.setInputs(host.gbuffer));
+        View view = cameraAt(0).view(kWidth, kHeight);
+        view.frameIndex = index++;
+        for (const float value : trace(made, view).reflection)
+            ASSERT_TRUE(std::isfinite(value)) << "frame " << index;
+    }
+}
+
+TEST_F(LobeDenoiseTest, sameSeedSameBits) {
+    const SyntheticScene scene = roughFloor(0.3f);
+    EXPECT_EQ(play(denoised(), scene, 8, 0.02, 3).composite, play(denoised(), scene, 8, 0.02, 3).composite);
+    EXPECT_NE(play(denoised(), scene, 8, 0.02, 3).composite, play(denoised(), scene, 8, 0.02, 4).composite);
+    for (const auto& [width, height] : {std::pair(1u, 1u), {7u, 5u}, {17u, 9u}}) {
+        Reflections made = reflections(width, height, denoised());
+        for (const float value : play(made, scene, 3, 0.02, 0, width, height).composite)
+            ASSERT_TRUE(std::isfinite(value)) << width;
+    }
+}
+
+TEST_F(LobeDenoiseTest, settingsStartAnewAndSwitchOff) {
+    const SyntheticScene scene = roughFloor(0.3f);
+    Reflections made = reflections(kWidth, kHeight, denoised());
+    const Picture first = play(made, scene, 1, 0, 0);
+    play(made, scene, 5, 0, 0);
+    must(made.setSettings(denoised()));
+    EXPECT_EQ(play(made, scene, 1, 0, 0).composite, first.composite);
+    Settings off = denoised();
+    off.denoise.enabled = false;
+    must(made.setSettings(off));
+    EXPECT_EQ(play(made, scene, 1, 0, 0).composite, play(off, scene, 1).composite);
+    must(made.setSettings(denoised()));
+    EXPECT_EQ(play(made, scene, 1, 0, 0).composite, first.composite);
+}
+
+TEST_F(LobeDenoiseTest, everySettingActs) {
+    const auto acts = [&](const SyntheticScene& scene, const char* key, const char* value) {
+        Settings settings = denoised();
+        must(set(settings, key, value));
+        EXPECT_NE(play(settings, scene, 4, 0.05).composite, play(denoised(), scene, 4, 0.05).composite) << key;
+    };
+    const SyntheticScene floor = roughFloor(0.2f);
+    acts(floor, "reuse.samples", "4");
+    acts(floor, "reuse.radius", "2");
+    acts(floor, "denoise.historySeconds", "0.02");
+    acts(floor, "denoise.lobeTrail", "0.05");
+    acts(floor, "denoise.maxRadius", "2");
+    acts(floor, "denoise.noiseTarget", "0.5");
+    // Two rough surfaces with one normal, one behind the other.
+    Stage step = floorAndWall();
+    step.cards[0].f0 = 0.5f;
+    step.cards[0].perceptualRoughness = 0.2f;
+    step.cards.push_back({.low = {-0.5, -1}, .high = {0.5, 3}, .z = -2.7, .f0 = 0.5f, .perceptualRoughness = 0.2f});
+    acts(step, "denoise.disocclusion", "0.2");
+}
+
+} // namespace
+} // namespace glint::test
