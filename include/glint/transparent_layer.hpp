@@ -41,9 +41,10 @@ struct TransparentLayer {
     /// Optional. World position of the centre of the pixel's object, in 32-bit floats. Probes are selected at this
     /// position, so that no probe boundary crosses an object.
     HostImage objectCenter;
-    /// Optional. r: fraction of each pixel that shows transparent surfaces, [0, 1], from a host that draws with several
-    /// samples. Edge pixels blend this fraction of the layer, also where `depth` is background at the pixel's centre.
-    /// Edges include those of objects in front of the layer.
+    /// Optional, from a host that draws with several samples. r: fraction of each pixel that the layer covers, [0, 1],
+    /// less what solid objects in front hide. g: the part of it that shows surfaces of the layer in front of that in
+    /// `depth`, which miss the pixel's centre; an image of one channel has none. Edge pixels blend these fractions.
+    /// Where `depth` is background, all of the layer misses the centre. What misses it is taken from adjacent pixels.
     HostImage coverage;
 };
 

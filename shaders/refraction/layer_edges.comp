@@ -1,6 +1,5 @@
-// Pixels that are partly covered, and whose centre neither this layer nor one behind it covers: they blend in that
-// fraction of their neighbours' layer. Where the layer covers the centre, layer_main.glsl has blended it already; where
-// a pixel is fully covered, other layers cover it.
+// Pixels of which a layer covers a part that misses their centre: they blend in that fraction of their neighbours' layer,
+// over all that the centre shows of the layers so far. What covers the centre layer_main.glsl has blended already.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -15,7 +14,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
 layout(set = 0, binding = 2) uniform sampler2D layerDepth;
 layout(set = 0, binding = 3) uniform sampler2D layerCoverage;
-layout(set = 0, binding = 6) uniform sampler2D layersZ;          // of the layers behind this one
 layout(set = 0, binding = 4) uniform sampler2D behind;           // the frame without this layer
 layout(set = 0, binding = 5, rgba16f) uniform image2D composite; // the frame with it; pixels read here are not written
 
@@ -23,13 +21,20 @@ layout(set = 0, binding = 5, rgba16f) uniform image2D composite; // the frame wi
 
 const float kSeen = 1.0 / 32.0; // less than one sample of sixteen
 
-float coverageAt(ivec2 px) {
-    return saturate(sanitize(texelFetch(layerCoverage, px, 0).r));
-}
+/// Of two surfaces, the one that is nearer by this fraction of its distance is another one.
+const float kNearer = 0.005;
 
-/// True if the layer covers the pixel's centre.
-bool isShown(ivec2 px) {
-    return seenLayerZ(px) < kBackgroundZ;
+/// A pixel of the layer.
+struct LayerPixel {
+    float viewZ;    // of the layer at the centre; kBackgroundZ: it misses the centre
+    float coverage; // of the whole layer
+    float missing;  // of its surfaces that miss the centre
+};
+
+LayerPixel layerPixel(ivec2 px) {
+    vec3 stored = clamp(sanitize(texelFetch(layerCoverage, px, 0).rgb), 0.0, 1.0);
+    float z = seenLayerZ(px);
+    return LayerPixel(z, stored.r, z < kBackgroundZ ? stored.g : max(stored.r, stored.g));
 }
 
 vec3 linear(vec3 stored) {
@@ -47,24 +52,25 @@ void main() {
     ivec2 size = ivec2(frame.constants.size);
     if (any(greaterThanEqual(px, size)))
         return;
-    float coverage = coverageAt(px);
-    bool inPart = coverage >= kSeen && coverage <= 1.0 - kSeen;
-    if (!inPart || isShown(px) || texelFetch(layersZ, px, 0).r < kBackgroundZ)
+    LayerPixel here = layerPixel(px);
+    if (here.missing < kSeen || here.missing > 1.0 - kSeen)
         return;
     vec4 sum = vec4(0.0);
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 other = px + ivec2(x, y);
-            if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, size)) || !isShown(other))
+            if (any(lessThan(other, ivec2(0))) || any(greaterThanEqual(other, size)))
                 continue;
-            float share = coverageAt(other);
-            if (share >= kSeen)
-                sum += share * (x * y == 0 ? 1.0 : 0.5) * vec4(layerAt(other, share), 1.0);
+            LayerPixel beside = layerPixel(other);
+            // Pixels that miss a part are written here, so they cannot be read.
+            bool shows = beside.viewZ < here.viewZ * (1.0 - kNearer) && beside.missing < kSeen;
+            if (shows && beside.coverage >= kSeen)
+                sum += beside.coverage * (x * y == 0 ? 1.0 : 0.5) * vec4(layerAt(other, beside.coverage), 1.0);
         }
     if (sum.a <= 0.0)
         return;
-    vec4 stored = texelFetch(behind, px, 0);
-    vec3 result = sanitize(mix(linear(stored.rgb), sum.rgb / sum.a, coverage));
+    vec4 stored = imageLoad(composite, px);
+    vec3 result = sanitize(mix(linear(stored.rgb), sum.rgb / sum.a, here.missing));
     if ((frame.constants.flags & kOutputGamma) != 0u)
         result = encodeSrgb(result);
     imageStore(composite, px, vec4(result, stored.a));

@@ -225,6 +225,7 @@ void Renderer::peelLayers(gpu::Frame& frame) {
 }
 
 LayerImages& Renderer::drawLayer(gpu::Frame& frame, uint32_t layer) {
+    layers_->cover(frame, scene_, viewBuffer_, target_.gbuffer, layer);
     return layers_->draw(frame, scene_, lightingInputs(), layer);
 }
 

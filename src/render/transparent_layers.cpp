@@ -99,7 +99,7 @@ Result<TransparentLayers> TransparentLayers::create(gpu::Context& context, const
 
 Result<void> TransparentLayers::createCoverage(gpu::Context& context, const GpuScene& scene, uint32_t samples,
                                                uint32_t width, uint32_t height) {
-    constexpr VkFormat kFormat = VK_FORMAT_R8_UNORM;
+    constexpr VkFormat kFormat = VK_FORMAT_R8G8_UNORM;
     gpu::RasterDesc desc;
     desc.vertexShader = "render/surface.vert";
     desc.fragmentShader = "render/layer_cover.frag";
@@ -107,12 +107,17 @@ Result<void> TransparentLayers::createCoverage(gpu::Context& context, const GpuS
     desc.colorFormats = {kFormat};
     desc.depthFormat = kDepthFormat;
     desc.depthWrite = false;
+    desc.blend = gpu::Blend::Premultiplied; // with alpha 0: adds
     desc.samples = samples;
     desc.tableLayout = scene.textures().layout();
     for (size_t topology = 0; topology < kTopologies.size(); ++topology) {
         desc.topology = kTopologies[topology];
-        GLINT_TRY(pipeline, gpu::Pipeline::raster(context, desc));
-        cover_[topology] = std::move(pipeline);
+        desc.constants = {{1, 0}};
+        GLINT_TRY(first, gpu::Pipeline::raster(context, desc));
+        desc.constants = {{1, 1}};
+        GLINT_TRY(behind, gpu::Pipeline::raster(context, desc));
+        coverFirst_[topology] = std::move(first);
+        coverBehind_[topology] = std::move(behind);
     }
     gpu::ImageDesc image = {
         "layer/coverSamples", kFormat, width, height, 1, 1, gpu::ImageShape::Flat, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT};
@@ -127,11 +132,16 @@ Result<void> TransparentLayers::createCoverage(gpu::Context& context, const GpuS
     return {};
 }
 
-void TransparentLayers::cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer) {
+void TransparentLayers::cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer, uint32_t layer) {
+    if (!coverage_)
+        return;
     constexpr VkClearColorValue kZero = {};
+    const auto& pipelines = layer == 0 ? coverFirst_ : coverBehind_;
     drawTransparent(frame, scene, [&](size_t topology, bool first) {
-        gpu::Pass pass = geometryPass(frame, cover_[topology], scene, view);
-        pass.color(coverSamples_, first ? &kZero : nullptr)
+        gpu::Pass pass = geometryPass(frame, pipelines[topology], scene, view);
+        pass.read("thisLayer", depths_[layer], gpu::SamplerKind::NearestClamp)
+            .read("nearerLayer", layer == 0 ? images_.material : depths_[layer - 1], gpu::SamplerKind::NearestClamp)
+            .color(coverSamples_, first ? &kZero : nullptr)
             .resolve(coverage_)
             .depth(gbuffer.shadedDepth(), false, false);
         return pass;
@@ -139,8 +149,6 @@ void TransparentLayers::cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& v
 }
 
 void TransparentLayers::peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer) {
-    if (coverage_)
-        cover(frame, scene, view, gbuffer);
     for (uint32_t layer = 0; layer < count(); ++layer) {
         const auto& pipelines = layer == 0 ? first_ : behind_;
         gpu::Image& nearer = layer == 0 ? images_.material : depths_[layer - 1]; // the first layer does not read it

@@ -24,26 +24,27 @@ public:
     static Result<TransparentLayers> create(gpu::Context& context, const GpuScene& scene, const GBufferOptions& options,
                                             const RayWorld* rayWorld, uint32_t width, uint32_t height, uint32_t most);
 
-    /// Finds the depth of each layer, the nearest first, and the coverage of each pixel. Surfaces behind the last layer
-    /// are not drawn.
+    /// Finds the depth of each layer, the nearest first. Surfaces behind the last layer are not drawn.
     void peel(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
     /// Draws one layer. The result is valid until the next call.
     LayerImages& draw(gpu::Frame& frame, GpuScene& scene, const LightingInputs& inputs, uint32_t layer);
+    /// With several samples per pixel: measures the coverage of one layer. The result is valid until the next call.
+    void cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer, uint32_t layer);
 
     uint32_t count() const { return static_cast<uint32_t>(depths_.size()); }
     gpu::Image& depth(uint32_t layer) { return depths_[layer]; }
-    /// R8_UNORM: fraction of the pixel's samples in which a layer is visible; absent with one sample per pixel.
+    /// RG8_UNORM: TransparentLayer::coverage of one layer; absent with one sample per pixel.
     gpu::Image& coverage() { return coverage_; }
 
 private:
     Result<void> createCoverage(gpu::Context& context, const GpuScene& scene, uint32_t samples, uint32_t width,
                                 uint32_t height);
-    void cover(gpu::Frame& frame, GpuScene& scene, gpu::Buffer& view, GBuffer& gbuffer);
 
     std::array<gpu::Pipeline, 3> first_;  ///< by topology: depth of the nearest layer
     std::array<gpu::Pipeline, 3> behind_; ///< by topology: depth of the other layers
     std::array<gpu::Pipeline, 3> lit_;
-    std::array<gpu::Pipeline, 3> cover_;
+    std::array<gpu::Pipeline, 3> coverFirst_;
+    std::array<gpu::Pipeline, 3> coverBehind_;
     std::vector<gpu::Image> depths_; ///< D32_SFLOAT: reversed; the nearest layer first
     LayerImages images_;
     gpu::Image coverSamples_;

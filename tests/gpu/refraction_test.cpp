@@ -48,6 +48,7 @@ struct LayerSurface {
     BodyShape shape = BodyShape::Straight;
     bool missesCenter = false; ///< the layer misses the pixel's centre but covers a part
     float coverage = 1;        ///< 0: no surface; a layer with 1 everywhere provides no coverage
+    float inFront = 0;         ///< part of it that shows another surface, in front, that misses the pixel's centre
 };
 using LayerScene = std::function<std::optional<LayerSurface>(const glm::dvec3&, const glm::dvec3&)>;
 
@@ -57,9 +58,9 @@ struct DrawnLayer {
 
     static DrawnLayer draw(gpu::Context& context, const LayerScene& scene, const SyntheticCamera& camera,
                            uint32_t width, uint32_t height) {
-        std::vector<float> depth, coverage;
+        std::vector<float> depth;
         bool hasParts = false;
-        std::vector<glm::vec2> normal;
+        std::vector<glm::vec2> normal, coverage;
         std::vector<glm::vec4> material, radiance, transmittance, absorption, body;
         for (uint32_t i = 0; i < width * height; ++i) {
             const glm::dvec3 origin = camera.originThrough(i % width, i / width, width, height);
@@ -75,8 +76,8 @@ struct DrawnLayer {
             transmittance.push_back(s.transmittance);
             absorption.push_back(s.absorption);
             body.emplace_back(s.ior, s.thickness, static_cast<float>(s.shape), s.dispersion);
-            coverage.push_back(hit ? s.coverage : 0);
-            hasParts |= s.coverage < 1 || s.missesCenter;
+            coverage.emplace_back(hit ? s.coverage : 0, s.inFront);
+            hasParts |= s.coverage < 1 || s.inFront > 0 || s.missesCenter;
         }
         DrawnLayer out;
         const auto upload = [&](const auto& texels, VkFormat format) {
@@ -92,7 +93,7 @@ struct DrawnLayer {
         out.layer.absorption = upload(absorption, kFour);
         out.layer.body = upload(body, kFour);
         if (hasParts)
-            out.layer.coverage = upload(coverage, VK_FORMAT_R32_SFLOAT);
+            out.layer.coverage = upload(coverage, VK_FORMAT_R32G32_SFLOAT);
         return out;
     }
 };
@@ -437,6 +438,43 @@ TEST_F(RefractionTest, EdgesAreMixedByCoverage) {
                 const double expected = glm::mix(double(plain[pixel * 4 + c]), double(bright.radiance[c]), part);
                 EXPECT_NEAR(linear(picture[pixel * 4 + c]), expected, 0.003 * expected) << inside << " " << c;
             }
+        }
+    }
+}
+
+TEST_F(RefractionTest, EdgesBeforeAnotherLayerAreMixedToo) {
+    // Left of a slanted line a bright pane stands in front of a dark one: where it is seen, it is the nearer layer, and
+    // right of the line the dark pane is.
+    LayerSurface bright;
+    bright.transmittance = glm::vec4(0);
+    bright.radiance = {9, 5, 3, 1};
+    LayerSurface dark = bright;
+    dark.radiance = {0.25f, 0.5f, 1, 1};
+    // Whole pixels left of the line. One beside it is covered to a half, one right of it to a quarter.
+    const auto leftOf = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        const std::optional<LayerSurface> s = pane(-2, bright)(origin, direction);
+        const glm::dvec2 px = camera_.project(origin + direction * s->distance, kWidth, kHeight);
+        return kWidth / 2 + std::floor(px.y) - std::floor(px.x);
+    };
+    const LayerScene nearer = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        const double inside = leftOf(origin, direction);
+        std::optional<LayerSurface> s =
+            inside < 0 ? pane(-3, dark)(origin, direction) : pane(-2, bright)(origin, direction);
+        s->coverage = inside == 0 ? 0.5f : 1;
+        s->inFront = inside == -1 ? 0.25f : 0;
+        return s;
+    };
+    const LayerScene farther = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        return leftOf(origin, direction) < 0 ? std::nullopt : pane(-3, dark)(origin, direction);
+    };
+    const std::vector<float> picture = over({farther, nearer}, settings());
+    const int y = 20;
+    for (int inside = -3; inside < 4; ++inside) {
+        const size_t pixel = static_cast<size_t>(y * int(kWidth) + int(kWidth) / 2 + y - inside);
+        const double part = inside > 0 ? 1 : inside == 0 ? 0.5 : inside == -1 ? 0.25 : 0;
+        for (int c = 0; c < 3; ++c) {
+            const double expected = glm::mix(double(dark.radiance[c]), double(bright.radiance[c]), part);
+            EXPECT_NEAR(picture[pixel * 4 + c], expected, 0.003 * expected) << inside << " " << c;
         }
     }
 }

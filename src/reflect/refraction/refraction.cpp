@@ -168,7 +168,6 @@ void Refraction::record(gpu::Frame& frame, LayerImages& layer, const LayerInputs
             .read("viewZ", inputs.prepared.viewZ)
             .read("layerDepth", layer.depth, kTexels)
             .read("layerCoverage", layer.coverage, kTexels)
-            .read("layersZ", layersZ_)
             .read("behind", behind_, kTexels)
             .readWrite("composite", composite)
             .dispatch(composite.width(), composite.height());
