@@ -279,6 +279,9 @@
     SETTING(float, dispersion, -1, "[-1, 20]", "20 / Abbe number",                                                     \
         "Dispersion of transparent bodies: variation of the index of refraction by colour; below 0: the material's",   \
         "")                                                                                                            \
+    SETTING(int, innerReflections, 0, "[0, 8]", "",                                                                    \
+        "Reflections inside a transparent body that are followed; 0: all of the light leaves at its first exit",       \
+        "")                                                                                                            \
     SETTING(int, hizMinLevel, 0, "[0, 14]", "",                                                                        \
         "Finest depth pyramid level that a refracted or reflected ray of a transparent layer visits",                  \
         "hdrp:refraction:rayMinLevel")                                                                                 \

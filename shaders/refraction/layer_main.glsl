@@ -68,15 +68,18 @@ struct RayDifferential {
 
 const RayDifferential kNoDifferential = RayDifferential(vec3(0.0), vec3(0.0));
 
-/// A ray that leaves a surface or a body, and the spread of its light.
+/// A ray that leaves a surface or a body, or crosses a body, and the spread of its light.
 struct Leaving {
     vec3 originVS;
     vec3 directionVS; // unit
+    float reach;      // metres, of the march on screen
     float roughness;  // perceptual: of the lobe
     float travelled;  // metres over which the light has spread before
     vec3 centerWS;    // position that selects the probes
     float layerZ;     // viewZ of the surface
     ivec2 px;         // the pixel that shows the surface
+    uint asks;        // kLayerScreen, kLayerProxy, kLayerProbes and kLayerSky: the sources
+    bool crosses;     // inside the body, in search of objects there: the background is no answer
     bool mirrored;    // a reflection about this normal
     vec3 normalVS;
     float fade;         // of the screen's answer, [0, 1]
@@ -196,18 +199,13 @@ float borderFade(Leaving ray, vec2 uv) {
     return weight;
 }
 
-vec4 marchedAnswer(Leaving ray) {
-    vec2 endPX;
-    float distance;
-    uint outcome = marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS,
-                             ray.mirrored ? settings.maxDistance : kFar, endPX, distance);
-    // Where the frame shows the background at the ray's end, the ray hits the background.
-    bool answered = isAnswered(outcome) || outcome == kOutcomeSky;
-    vec2 uv = endPX * frame.constants.invSize;
-    if (!answered || !onScreen(endPX))
-        return vec4(0.0);
-    vec3 endVS = ray.originVS + ray.directionVS * distance;
-    return vec4(pictureRadiance(ray, uv, distance, max(-endVS.z, 1e-4)), borderFade(ray, uv));
+/// False if the march finds nothing that the frame shows.
+bool marchedEnd(Leaving ray, out vec2 endPX, out float distance) {
+    uint outcome = marchFrom(ray.originVS, ray.directionVS, ray.mirrored ? ray.normalVS : -ray.directionVS, ray.reach,
+                             endPX, distance);
+    // Where the frame shows the background at the ray's end, a ray that leaves hits the background.
+    bool answered = isAnswered(outcome) || (outcome == kOutcomeSky && !ray.crosses);
+    return answered && onScreen(endPX);
 }
 
 /// Distance at which the ray hits the proxy of the first probe that holds the object; without one, infinitely far.
@@ -225,20 +223,31 @@ float proxyReach(Leaving ray) {
     return kFar;
 }
 
-/// One depth sample, at the hit that the proxy gives.
-vec4 projectedAnswer(Leaving ray) {
-    float distance = proxyReach(ray);
+/// One depth sample, at the hit that the proxy gives. False if the frame does not show that place.
+bool projectedEnd(Leaving ray, out vec2 endPX, out float distance) {
+    distance = proxyReach(ray);
     vec3 hitVS = ray.originVS + ray.directionVS * distance;
     vec4 hitH = frame.constants.viewToPixel * vec4(hitVS, 1.0);
+    endPX = vec2(-1.0);
     if (hitH.w <= 0.0 || -hitVS.z < frame.constants.nearZ)
-        return vec4(0.0); // behind the camera
-    vec2 px = hitH.xy / hitH.w;
-    if (!onScreen(px))
+        return false; // behind the camera
+    endPX = hitH.xy / hitH.w;
+    if (!onScreen(endPX))
+        return false;
+    if (texelFetch(viewZ, ivec2(endPX), 0).r <= ray.layerZ)
+        endPX = vec2(ray.px) + 0.5; // an occluder before the surface: take the light straight behind it
+    return true;
+}
+
+/// `distance`: of the place whose colour it is, metres along the ray.
+vec4 screenAnswer(Leaving ray, out float distance) {
+    vec2 endPX;
+    bool found = (ray.asks & kLayerProxy) != 0u ? projectedEnd(ray, endPX, distance) : marchedEnd(ray, endPX, distance);
+    if (!found)
         return vec4(0.0);
-    if (texelFetch(viewZ, ivec2(px), 0).r <= ray.layerZ)
-        px = vec2(ray.px) + 0.5; // an occluder before the surface: take the light straight behind it
-    vec2 uv = px * frame.constants.invSize;
-    return vec4(pictureRadiance(ray, uv, distance, max(-hitVS.z, 1e-4)), borderFade(ray, uv));
+    vec2 uv = endPX * frame.constants.invSize;
+    vec3 endVS = ray.originVS + ray.directionVS * distance;
+    return vec4(pictureRadiance(ray, uv, distance, max(-endVS.z, 1e-4)), borderFade(ray, uv));
 }
 
 vec4 probesAnswerFor(Leaving ray, float left) {
@@ -254,17 +263,25 @@ vec4 probesAnswerFor(Leaving ray, float left) {
 #endif
 }
 
-/// Weighted radiance and the weights of screen, probes and sky.
-vec3 walkSources(Leaving ray, bool askScreen, bool proxy, out vec3 weights) {
+/// What the sources answer a ray.
+struct Answer {
+    vec3 radiance;  // weighted
+    vec3 weights;   // of screen, probes and sky
+    float distance; // to the hit on screen, metres
+};
+
+Answer walkSources(Leaving ray) {
     Walk walk = beginWalk();
-    weights = vec3(0.0);
-    if (askScreen)
-        weights.x = take(walk, proxy ? projectedAnswer(ray) : marchedAnswer(ray));
-    if (layerHas(kLayerProbes) && walk.taken < 1.0)
-        weights.y = take(walk, probesAnswerFor(ray, remaining(walk)));
-    if (layerHas(kLayerSky) && walk.taken < 1.0)
-        weights.z = take(walk, vec4(environmentRadiance(environment, toWorld(ray.directionVS), distantRoughness(ray)), 1.0));
-    return walk.radiance;
+    Answer answer = Answer(vec3(0.0), vec3(0.0), 0.0);
+    if ((ray.asks & kLayerScreen) != 0u)
+        answer.weights.x = take(walk, screenAnswer(ray, answer.distance));
+    if ((ray.asks & kLayerProbes) != 0u && walk.taken < 1.0)
+        answer.weights.y = take(walk, probesAnswerFor(ray, remaining(walk)));
+    if ((ray.asks & kLayerSky) != 0u && walk.taken < 1.0)
+        answer.weights.z =
+            take(walk, vec4(environmentRadiance(environment, toWorld(ray.directionVS), distantRoughness(ray)), 1.0));
+    answer.radiance = walk.radiance;
+    return answer;
 }
 
 // ---------------------------------------------------------------- the layer
@@ -321,18 +338,19 @@ vec3 pictureAt(ivec2 px) {
     return linearColor(texelFetch(behind, px, 0).rgb, (frame.constants.flags & kOutputGamma) != 0u);
 }
 
-/// The ray that brings a pixel's light: its start, behind the body or on the surface, and its direction.
-RayDifferential rayOf(LayerSurface s, bool mirrored) {
+/// The ray that brings a pixel's light: its start, behind the body or on the surface, and its direction. `inner`:
+/// reflections inside the body.
+RayDifferential rayOf(LayerSurface s, bool mirrored, uint inner) {
     if (mirrored)
         return RayDifferential(s.positionVS, reflect(-s.toEyeVS, s.here.normalVS));
-    Refraction path = refractThrough(s.model, s.here.normalVS, s.toEyeVS, s.ior, s.thickness);
+    Refraction path = refractThrough(s.model, s.here.normalVS, s.toEyeVS, s.ior, s.thickness, inner);
     return RayDifferential(s.positionVS + path.exit, path.direction);
 }
 
 /// Change to the ray of the next pixel along `step`. Takes the smaller difference of both sides, because across an edge
 /// lies another surface. The neighbours' bodies are assumed to be this one.
-RayDifferential differential(LayerSurface s, ivec2 px, ivec2 step, bool mirrored) {
-    RayDifferential here = rayOf(s, mirrored);
+RayDifferential differential(LayerSurface s, ivec2 px, ivec2 step, bool mirrored, uint inner) {
+    RayDifferential here = rayOf(s, mirrored, inner);
     RayDifferential least = kNoDifferential;
     float leastTurn = 2.0;
     for (int side = -1; side <= 1; side += 2) {
@@ -347,7 +365,7 @@ RayDifferential differential(LayerSurface s, ivec2 px, ivec2 step, bool mirrored
         next.toEyeVS = -viewDirection(frame.constants, next.positionVS);
         next.here.normalVS =
             facingNormal(hostNormalVS(frame.constants, texelFetch(layerNormal, at, 0).xyz), next.toEyeVS);
-        RayDifferential there = rayOf(next, mirrored);
+        RayDifferential there = rayOf(next, mirrored, inner);
         vec3 turn = (there.direction - here.direction) * float(side);
         if (length(turn) < leastTurn) {
             leastTurn = length(turn);
@@ -360,73 +378,144 @@ RayDifferential differential(LayerSurface s, ivec2 px, ivec2 step, bool mirrored
 Leaving mirrorRay(LayerSurface s, ivec2 px) {
     vec3 direction = reflect(-s.toEyeVS, s.here.normalVS);
     float fade = fadeRoughness(s.here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness);
-    return Leaving(s.positionVS, direction, s.here.perceptualRoughness, 0.0, s.centerWS, s.here.viewZ, px, true,
-                   s.here.normalVS, fade, true, differential(s, px, ivec2(1, 0), true),
-                   differential(s, px, ivec2(0, 1), true));
+    uint asks = refraction.flags & (kLayerScreen | kLayerProbes | kLayerSky);
+    return Leaving(s.positionVS, direction, settings.maxDistance, s.here.perceptualRoughness, 0.0, s.centerWS,
+                   s.here.viewZ, px, asks, false, true, s.here.normalVS, fade, true, kNoDifferential, kNoDifferential);
 }
 
-vec3 reflectedRadiance(LayerSurface s, ivec2 px, out float weight) {
+/// The surface's own reflection.
+Leaving reflectionRay(LayerSurface s, ivec2 px) {
     Leaving ray = mirrorRay(s, px);
-    bool askScreen = layerHas(kLayerScreen) && ray.fade > 0.0 && maxComponent(s.here.f0) > settings.threshold;
-    vec3 weights;
-    vec3 radiance = walkSources(ray, askScreen, false, weights);
-    weight = weights.x + weights.y + weights.z;
-    return radiance;
+    if (ray.fade <= 0.0 || maxComponent(s.here.f0) <= settings.threshold)
+        ray.asks &= ~kLayerScreen;
+    return ray;
 }
 
-/// Mean transmitted radiance, absorbed along the path. The remaining weight takes the light straight behind.
-vec3 transmittedLight(LayerSurface s, ivec2 px, out vec3 weights) {
-    Refraction path = refractThrough(s.model, s.here.normalVS, s.toEyeVS, s.ior, s.thickness);
+bool isBent(LayerSurface s, Refraction path) {
+    return path.pathLength > 0.0 && abs(s.ior - 1.0) > 1e-4;
+}
+
+/// Roughness of the lobe that leaves the body. Each reflection inside widens it as the surface's own reflection does.
+float leavingRoughness(LayerSurface s, uint inner) {
     float roughness = transmissionRoughness(s.here.perceptualRoughness, s.ior);
-    vec3 left = pictureAt(px);
-    weights = vec3(1.0, 0.0, 0.0);
-    if (path.isTotal) {
-        vec3 radiance = walkSources(mirrorRay(s, px), layerHas(kLayerScreen), false, weights);
-        return radiance + (1.0 - weights.x - weights.y - weights.z) * left;
+    if (inner == 0u)
+        return roughness;
+    float alpha = square(s.here.perceptualRoughness);
+    return min(sqrt(length(vec2(square(roughness), alpha * sqrt(float(inner))))), 1.0);
+}
+
+/// Across the body, in search of another object that is inside it, or reaches into it.
+Leaving crossingRay(LayerSurface s, ivec2 px, Refraction path) {
+    return Leaving(s.positionVS, path.insideDir, path.pathLength, leavingRoughness(s, 0u), 0.0, s.centerWS,
+                   s.here.viewZ, px, kLayerScreen, true, false, s.here.normalVS, 1.0, false, kNoDifferential,
+                   kNoDifferential);
+}
+
+Leaving leavingRay(LayerSurface s, ivec2 px, Refraction path, uint inner) {
+    uint asks = refraction.flags & (kLayerScreen | kLayerProxy | kLayerProbes | kLayerSky);
+    return Leaving(s.positionVS + path.exit, path.direction, kFar, leavingRoughness(s, inner), path.pathLength,
+                   s.centerWS, s.here.viewZ, px, asks, false, false, s.here.normalVS, 1.0, isBent(s, path),
+                   kNoDifferential, kNoDifferential);
+}
+
+/// A body at a pixel, for one channel where it disperses light.
+struct Body {
+    LayerSurface s;
+    bvec3 channels;
+    float left; // fraction of the light that has not left the body yet
+    vec3 seen;  // what the last path out of the body showed, without absorption
+};
+
+Body bodyFor(LayerSurface s, uint channel, bool disperses, vec3 straightBehind) {
+    if (!disperses)
+        return Body(s, bvec3(true), 1.0, straightBehind);
+    s.ior = dispersedIor(s.ior, s.dispersion)[channel];
+    return Body(s, equal(uvec3(channel), uvec3(0u, 1u, 2u)), 1.0, straightBehind);
+}
+
+/// What the rays of a pixel bring.
+struct Light {
+    vec3 transmitted; // mean, absorbed along its paths
+    vec3 weights;     // of its sources: screen, probes, sky
+    vec3 reflected;   // weighted
+    float reflectedWeight;
+};
+
+/// `fraction` of the light leaves the body towards what has this radiance.
+void leave(inout Body body, inout Light light, float fraction, vec3 radiance, vec3 weights) {
+    light.transmitted = mix(light.transmitted, light.transmitted + fraction * radiance, body.channels);
+    light.weights += fraction * weights / (all(body.channels) ? 1.0 : 3.0);
+    body.left -= fraction;
+}
+
+vec3 absorbed(LayerSurface s, vec3 radiance, float pathLength) {
+    return radiance * volumeTransmittance(pathLength, s.attenuationColor, s.attenuationDistance);
+}
+
+/// True if there is nothing to march across: then light comes from straight behind, or from inside the body.
+bool skipsCrossing(inout Body body, inout Light light, ivec2 px, Refraction path) {
+    if (path.isTotal)
+        return true;
+    if (!isBent(body.s, path) && leavingRoughness(body.s, 0u) <= 0.0) {
+        float toSolid = (texelFetch(viewZ, px, 0).r - body.s.here.viewZ) / max(body.s.toEyeVS.z, 1e-4);
+        float inside = min(path.pathLength, max(toSolid, 0.0));
+        leave(body, light, body.left, absorbed(body.s, body.seen, inside), vec3(1.0, 0.0, 0.0));
+        return true;
     }
-    vec3 entryVS = s.positionVS;
-    bool bent = path.pathLength > 0.0 && abs(s.ior - 1.0) > 1e-4;
-    if (!bent && roughness <= 0.0) { // no march: the light is straight behind, or comes from inside the body
-        float toSolid = (texelFetch(viewZ, px, 0).r - s.here.viewZ) / max(s.toEyeVS.z, 1e-4);
-        return left *
-               volumeTransmittance(min(path.pathLength, max(toSolid, 0.0)), s.attenuationColor, s.attenuationDistance);
-    }
-    // Another object may be inside the body, or reach into it.
-    if (path.pathLength > 0.0 && layerHas(kLayerScreen)) {
-        vec2 endPX;
-        float distance;
-        uint outcome = marchFrom(entryVS, path.insideDir, -path.insideDir, path.pathLength, endPX, distance);
-        if (isAnswered(outcome) && onScreen(endPX)) {
-            Leaving inside = Leaving(entryVS, path.insideDir, roughness, 0.0, s.centerWS, s.here.viewZ, px, false,
-                                     s.here.normalVS, 1.0, bent, kNoDifferential, kNoDifferential);
-            vec3 endVS = entryVS + path.insideDir * distance;
-            return pictureRadiance(inside, endPX * frame.constants.invSize, distance, max(-endVS.z, 1e-4)) *
-                   volumeTransmittance(distance, s.attenuationColor, s.attenuationDistance);
+    return path.pathLength <= 0.0 || !layerHas(kLayerScreen);
+}
+
+/// Follows the rays of a pixel: through the body, for each channel where it disperses light, and the surface's own
+/// reflection. `exitReflectance`: fraction that a surface reflects back into the body. One loop over all rays: compilers
+/// inline all of the walk through the sources at each call.
+Light followRays(LayerSurface s, ivec2 px, float exitReflectance, bool transmits, bool reflects) {
+    Light light = Light(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
+    bool disperses = s.dispersion > 0.0 && s.ior > 0.0;
+    uint inners = exitReflectance > 0.0 ? refraction.flags >> kLayerInnerShift : 0u;
+    uint stages = 2u + inners; // of a body: 0 is across it, n is out of it after n - 1 reflections inside
+    uint last = transmits ? stages * (disperses ? 3u : 1u) : 0u; // the surface's own reflection
+    vec3 straightBehind = pictureAt(px);
+    Body body = bodyFor(s, 0u, false, straightBehind);
+    for (uint i = 0u; i < last + (reflects ? 1u : 0u); ++i) {
+        bool mirrors = i == last;
+        uint stage = mirrors ? 0u : i % stages;
+        uint inner = max(stage, 1u) - 1u;
+        bool crosses = stage == 0u && !mirrors;
+        if (stage == 0u)
+            body = bodyFor(s, i / stages, disperses && !mirrors, straightBehind);
+        Refraction path =
+            refractThrough(body.s.model, s.here.normalVS, s.toEyeVS, body.s.ior, body.s.thickness, inner);
+        if (body.left <= 0.0 || (crosses && skipsCrossing(body, light, px, path)))
+            continue;
+        Leaving ray;
+        if (mirrors)
+            ray = reflectionRay(s, px);
+        else if (crosses)
+            ray = crossingRay(body.s, px, path);
+        else if (path.isTotal)
+            ray = mirrorRay(s, px);
+        else
+            ray = leavingRay(body.s, px, path, inner);
+        if (!crosses) {
+            ray.dx = differential(body.s, px, ivec2(1, 0), ray.mirrored, inner);
+            ray.dy = differential(body.s, px, ivec2(0, 1), ray.mirrored, inner);
+        }
+        Answer answer = walkSources(ray);
+        float weight = answer.weights.x + answer.weights.y + answer.weights.z;
+        if (mirrors) {
+            light.reflected = answer.radiance;
+            light.reflectedWeight = weight;
+        } else if (!crosses) {
+            // The remaining weight takes what the last path showed, of the first path what is straight behind.
+            body.seen = answer.radiance + (1.0 - weight) * body.seen;
+            float fraction = path.isTotal || inner == inners ? body.left : body.left * (1.0 - exitReflectance);
+            vec3 seen = path.isTotal ? body.seen : absorbed(s, body.seen, path.pathLength);
+            leave(body, light, fraction, seen, answer.weights);
+        } else if (weight > 0.0) {
+            leave(body, light, body.left, absorbed(s, answer.radiance, answer.distance), answer.weights);
         }
     }
-    vec3 transmittance = volumeTransmittance(path.pathLength, s.attenuationColor, s.attenuationDistance);
-    Leaving ray = Leaving(entryVS + path.exit, path.direction, roughness, path.pathLength, s.centerWS, s.here.viewZ, px,
-                          false, s.here.normalVS, 1.0, bent, differential(s, px, ivec2(1, 0), false),
-                          differential(s, px, ivec2(0, 1), false));
-    vec3 radiance = walkSources(ray, layerHas(kLayerScreen), layerHas(kLayerProxy), weights);
-    return (radiance + (1.0 - weights.x - weights.y - weights.z) * left) * transmittance;
-}
-
-/// Each channel has its own index of refraction where the body disperses light.
-vec3 transmittedRadiance(LayerSurface s, ivec2 px, out vec3 weights) {
-    if (s.dispersion <= 0.0 || s.ior <= 0.0)
-        return transmittedLight(s, px, weights);
-    vec3 iors = dispersedIor(s.ior, s.dispersion);
-    vec3 sum = vec3(0.0);
-    weights = vec3(0.0);
-    for (int channel = 0; channel < 3; ++channel) {
-        LayerSurface colored = s;
-        colored.ior = iors[channel];
-        vec3 share;
-        sum[channel] = transmittedLight(colored, px, share)[channel];
-        weights += share / 3.0;
-    }
-    return sum;
+    return light;
 }
 
 vec3 layered(LayerSurface s, ivec2 px) {
@@ -438,23 +527,19 @@ vec3 layered(LayerSurface s, ivec2 px) {
     vec2 argument = vec2(clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0), s.here.perceptualRoughness);
     float f90 = edgeReflectance(maxComponent(s.here.f0));
     vec3 response = specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
-    vec3 through = sanitize(tint.rgb) * (1.0 - saturate(maxComponent(response)));
-    vec3 weights = vec3(0.0);
-    vec3 transmitted = vec3(0.0);
-    if (maxComponent(through) > 0.0) {
-        transmitted = transmittedRadiance(s, px, weights);
-        result += through * transmitted;
-    }
-    if (layerHas(kLayerReflects) && maxComponent(s.here.f0) > 0.0 && tint.a > 0.0) {
-        float weight;
-        vec3 reflected = reflectedRadiance(s, px, weight);
+    float reflectance = saturate(maxComponent(response));
+    vec3 through = sanitize(tint.rgb) * (1.0 - reflectance);
+    bool reflects = layerHas(kLayerReflects) && maxComponent(s.here.f0) > 0.0 && tint.a > 0.0;
+    Light light = followRays(s, px, reflectance, maxComponent(through) > 0.0, reflects);
+    result += through * light.transmitted;
+    if (reflects) {
         if (layerHas(kLayerFallback))
-            result -= weight * linearColor(texelFetch(layerFallback, px, 0).rgb, encoded);
-        result += reflected * response * (saturate(tint.a) * refraction.strength);
+            result -= light.reflectedWeight * linearColor(texelFetch(layerFallback, px, 0).rgb, encoded);
+        result += light.reflected * response * (saturate(tint.a) * refraction.strength);
     }
     if (layerHas(kLayerViews)) {
-        imageStore(refracted, px, vec4(transmitted, 1.0));
-        imageStore(refractionWeights, px, vec4(weights, 1.0));
+        imageStore(refracted, px, vec4(light.transmitted, 1.0));
+        imageStore(refractionWeights, px, vec4(light.weights, 1.0));
     }
     return sanitize(result);
 }

@@ -35,7 +35,8 @@ GLINT_CONSTANT(uint, kLayerSky, 128);
 GLINT_CONSTANT(uint, kLayerFallback, 256); // bound images: a push constant
 GLINT_CONSTANT(uint, kLayerCenters, 512);
 GLINT_CONSTANT(uint, kLayerCoverage, 1024);
-GLINT_CONSTANT(uint, kLayerViews, 2048); // store what views show
+GLINT_CONSTANT(uint, kLayerViews, 2048);    // store what views show
+GLINT_CONSTANT(uint, kLayerInnerShift, 28); // refraction.innerReflections, in the uppermost bits
 
 GLINT_SHARED_END
 

@@ -1,6 +1,7 @@
 // Transparent layers as a host provides them: transmission, reflection, and errors.
 #include "gpu/support/library_test.hpp"
 
+#include <fmt/format.h>
 #include <glm/gtc/color_space.hpp>
 #include <gmock/gmock.h>
 
@@ -493,19 +494,104 @@ TEST_F(RefractionTest, AWhiteFurnaceStaysWhite) {
         TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
     Settings settings;
     settings.screen.enabled = false;
-    for (const BodyShape shape : {BodyShape::Straight, BodyShape::Sphere, BodyShape::Plane, BodyShape::Thin})
-        for (const float roughness : {0.0f, 0.4f, 1.0f}) {
-            LayerSurface surface;
-            surface.shape = shape;
-            surface.thickness = 0.5f;
-            surface.roughness = roughness;
-            surface.f0 = glm::vec3(0.04f);
-            const std::vector<float> picture = over({pane(-1, surface)}, settings, white.map);
-            for (size_t i = 0; i < picture.size(); i += 4) {
-                ASSERT_LE(picture[i], 1.002f) << static_cast<int>(shape) << " " << roughness << " " << i;
-                ASSERT_GE(picture[i], 0.995f) << static_cast<int>(shape) << " " << roughness << " " << i;
+    for (const int inner : {0, 1, 3})
+        for (const BodyShape shape : {BodyShape::Straight, BodyShape::Sphere, BodyShape::Plane, BodyShape::Thin})
+            for (const float roughness : {0.0f, 0.4f, 1.0f}) {
+                settings.refraction.innerReflections = inner;
+                LayerSurface surface;
+                surface.shape = shape;
+                surface.thickness = 0.5f;
+                surface.roughness = roughness;
+                surface.f0 = glm::vec3(0.04f);
+                const std::vector<float> picture = over({pane(-1, surface)}, settings, white.map);
+                for (size_t i = 0; i < picture.size(); i += 4) {
+                    const std::string which = fmt::format("{} {} {} {}", inner, int(shape), roughness, i);
+                    ASSERT_LE(picture[i], 1.002f) << which;
+                    ASSERT_GE(picture[i], 0.995f) << which;
+                }
             }
-        }
+}
+
+/// Where the bright wall behind the camera comes from: a plate sends back what its back side reflects, the more often
+/// the light is followed inside. With a reflectance of `r` at each side, the sum of all that comes back inside is the
+/// light that entered times `r`, of which the part `1 - r` leaves.
+TEST_F(RefractionTest, APlateSendsBackWhatItsBackReflects) {
+    const float r = 0.2f;
+    LayerSurface surface;
+    surface.shape = BodyShape::Plane;
+    surface.thickness = 0.05f;
+    surface.ior = 1.5f;
+    surface.f0 = glm::vec3(r);
+    // Behind the plate it is dark, before it the radiance is 1.
+    g_ = SyntheticGBuffer::render(
+        gpu(),
+        [](const glm::dvec3& origin, const glm::dvec3& direction) {
+            std::optional<SyntheticSurface> s = room(origin, direction);
+            s->radiance = glm::vec3(0);
+            return s;
+        },
+        camera_, kWidth, kHeight);
+    const TestEnvironment front = TestEnvironment::make(
+        gpu(), 16, 4, [](const glm::dvec3& d, uint32_t) { return glm::vec3(d.z > 0 ? 1.0f : 0.0f); });
+    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2; // nearly head-on
+    const auto sentBack = [&](int inner) {
+        Settings wanted = settings();
+        wanted.sky.enabled = true;
+        wanted.refraction.innerReflections = inner;
+        return shown(over({pane(-1, surface)}, wanted, front.map), middle).x;
+    };
+    EXPECT_NEAR(sentBack(0), 0, 1e-4);
+    EXPECT_NEAR(sentBack(1), (1 - r) * r, 0.01); // the last exit lets out all that is left
+    EXPECT_NEAR(sentBack(2), (1 - r) * r * (1 - r), 0.01);
+    EXPECT_NEAR(sentBack(3), (1 - r) * (r * (1 - r) + r * r * r), 0.01);
+}
+
+/// A glass ball shows the sky beside the camera by one reflection inside, where Snell says.
+TEST_F(RefractionTest, ABallSendsBackWhatItsBackReflects) {
+    const GlassBall ball;
+    const TestEnvironment sky = TestEnvironment::make(
+        gpu(), 64, 7, [](const glm::dvec3& d, uint32_t) { return glm::vec3(glm::normalize(d) + 1.0); });
+    const auto reflecting = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        std::optional<LayerSurface> s = ball(origin, direction);
+        if (s)
+            s->f0 = glm::vec3(0.25f);
+        return s;
+    };
+    Settings wanted = settings();
+    wanted.sky.enabled = true;
+    wanted.refraction.screen = false;
+    const std::vector<float> none = over({reflecting}, wanted, sky.map);
+    wanted.refraction.innerReflections = 1;
+    const std::vector<float> one = over({reflecting}, wanted, sky.map);
+    const auto shades = [](const glm::dvec3& direction) { return direction + 1.0; };
+    size_t looked = 0;
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        const glm::dvec3 direction = camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const std::optional<LayerSurface> hit = ball(camera_.position, direction);
+        if (!hit || -glm::dot(hit->normalWS, direction) < 0.9) // Fresnel's reflectance is that of normal incidence
+            continue;
+        const glm::dvec3 entry = camera_.position + direction * hit->distance;
+        glm::dvec3 inside = snell(direction, hit->normalWS, 1 / ball.ior);
+        const glm::dvec3 back = entry - 2 * glm::dot(inside, entry - ball.center) * inside;
+        const glm::dvec3 first = snell(inside, (ball.center - back) / ball.radius, ball.ior);
+        inside = glm::reflect(inside, (ball.center - back) / ball.radius);
+        const glm::dvec3 exit = back - 2 * glm::dot(inside, back - ball.center) * inside;
+        const glm::dvec3 second = snell(inside, (ball.center - exit) / ball.radius, ball.ior);
+        EXPECT_LT(glm::distance(shown(none, i), shades(first) * 0.75), 0.03) << i;
+        EXPECT_LT(glm::distance(shown(one, i), (shades(first) * 0.75 + shades(second) * 0.25) * 0.75), 0.03) << i;
+        ++looked;
+    }
+    EXPECT_GT(looked, 200u);
+}
+
+TEST_F(RefractionTest, WithIor1NothingIsReflectedInside) {
+    LayerSurface surface;
+    surface.shape = BodyShape::Sphere;
+    surface.ior = 1;
+    surface.thickness = 0.4f;
+    Settings wanted = settings();
+    wanted.refraction.innerReflections = 4;
+    EXPECT_EQ(over({pane(-1, surface)}, wanted), over({pane(-1, surface)}, settings()));
 }
 
 TEST_F(RefractionTest, EverySettingActs) {

@@ -45,7 +45,8 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     constants.strength = settings.reflect.strength;
     constants.reflectionBorderWidth = settings.fade.borderWidth;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
-    constants.flags = static_cast<uint32_t>(wanted.model);
+    constants.flags = static_cast<uint32_t>(wanted.model) | static_cast<uint32_t>(wanted.innerReflections)
+                                                                << shared::kLayerInnerShift;
     flag(wanted.projection == RefractionProjection::Proxy, shared::kLayerProxy);
     flag(wanted.reflections && settings.reflect.strength > 0, shared::kLayerReflects);
     flag(wanted.screen, shared::kLayerScreen);

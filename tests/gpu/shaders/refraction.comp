@@ -17,6 +17,7 @@ struct Item {
     vec3 direction;
     float pathLength;
     uint isTotal;
+    uint inner;
 };
 
 layout(scalar, set = 0, binding = 0) buffer ItemBlock {
@@ -28,7 +29,7 @@ void main() {
     if (i >= uint(items.list.length()))
         return;
     Item item = items.list[i];
-    Refraction r = refractThrough(item.model, item.normal, item.toEye, item.ior, item.thickness);
+    Refraction r = refractThrough(item.model, item.normal, item.toEye, item.ior, item.thickness, item.inner);
     items.list[i].exit = r.exit;
     items.list[i].direction = r.direction;
     items.list[i].pathLength = r.pathLength;
