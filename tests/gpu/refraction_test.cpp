@@ -160,9 +160,9 @@ protected:
         return settings;
     }
 
-    /// The image after the layers, the farthest first.
+    /// The image after the layers, the farthest first. `volumes`: of probes without images.
     std::vector<float> over(const std::vector<LayerScene>& scenes, const Settings& settings,
-                            const EnvironmentMap& environment = {}) {
+                            const EnvironmentMap& environment = {}, const std::vector<Probe>& volumes = {}) {
         std::vector<DrawnLayer> layers;
         for (const LayerScene& scene : scenes)
             layers.push_back(DrawnLayer::draw(gpu(), scene, camera_, kWidth, kHeight));
@@ -170,6 +170,9 @@ protected:
         desc.transparentLayers = true;
         Reflections reflections = must(Reflections::create(library(), desc));
         must(reflections.setInputs(g_.gbuffer, environment));
+        std::optional<TestVolumes> given;
+        if (!volumes.empty())
+            given.emplace(TestVolumes::giveTo(reflections, gpu(), library(), volumes));
         HostImage picture;
         run([&](VkCommandBuffer commands) {
             picture = reflections.record(commands, camera_.view(kWidth, kHeight));
@@ -225,6 +228,76 @@ TEST_F(RefractionTest, ABallShowsWhatSnellSays) {
     // A pixel of the far wall, 7.8 m away, is 0.09 m wide; the frame is sampled at a pixel's centre or between four.
     EXPECT_LT(errors[errors.size() / 2], 0.05);
     EXPECT_LT(errors[errors.size() * 95 / 100], 0.15);
+}
+
+/// With the room as proxy a pixel of the ball shows the point of the wall that its light comes from; without a proxy
+/// the point that the camera sees in the light's direction.
+TEST_F(RefractionTest, TheProxySaysWhereLightComesFrom) {
+    const GlassBall ball;
+    Probe roomVolume;
+    const glm::vec3 center(kCenter);
+    const glm::vec3 half(kHalf);
+    roomVolume.influence = {{center.x, center.y, center.z}, {0, 0, 0, 1}, {half.x + 1, half.y + 1, half.z + 1}};
+    roomVolume.proxy = ProbeProxy::Box;
+    roomVolume.proxyVolume = {{center.x, center.y, center.z}, {0, 0, 0, 1}, {half.x, half.y, half.z}};
+    Settings wanted = settings();
+    wanted.refraction.projection = RefractionProjection::Proxy;
+    wanted.probes.enabled = false;
+    for (const bool proxy : {true, false}) {
+        const std::vector<float> picture =
+            over({ball}, wanted, {}, proxy ? std::vector<Probe>{roomVolume} : std::vector<Probe>{});
+        std::vector<double> errors;
+        for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+            const glm::dvec3 direction = camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+            const std::optional<LayerSurface> hit = ball(camera_.position, direction);
+            if (!hit || -glm::dot(hit->normalWS, direction) < 0.2)
+                continue;
+            const glm::dvec3 entry = camera_.position + direction * hit->distance;
+            const glm::dvec3 inside = snell(direction, hit->normalWS, 1 / ball.ior);
+            const glm::dvec3 exit = entry - 2 * glm::dot(inside, entry - ball.center) * inside;
+            const glm::dvec3 leaving = snell(inside, (ball.center - exit) / ball.radius, ball.ior);
+            const glm::dvec3 wall = wallPoint(proxy ? exit : camera_.position, leaving);
+            const glm::dvec2 px = camera_.project(wall, kWidth, kHeight);
+            if (px.x > 2 && px.y > 2 && px.x < kWidth - 2 && px.y < kHeight - 2 &&
+                camera_.viewZ(wall) > camera_.viewZ(entry) + 0.2)
+                errors.push_back(glm::distance(shown(picture, i) - kShown, wall));
+        }
+        ASSERT_GT(errors.size(), 500u) << proxy;
+        std::sort(errors.begin(), errors.end());
+        std::printf("proxy %d, %zu pixels: median %.4f m, 95 %% %.4f m\n", int(proxy), errors.size(),
+                    errors[errors.size() / 2], errors[errors.size() * 95 / 100]);
+        EXPECT_LT(errors[errors.size() / 2], 0.05) << proxy;
+        EXPECT_LT(errors[errors.size() * 95 / 100], 0.15) << proxy;
+    }
+}
+
+/// A post behind the ball, which hides a part of the wall. Rays that pass behind the post hit it only if the bias
+/// reaches that far.
+TEST_F(RefractionTest, TheDepthBiasDecidesWhatPassesBehind) {
+    const auto withPost = [](const glm::dvec3& origin, const glm::dvec3& direction) {
+        const double t = (-3.2 - origin.z) / direction.z;
+        const double x = origin.x + direction.x * t;
+        if (t > 0 && std::abs(x - 0.6) < 0.15)
+            return std::optional(SyntheticSurface{t, glm::dvec3(0, 0, 1), glm::vec3(0), 0, glm::vec3(50)});
+        return room(origin, direction);
+    };
+    g_ = SyntheticGBuffer::render(gpu(), withPost, camera_, kWidth, kHeight);
+    const auto postPixels = [&](float bias) {
+        Settings wanted = settings();
+        wanted.refraction.hizDepthBias = bias;
+        const std::vector<float> picture = over({GlassBall{}}, wanted);
+        size_t count = 0;
+        for (uint32_t i = 0; i < kWidth * kHeight; ++i)
+            count += shown(picture, i).x > 40 &&
+                     GlassBall{}(camera_.position, camera_.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight));
+        return count;
+    };
+    const size_t thin = postPixels(0);
+    const size_t thick = postPixels(0.1f); // 0.4 m
+    const size_t thickest = postPixels(1);
+    EXPECT_GT(thin, 0u);
+    EXPECT_GT(thick, thin);
+    EXPECT_GT(thickest, thick + 20);
 }
 
 /// Stripes that the frame resolves and the ball shrinks: each pixel is nearer to their mean over the pixel than the
