@@ -18,6 +18,7 @@
 #include "lib/resolved_material.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
+#include "lib/user_response.glsl"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -31,12 +32,6 @@ layout(set = 0, binding = 8) uniform sampler2D dfg;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D composite;
 layout(set = 0, binding = 10) uniform usampler2D edge;
 CompositeConstants settings = frame.settings.composite;
-
-/// Reflectance under the user's settings: strength first, then the exponent over both.
-vec3 falloff(vec3 reflectance) {
-    vec3 response = reflectance * settings.strength;
-    return settings.falloffExponent == 1.0 ? response : pow(response, vec3(settings.falloffExponent));
-}
 
 /// Fraction of reflected light that this surface sends to the eye.
 vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
@@ -119,21 +114,10 @@ Share secondShare(ivec2 px, float frontCoverage) {
                  viewCosine(px, second.viewZ, second.normalVS), texelFetch(reflected, at, 0), lit);
 }
 
-struct Response {
-    vec3 value; // fraction of reflected light that is added
-    vec3 taken; // fraction of the host's fallback that it replaces
-};
-
-/// What the user's settings leave of a response, they leave of the fallback, too: less of both, down to the host's own
-/// picture, and never more of the fallback than there is.
 Response response(Share share) {
     if (maxComponent(share.f0) <= 0.0)
         return Response(vec3(0.0), vec3(0.0));
-    vec3 full = physicalResponse(share.f0, share.perceptualRoughness, share.NoV);
-    if (settings.strength == 1.0 && settings.falloffExponent == 1.0)
-        return Response(full, vec3(1.0));
-    vec3 given = falloff(full);
-    return Response(given, min(given / max(full, vec3(1e-6)), vec3(1.0)));
+    return userResponse(settings, physicalResponse(share.f0, share.perceptualRoughness, share.NoV));
 }
 
 /// `fallback` is the mean over all surfaces of the pixel, and so includes coverage already. Where the sources answered
@@ -154,7 +138,7 @@ vec3 physical(vec3 lit, vec3 fallback, Share front, Share second) {
 
 vec3 lerpedSurface(Share share) {
     vec3 fresnel = F_Schlick(share.f0, 1.0, share.NoV);
-    vec3 m = clamp(falloff(settings.fresnel != 0u ? fresnel : share.f0), 0.0, 1.0);
+    vec3 m = clamp(falloff(settings, settings.fresnel != 0u ? fresnel : share.f0), 0.0, 1.0);
     vec3 color = share.reflection.rgb;
     if (settings.fresnel == 0u) // as Babylon.js: without it in the factor, the colour itself takes the Fresnel term
         color *= fresnel;

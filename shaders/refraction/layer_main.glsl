@@ -1,5 +1,5 @@
 // A layer of transparent surfaces over the frame so far: its transmitted light, refracted, absorbed and blurred, and
-// its reflections. Each of the two rays walks through the same sources separately: screen, probes, sky.
+// its reflections. Each ray walks through the same sources separately: screen, probes, sky.
 // docs/techniques/refraction.md.
 #version 460
 #extension GL_EXT_nonuniform_qualifier : require
@@ -21,6 +21,7 @@
 #include "lib/input_color.glsl"
 #include "lib/refraction.glsl"
 #include "lib/transmission.glsl"
+#include "lib/user_response.glsl"
 #ifdef GLINT_PROBES
 #include "probes/probe_cubes.glsl"
 #endif
@@ -471,7 +472,7 @@ bool skipsCrossing(inout Body body, inout Light light, ivec2 px, Refraction path
 Light followRays(LayerSurface s, ivec2 px, float exitReflectance, bool transmits, bool reflects) {
     Light light = Light(vec3(0.0), vec3(0.0), vec3(0.0), 0.0);
     bool disperses = s.dispersion > 0.0 && s.ior > 0.0;
-    uint inners = exitReflectance > 0.0 ? refraction.flags >> kLayerInnerShift : 0u;
+    uint inners = exitReflectance > 0.0 ? refraction.innerReflections : 0u;
     uint stages = 2u + inners; // of a body: 0 is across it, n is out of it after n - 1 reflections inside
     uint last = transmits ? stages * (disperses ? 3u : 1u) : 0u; // the surface's own reflection
     vec3 straightBehind = pictureAt(px);
@@ -508,7 +509,8 @@ Light followRays(LayerSurface s, ivec2 px, float exitReflectance, bool transmits
         } else if (!crosses) {
             // The remaining weight takes what the last path showed, of the first path what is straight behind.
             body.seen = answer.radiance + (1.0 - weight) * body.seen;
-            float fraction = path.isTotal || inner == inners ? body.left : body.left * (1.0 - exitReflectance);
+            bool isLast = path.isTotal || path.pathLength <= 0.0 || inner == inners;
+            float fraction = isLast ? body.left : body.left * (1.0 - exitReflectance);
             vec3 seen = path.isTotal ? body.seen : absorbed(s, body.seen, path.pathLength);
             leave(body, light, fraction, seen, answer.weights);
         } else if (weight > 0.0) {
@@ -518,24 +520,32 @@ Light followRays(LayerSurface s, ivec2 px, float exitReflectance, bool transmits
     return light;
 }
 
+/// Fraction of reflected light that the surface sends to the eye. The rest is transmitted.
+vec3 surfaceResponse(LayerSurface s) {
+    if (frame.settings.composite.fresnel == 0u)
+        return s.here.f0;
+    vec2 argument = vec2(clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0), s.here.perceptualRoughness);
+    float f90 = edgeReflectance(maxComponent(s.here.f0));
+    return specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
+}
+
 vec3 layered(LayerSurface s, ivec2 px) {
     vec4 radiance = texelFetch(layerRadiance, px, 0);
     vec4 tint = texelFetch(layerTransmittance, px, 0);
     bool encoded = (frame.constants.flags & kInputGamma) != 0u;
     float coverage = saturate(sanitize(radiance.a));
     vec3 result = pictureAt(px) * (1.0 - coverage) + linearColor(radiance.rgb, encoded);
-    vec2 argument = vec2(clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0), s.here.perceptualRoughness);
-    float f90 = edgeReflectance(maxComponent(s.here.f0));
-    vec3 response = specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
+    vec3 response = surfaceResponse(s);
     float reflectance = saturate(maxComponent(response));
     vec3 through = sanitize(tint.rgb) * (1.0 - reflectance);
     bool reflects = layerHas(kLayerReflects) && maxComponent(s.here.f0) > 0.0 && tint.a > 0.0;
     Light light = followRays(s, px, reflectance, maxComponent(through) > 0.0, reflects);
     result += through * light.transmitted;
     if (reflects) {
+        Response given = userResponse(frame.settings.composite, response);
         if (layerHas(kLayerFallback))
-            result -= light.reflectedWeight * linearColor(texelFetch(layerFallback, px, 0).rgb, encoded);
-        result += light.reflected * response * (saturate(tint.a) * refraction.strength);
+            result -= light.reflectedWeight * given.taken * linearColor(texelFetch(layerFallback, px, 0).rgb, encoded);
+        result += light.reflected * given.value * saturate(tint.a);
     }
     if (layerHas(kLayerViews)) {
         imageStore(refracted, px, vec4(light.transmitted, 1.0));

@@ -21,9 +21,9 @@ struct RefractionConstants {
     uint2 transmittance; // three halves: the colour that overrides; below 0: the material's
     uint flags;          // kLayer*
     uint probeFlags;     // kProbes*
-    float strength;      // strength of reflections
     float reflectionBorderWidth;
     float dispersion; // 20 / Abbe number
+    uint innerReflections;
 };
 
 GLINT_CONSTANT(uint, kLayerModelMask, 7); // 1 + the kRefraction* that overrides; 0: the host's own
@@ -35,8 +35,7 @@ GLINT_CONSTANT(uint, kLayerSky, 128);
 GLINT_CONSTANT(uint, kLayerFallback, 256); // bound images: a push constant
 GLINT_CONSTANT(uint, kLayerCenters, 512);
 GLINT_CONSTANT(uint, kLayerCoverage, 1024);
-GLINT_CONSTANT(uint, kLayerViews, 2048);    // store what views show
-GLINT_CONSTANT(uint, kLayerInnerShift, 28); // refraction.innerReflections, in the uppermost bits
+GLINT_CONSTANT(uint, kLayerViews, 2048); // store what views show
 
 GLINT_SHARED_END
 

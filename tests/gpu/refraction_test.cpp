@@ -719,6 +719,31 @@ TEST_F(RefractionTest, EverySettingActs) {
     EXPECT_LT(different, plain.size() / 4 / 50);
 }
 
+/// A dark surface under a white sky shows its reflectance.
+TEST_F(RefractionTest, SettingsOfReflectionActOnLayers) {
+    LayerSurface surface;
+    surface.f0 = glm::vec3(0.2f);
+    surface.transmittance = glm::vec4(0, 0, 0, 1);
+    surface.normalWS = glm::normalize(glm::dvec3(2, 0, 1));
+    const TestEnvironment white =
+        TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
+    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2;
+    const auto reflectance = [&](float strength, float exponent, bool fresnel) {
+        Settings wanted;
+        wanted.screen.enabled = wanted.refraction.screen = false;
+        wanted.reflect.strength = strength;
+        wanted.reflect.falloffExponent = exponent;
+        wanted.reflect.fresnel = fresnel;
+        return shown(over({pane(-1, surface)}, wanted, white.map), middle).x;
+    };
+    const double full = reflectance(1, 1, true);
+    EXPECT_GT(full, 0.22); // Schlick, at 63 degrees: 0.24
+    EXPECT_NEAR(reflectance(1, 1, false), 0.2, 0.001);
+    EXPECT_NEAR(reflectance(0.5f, 1, true), 0.5 * full, 0.001);
+    EXPECT_NEAR(reflectance(1, 2, true), full * full, 0.001);
+    EXPECT_NEAR(reflectance(2, 2, false), 0.16, 0.001);
+}
+
 TEST_F(RefractionTest, WhatCannotBeIsSaid) {
     DrawnLayer drawn = DrawnLayer::draw(gpu(), pane(-1, {}), camera_, kWidth, kHeight);
     ReflectionsDesc desc = {kWidth, kHeight, settings()};

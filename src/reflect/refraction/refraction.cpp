@@ -42,11 +42,10 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     constants.absorptionDistance = wanted.absorptionDistance;
     const glm::vec3 color(wanted.transmittanceRed, wanted.transmittanceGreen, wanted.transmittanceBlue);
     constants.transmittance = {glm::packHalf2x16({color.r, color.g}), glm::packHalf2x16({color.b, 0.0f})};
-    constants.strength = settings.reflect.strength;
+    constants.innerReflections = static_cast<uint32_t>(wanted.innerReflections);
     constants.reflectionBorderWidth = settings.fade.borderWidth;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
-    constants.flags = static_cast<uint32_t>(wanted.model) | static_cast<uint32_t>(wanted.innerReflections)
-                                                                << shared::kLayerInnerShift;
+    constants.flags = static_cast<uint32_t>(wanted.model);
     flag(wanted.projection == RefractionProjection::Proxy, shared::kLayerProxy);
     flag(wanted.reflections && settings.reflect.strength > 0, shared::kLayerReflects);
     flag(wanted.screen, shared::kLayerScreen);
