@@ -192,7 +192,8 @@ TEST_F(AntialiasTest, LayersOfGlassAreSmoothToo) {
     const TempFolder temp;
     const std::string balls = temp + "camera.json"; // along a row of balls: most edges are those of one before another
     must(writeFile(balls, R"({"position": [5.5, 1.4, 3.2], "target": [-0.3, 1.07, 0], "fovY": 7})"));
-    for (const auto& [camera, most] : {std::pair{std::string(), 0.8}, std::pair{balls, 0.7}}) {
+    // With stepped edges between balls the second would be 0.9.
+    for (const auto& [camera, most] : {std::pair{std::string(), 0.8}, std::pair{balls, 0.84}}) {
         const Picture truth = shrunk(render("builtin:glass", sets, 480, 272, camera));
         const auto errorOf = [&](const std::string& antialias, const std::string& mode) {
             std::vector<std::string> all = sets;
