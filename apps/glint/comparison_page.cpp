@@ -1,10 +1,10 @@
 // The page of `glint compare --report`: a table of figures, then each config's images side by side.
 #include "base/file.hpp"
 #include "comparison_output.hpp"
+#include "config_option.hpp"
 #include "scene/image_file.hpp"
 
 #include <array>
-#include <cctype>
 #include <filesystem>
 
 namespace glint::cli {
@@ -33,12 +33,8 @@ std::string escaped(std::string_view text) {
     return out;
 }
 
-/// "2-screen.step-4.hits.png": the config's number and name, without characters that file names cannot have.
 std::string pictureName(size_t number, std::string_view config, std::string_view picture) {
-    std::string name;
-    for (const char c : config.substr(0, 40))
-        name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
-    return fmt::format("{}-{}.{}.png", number + 1, name, picture);
+    return fmt::format("{}.{}.png", configFileName(number, config), picture);
 }
 
 std::string row(const measure::ConfigFigures& config) {

@@ -3,6 +3,7 @@
 #include "base/text.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace glint::cli {
 namespace {
@@ -72,6 +73,13 @@ Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std:
     if (!job && job.error().message.starts_with("--set "))
         return makeError(job.error().code, "--config {}: {}", printable(config), job.error().message.substr(6));
     return job;
+}
+
+std::string configFileName(size_t index, std::string_view config) {
+    std::string name;
+    for (const char c : config.substr(0, 40))
+        name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ? c : '-';
+    return fmt::format("{}-{}", index + 1, name);
 }
 
 } // namespace glint::cli

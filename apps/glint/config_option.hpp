@@ -24,4 +24,7 @@ Result<render::SettingsRequest> readConfig(std::string_view text);
 Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std::string& scene,
                                         const std::string& config);
 
+/// "2-screen.step-4": the number of a config, from one, and its name without characters that file names cannot have.
+std::string configFileName(size_t index, std::string_view config);
+
 } // namespace glint::cli

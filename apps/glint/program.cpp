@@ -55,6 +55,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     if (view)
         view(program, chosen);
     addCompareCommand(program, chosen);
+    addSequenceCommand(program, chosen);
     addBakeCommand(program, chosen);
     addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);

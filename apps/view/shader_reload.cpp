@@ -151,7 +151,7 @@ Result<gpu::ReflectedShader> ShaderReload::compileOne(const std::string& name, c
     for (const std::string& last :
          {std::string("-I"), folder_, std::string("-o"), std::string("-"), (fs::path(folder_) / source.file).string()})
         command.push_back(last);
-    GLINT_TRY(output, runProgram(command));
+    GLINT_TRY(output, cli::runChild(command));
     if (output.code != 0)
         return invalidInput("{}", firstLines(output.error, folder_));
     return gpu::reflectShader(output.out, file);

@@ -23,6 +23,7 @@ struct Part {
     const scene::Material* material = nullptr;
     glm::dmat3 normalToWorld = glm::dmat3(1);
     bool mirrored = false; ///< the transform reverses the triangles' winding
+    size_t index = 0;      ///< of the item in the pose
 
     glm::dvec3 vertexWS(uint32_t vertex) const {
         return glm::dvec3(glm::dmat4(item->localToWorld) * glm::dvec4(item->geometry->positions[vertex], 1));
@@ -103,7 +104,8 @@ Result<RayOracle> RayOracle::create(const scene::Scene& scene, const scene::Pose
         std::memcpy(indices, geometry.indices.data(), geometry.indices.size() / 3 * 3 * sizeof(uint32_t));
         const glm::dmat3 linear = glm::dmat3(item.localToWorld);
         const bool mirrored = glm::determinant(linear) < 0;
-        state->parts.push_back({&scene, &item, &material, glm::transpose(glm::inverse(linear)), mirrored});
+        state->parts.push_back({&scene, &item, &material, glm::transpose(glm::inverse(linear)), mirrored,
+                                static_cast<size_t>(&item - pose.items.data())});
         if (!material.doubleSided || material.alphaMode == scene::AlphaMode::Mask) {
             rtcSetGeometryUserData(triangles, &state->parts.back());
             rtcSetGeometryIntersectFilterFunction(triangles, passWhatIsNotDrawn);
@@ -154,6 +156,9 @@ std::optional<OracleHit> RayOracle::trace(const glm::dvec3& originWS, const glm:
     hit.geometricNormalWS = glm::normalize(hit.frontFace ? geometric : -geometric);
     const double u = static_cast<double>(query.hit.u);
     const double v = static_cast<double>(query.hit.v);
+    hit.item = part.index;
+    hit.firstIndex = size_t{3} * query.hit.primID;
+    hit.barycentric = {u, v};
     glm::dvec3 normal = geometric;
     if (!geometry.normals.empty())
         normal = part.normalToWorld *

@@ -78,6 +78,19 @@ Result<void> ReflectionSession::resize(uint32_t width, uint32_t height) {
     return objects_->views.resize(width, height);
 }
 
+Result<void> ReflectionSession::restart(uint32_t seed) {
+    options_.seed = seed;
+    objects_->host->setSeed(seed);
+    passTimes_.clear();
+    return makeReflections(*objects_);
+}
+
+void ReflectionSession::restartAccumulation(uint32_t seed) {
+    options_.seed = seed;
+    objects_->host->setSeed(seed);
+    objects_->reflections->restartAccumulation();
+}
+
 Result<void> ReflectionSession::setCamera(const scene::Camera& camera) {
     return objects_->host->setCamera(camera);
 }

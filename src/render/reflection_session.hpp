@@ -57,6 +57,11 @@ public:
     // The following setters, except setCamera and setTime, restart the pass times.
     Result<void> setSettings(const ProgramSettings& settings);
     Result<void> resize(uint32_t width, uint32_t height);
+    /// Restarts with another seed: the next frame has no history.
+    Result<void> restart(uint32_t seed);
+    /// Makes the next frame the first that rays.accumulate averages: for frames in which only the light or the objects
+    /// change, and to start with another seed at the same view.
+    void restartAccumulation(uint32_t seed);
     /// Sets the camera of the next frames; motion is relative to the previous frame's camera.
     Result<void> setCamera(const scene::Camera& camera);
     /// Poses the scene at another animation time. Errors: OutOfMemory, DeviceLost.

@@ -79,6 +79,23 @@ std::vector<float> sampleChannel(const AnimationChannel& channel, double time) {
     return result;
 }
 
+std::vector<double> stepTimes(const Scene& scene) {
+    std::set<double> seconds;
+    for (const Animation* animation : playedAnimations(scene)) {
+        for (const AnimationChannel& channel : animation->channels) {
+            if (channel.interpolation != Interpolation::Step)
+                continue;
+            const auto components = static_cast<std::ptrdiff_t>(channel.values.size() / channel.times.size());
+            for (size_t key = 1; key < channel.times.size(); ++key) {
+                const auto value = channel.values.begin() + static_cast<std::ptrdiff_t>(key) * components;
+                if (!std::equal(value, value + components, value - components))
+                    seconds.insert(channel.times[key]);
+            }
+        }
+    }
+    return {seconds.begin(), seconds.end()};
+}
+
 std::vector<const Animation*> playedAnimations(const Scene& scene) {
     std::vector<const Animation*> played;
     std::set<std::pair<int, AnimationPath>> driven;

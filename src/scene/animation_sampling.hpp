@@ -19,4 +19,7 @@ std::vector<float> sampleChannel(const AnimationChannel& channel, double time);
 /// alternative and all parts, as the Khronos sample viewer does.
 std::vector<const Animation*> playedAnimations(const Scene& scene);
 
+/// Returns the seconds at which a stepped channel of a played animation changes its value, in order, each once.
+std::vector<double> stepTimes(const Scene& scene);
+
 } // namespace glint::scene

@@ -53,12 +53,13 @@ int SceneBuilder::mesh(std::string name, std::vector<std::pair<Geometry, int>> p
     return static_cast<int>(scene_.meshes.size()) - 1;
 }
 
-void SceneBuilder::place(int mesh, const Place& place) {
+int SceneBuilder::place(int mesh, const Place& place) {
     node(scene_.meshes[static_cast<size_t>(mesh)].name, place).mesh = mesh;
+    return static_cast<int>(scene_.nodes.size()) - 1;
 }
 
-void SceneBuilder::add(std::string name, Geometry geometry, int material, const Place& where) {
-    place(mesh(std::move(name), std::move(geometry), material), where);
+int SceneBuilder::add(std::string name, Geometry geometry, int material, const Place& where) {
+    return place(mesh(std::move(name), std::move(geometry), material), where);
 }
 
 void SceneBuilder::camera(std::string name, const glm::vec3& position, const glm::vec3& target, float fovY) {
@@ -73,6 +74,12 @@ void SceneBuilder::camera(std::string name, const glm::vec3& position, const glm
 void SceneBuilder::light(Light light, const glm::vec3& position, const glm::vec3& target) {
     node(light.name, {position, facing(position, target)}).light = static_cast<int>(scene_.lights.size());
     scene_.lights.push_back(std::move(light));
+}
+
+void SceneBuilder::animate(AnimationChannel channel) {
+    if (scene_.animations.empty())
+        scene_.animations.push_back({scene_.name, {}});
+    scene_.animations.front().channels.push_back(std::move(channel));
 }
 
 Node& SceneBuilder::node(std::string name, const Place& place) {

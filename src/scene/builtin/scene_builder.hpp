@@ -30,14 +30,17 @@ public:
     TextureSlot texture(Image image, const glm::vec2& uvScale = glm::vec2(1));
     int mesh(std::string name, Geometry geometry, int material);
     int mesh(std::string name, std::vector<std::pair<Geometry, int>> primitives);
-    /// Adds an instance of a mesh to the scene, under the mesh's name.
-    void place(int mesh, const Place& place);
-    /// Adds a mesh with a single instance.
-    void add(std::string name, Geometry geometry, int material, const Place& place = {});
+    /// Adds an instance of a mesh to the scene, under the mesh's name. Returns its node.
+    int place(int mesh, const Place& place);
+    /// Adds a mesh with a single instance. Returns its node.
+    int add(std::string name, Geometry geometry, int material, const Place& place = {});
 
     /// `fovY` in degrees, for 16:9 images.
     void camera(std::string name, const glm::vec3& position, const glm::vec3& target, float fovY);
     void light(Light light, const glm::vec3& position, const glm::vec3& target);
+
+    /// Adds a channel to the scene's only animation.
+    void animate(AnimationChannel channel);
 
     Scene take() { return std::move(scene_); }
 

@@ -12,4 +12,16 @@ Scene makeSpheres();
 Scene makeThickness();
 Scene makeGlass();
 
+/// What a variant of `builtin:motion` has besides floor, wall, spheres and thin lamps.
+struct MotionParts {
+    bool objects = false;    ///< a ball and a box that move
+    bool hidden = false;     ///< a ball that moves where only the floor shows it
+    bool lamp = false;       ///< a lamp that is switched
+    bool grille = false;     ///< poles, leaves and a grille; nothing moves
+    bool panels = false;     ///< turning reflectors
+    bool emitters = false;   ///< small bright lights that wander
+    bool bumpyFloor = false; ///< the floor has a normal map
+};
+Scene makeMotion(std::string name, const MotionParts& parts);
+
 } // namespace glint::scene::builtin

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace glint::view {
+namespace glint::cli {
 
 struct ProgramOutput {
     int code = 0; ///< or 128 + the signal that ended the program
@@ -16,6 +16,6 @@ struct ProgramOutput {
 
 /// `command`  the program, found through PATH, and its arguments; not interpreted by a shell
 /// Errors: NotFound if there is no such program; Io.
-Result<ProgramOutput> runProgram(const std::vector<std::string>& command);
+Result<ProgramOutput> runChild(const std::vector<std::string>& command);
 
-} // namespace glint::view
+} // namespace glint::cli

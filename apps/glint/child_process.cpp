@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace glint::view {
+namespace glint::cli {
 namespace {
 
 /// Both ends of a pipe, closed on destruction.
@@ -56,7 +56,7 @@ void drain(Pipe& out, std::string& outText, Pipe& error, std::string& errorText)
 
 } // namespace
 
-Result<ProgramOutput> runProgram(const std::vector<std::string>& command) {
+Result<ProgramOutput> runChild(const std::vector<std::string>& command) {
     const std::string name = printable(command.front());
     Pipe out, error;
     if (!out.open() || !error.open())
@@ -87,4 +87,4 @@ Result<ProgramOutput> runProgram(const std::vector<std::string>& command) {
     return output;
 }
 
-} // namespace glint::view
+} // namespace glint::cli

@@ -1,0 +1,253 @@
+// glint sequence: a scene along a camera path, as frames and as figures.
+#include "base/file.hpp"
+#include "base/log.hpp"
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "config_option.hpp"
+#include "measure/sequence.hpp"
+#include "render_options.hpp"
+#include "sequence_files.hpp"
+#include "sequence_output.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace glint::cli {
+namespace {
+
+constexpr int64_t kMostFrames = 10000;
+constexpr int64_t kMostSamples = 1 << 20;
+
+struct SequenceOptions {
+    RenderOptions scene;
+    std::vector<std::string> configs;
+    std::string path = "still";
+    double speed = 2;
+    int64_t stop = -1; ///< -1: never
+    double fps = 60;
+    std::string output;
+    int64_t referenceSamples = 0; ///< 0: no reference
+    std::string reference = "reference";
+    int64_t warmUp = -1; ///< -1: chosen by warmUpFrames
+    std::string json;
+
+    /// Figures cost a second rendering, so frames alone do without.
+    bool measures() const { return output.empty() || !json.empty() || referenceSamples > 0; }
+};
+
+Result<measure::SequencePath> sequencePath(const SequenceOptions& options) {
+    measure::SequencePath path;
+    const auto moves = scene::cameraMoves();
+    const auto move = std::ranges::find(moves, options.path);
+    if (move != moves.end()) {
+        path.move = static_cast<scene::CameraMove>(move - moves.begin());
+    } else if (options.path.ends_with(".json")) {
+        GLINT_TRY(keys, scene::readPathFile(options.path));
+        path.keys = std::move(keys);
+    } else {
+        const std::vector<std::string> names(moves.begin(), moves.end());
+        return invalidArgument("--path {}: expected {} or a .json file", printable(options.path), joinText(names, ", "));
+    }
+    path.pixelsPerFrame = options.speed;
+    if (options.stop >= 0)
+        path.stop = static_cast<uint32_t>(options.stop);
+    return path;
+}
+
+Result<void> checkNumbers(const SequenceOptions& options) {
+    if (options.scene.frames < 1 || options.scene.frames > kMostFrames)
+        return invalidArgument("--frames {}: expected 1 to {}", options.scene.frames, kMostFrames);
+    if (!(options.fps >= 1 && options.fps <= 1000))
+        return invalidArgument("--fps {}: expected 1 to 1000", options.fps);
+    if (!(std::abs(options.speed) <= 1000))
+        return invalidArgument("--speed {}: expected at most 1000 pixels per frame", options.speed);
+    if (options.stop < -1 || options.stop > kMostFrames)
+        return invalidArgument("--stop {}: expected 0 to {}", options.stop, kMostFrames);
+    if (options.referenceSamples < 0 || options.referenceSamples > kMostSamples)
+        return invalidArgument("--reference-samples {}: expected 1 to {}, or 0 for no reference",
+                               options.referenceSamples, kMostSamples);
+    if (options.warmUp < -1 || options.warmUp >= options.scene.frames)
+        return invalidArgument("--warm-up {}: expected 0 to {}, less than --frames", options.warmUp,
+                               options.scene.frames - 1);
+    if (!options.json.empty() && options.json != "-")
+        GLINT_CHECK(checkFolder("--json", options.json));
+    return {};
+}
+
+/// A quarter of the frames, at most 32.
+uint32_t warmUpFrames(const SequenceOptions& options) {
+    const int64_t frames = options.warmUp >= 0 ? options.warmUp : std::min<int64_t>(options.scene.frames / 4, 32);
+    return static_cast<uint32_t>(frames);
+}
+
+/// Without --config, the settings of --preset, --settings and --set are the only configuration.
+Result<std::vector<measure::ComparedConfig>> sequenceConfigs(const SequenceOptions& options) {
+    std::vector<measure::ComparedConfig> configs;
+    RenderOptions scene = options.scene;
+    scene.frames = 1; // of each picture
+    if (options.configs.empty()) {
+        GLINT_TRY(job, makeRenderJob(scene));
+        std::string name = job.settings.preset;
+        configs.push_back({std::move(name), std::move(job)});
+    }
+    for (const std::string& text : options.configs) {
+        GLINT_TRY(job, makeConfigJob(scene, scene.scene, text));
+        configs.push_back({text, std::move(job)});
+    }
+    return configs;
+}
+
+/// Enough frames for the samples of --reference-samples. Errors: InvalidArgument if its frames are not averaged.
+Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceOptions& options) {
+    if (options.referenceSamples == 0)
+        return std::optional<measure::ComparedConfig>();
+    GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, options.reference));
+    const auto perFrame = static_cast<int64_t>(job.settings.reflections.rays.samples);
+    job.frames = static_cast<uint32_t>((options.referenceSamples + perFrame - 1) / perFrame);
+    if (job.frames > 1 && !(job.settings.reflections.rays.enabled && job.settings.reflections.rays.accumulate))
+        return invalidArgument("--reference {}: {} samples need rays.enabled and rays.accumulate; it has {} per frame",
+                               printable(options.reference), options.referenceSamples, perFrame);
+    return std::optional<measure::ComparedConfig>(measure::ComparedConfig{options.reference, std::move(job)});
+}
+
+/// Writes the frames of a sequence as they come.
+class FrameFiles {
+public:
+    /// `configs`: names; each of several has a folder of its own. Errors: NotFound if there is no folder for the
+    /// frames' own.
+    static Result<FrameFiles> create(const std::string& output, const std::vector<measure::ComparedConfig>& configs) {
+        FrameFiles files;
+        if (output.empty())
+            return files;
+        GLINT_TRY(pattern, FramePattern::parse(output));
+        GLINT_CHECK(checkFolder("-o", pattern.folder()));
+        for (size_t i = 0; i < configs.size(); ++i)
+            files.patterns_.push_back(
+                configs.size() == 1 ? pattern : pattern.inFolder(configFileName(i, configs[i].name)));
+        return files;
+    }
+
+    Result<void> makeFolders() const {
+        for (const FramePattern& pattern : patterns_) {
+            std::error_code error;
+            if (!pattern.folder().empty())
+                std::filesystem::create_directories(pattern.folder(), error);
+            if (error)
+                return makeError(ErrorCode::Io, "-o {}: {}", printable(pattern.folder()), error.message());
+        }
+        return {};
+    }
+
+    Result<void> write(const measure::SequenceFrame& frame) const {
+        if (patterns_.empty())
+            return {};
+        const FramePattern& pattern = patterns_[frame.config];
+        return writeFrame(pattern.path(frame.index), pattern.kind(), frame);
+    }
+
+    /// A missing ffmpeg is not an error: the frames are the result, the video a convenience.
+    void makeVideos(double fps) const {
+        for (const FramePattern& pattern : patterns_) {
+            if (pattern.kind() != PictureKind::Png)
+                continue;
+            const auto made = writeVideo(pattern, fps);
+            if (!made && made.error().code == ErrorCode::NotFound)
+                log::warning("no video: ffmpeg is not installed; the frames are complete");
+            else if (!made)
+                log::warning("no video: {}", made.error().message);
+        }
+    }
+
+private:
+    std::vector<FramePattern> patterns_;
+};
+
+void showSequenceProgress(const std::string& what, uint32_t done, uint32_t frames) {
+    if (isatty(fileno(stderr)))
+        fmt::print(stderr, "\r{}: frame {} of {}{}", printable(what), done, frames, done == frames ? "\n" : "");
+}
+
+Result<void> runSequence(const SequenceOptions& options) {
+    GLINT_CHECK(checkNumbers(options));
+    GLINT_TRY(path, sequencePath(options));
+    measure::SequencePlan plan;
+    plan.path = std::move(path);
+    plan.frames = static_cast<uint32_t>(options.scene.frames);
+    plan.fps = options.fps;
+    GLINT_TRY(configs, sequenceConfigs(options));
+    plan.configs = std::move(configs);
+    plan.measure = options.measures();
+    plan.warmUp = warmUpFrames(options);
+    GLINT_TRY(reference, sequenceReference(options));
+    plan.reference = std::move(reference);
+    GLINT_TRY(files, FrameFiles::create(options.output, plan.configs));
+    GLINT_CHECK(files.makeFolders());
+    measure::SequenceCallbacks callbacks;
+    callbacks.frame = [&](const measure::SequenceFrame& frame) { return files.write(frame); };
+    callbacks.progress = showSequenceProgress;
+    GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    GLINT_TRY(sequence, measure::renderSequence(*context, plan, callbacks));
+    if (!context->validationMessages().empty())
+        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                         context->validationMessages().size(), context->validationMessages().front());
+    files.makeVideos(options.fps);
+    if (!plan.measure) {
+        for (const measure::SequenceConfig& config : sequence.configs)
+            for (const std::string& note : config.notes)
+                log::warning("{}: {}", config.name, note);
+        return {};
+    }
+    const std::string text = options.json == "-" ? sequenceJson(sequence) : sequenceText(sequence);
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return options.json.empty() || options.json == "-" ? Result<void>()
+                                                       : writeFile(options.json, sequenceJson(sequence));
+}
+
+} // namespace
+
+void addSequenceCommand(CLI::App& program, Command& chosen) {
+    const auto options = std::make_shared<SequenceOptions>();
+    options->scene.frames = 96;
+    CLI::App* const command = program.add_subcommand("sequence", "Render and measure moving pictures");
+    command->add_option("SCENE", options->scene.scene, sceneHelp())->required();
+    const std::vector<std::string> moves(scene::cameraMoves().begin(), scene::cameraMoves().end());
+    command
+        ->add_option("--path", options->path,
+                     "Movement of the camera: " + joinText(moves, ", ") + ", or a path file (.json)")
+        ->capture_default_str();
+    command
+        ->add_option("--speed", options->speed,
+                     "Pixels per frame by which a movement shifts what is at the centre of the scene")
+        ->capture_default_str();
+    command->add_option("--stop", options->stop, "The camera stands still from this frame on");
+    command->add_option("--frames", options->scene.frames, "Frames to render")->capture_default_str();
+    command->add_option("--fps", options->fps, "Frames per second of the scene's clock")->capture_default_str();
+    CLI::Option* const config = command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false);
+    addSceneOptions(*command, options->scene);
+    addSourceOptions(*command, options->scene);
+    command->add_option("--size", options->scene.size,
+                        "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
+    command->add_option("--preset", options->scene.settings.preset, "Settings of the only config")->excludes(config);
+    command->add_option("--settings", options->scene.settings.file, "Settings file (JSON) of the only config")
+        ->excludes(config);
+    command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE for every config, weaker than its own")
+        ->allow_extra_args(false);
+    command->add_option("--reference-samples", options->referenceSamples,
+                        "Measure against a reference with so many samples per pixel, frame and seed (64 suffice)");
+    command->add_option("--reference", options->reference, "Settings of the reference, as for --config")
+        ->capture_default_str();
+    command->add_option("--warm-up", options->warmUp,
+                        "First frames that count for no mean (default: a quarter, at most 32)");
+    command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
+    command->add_option("-o,--output", options->output,
+                        "Frames to write, as DIR/frame_%04d.png (and a video, with ffmpeg) or .exr; several configs "
+                        "have a folder each");
+    command->callback([&chosen, options] { chosen = [options] { return runSequence(*options); }; });
+}
+
+} // namespace glint::cli

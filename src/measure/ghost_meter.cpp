@@ -1,0 +1,88 @@
+#include "measure/ghost_meter.hpp"
+
+#include "measure/frame_error_meter.hpp"
+#include "measure/trail_meter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace glint::measure {
+
+void GhostMeter::moveAges(const MotionFrame& frame, const SurfaceMotion& motion) {
+    const auto grow = [](Pixel& pixel) {
+        if (pixel.age < kOld)
+            ++pixel.age;
+    };
+    if (pixels_.empty())
+        pixels_.resize(frame.pixels());
+    if (motion.empty()) {
+        std::ranges::for_each(pixels_, grow);
+        return;
+    }
+    std::vector<Pixel> moved(frame.pixels());
+    for (size_t p = 0; p < moved.size(); ++p) {
+        Pixel& pixel = moved[p];
+        switch (motion[p].origin) {
+        case SurfaceOrigin::Seen:
+            pixel = pixels_[motion[p].pixel];
+            grow(pixel);
+            break;
+        case SurfaceOrigin::Hidden:
+            pixel.age = 0;
+            pixel.knowsGhost = true;
+            for (size_t k = 0; k < 2; ++k)
+                std::copy_n(prevReference_[k]->data() + size_t{3} * motion[p].pixel, 3, pixel.ghost[k].data());
+            break;
+        case SurfaceOrigin::Outside: pixel.age = 0; break;
+        case SurfaceOrigin::None: break;
+        }
+    }
+    pixels_ = std::move(moved);
+}
+
+void GhostMeter::add(const MotionFrame& frame, const SurfaceMotion& motion, bool counts) {
+    moveAges(frame, prevReference_[0] ? motion : SurfaceMotion());
+    prevReference_ = frame.reference;
+    for (size_t p = 0; p < frame.pixels(); ++p) {
+        const uint8_t band = (*frame.bands)[p];
+        const Pixel& pixel = pixels_[p];
+        if (band == kNoBand || (pixel.age == kOld && !counts))
+            continue;
+        AgeSums& sums = sums_[pixel.age];
+        sums.error[band][1] += 1;
+        for (size_t c = 0; c < 3; ++c) {
+            const size_t i = 3 * p + c;
+            const RelativeError error = relativeError(frame, i);
+            sums.error[band][0] += (error.bias + error.noise) / 3;
+            if (pixel.age == kOld || !pixel.knowsGhost)
+                continue;
+            const ShareTerms terms =
+                shareTerms(frame.testMean(i), {(*frame.reference[0])[i], (*frame.reference[1])[i]},
+                           {pixel.ghost[0][c], pixel.ghost[1][c]});
+            sums.share[band][0] += terms.product;
+            sums.share[band][1] += terms.square;
+            sums.share[band][2] += terms.difference;
+        }
+    }
+}
+
+GhostFigures GhostMeter::figures(size_t band) const {
+    constexpr double kHealed = 2, kNone = std::numeric_limits<double>::quiet_NaN();
+    GhostFigures figures;
+    figures.heal = kNone;
+    const std::array<double, 2> old = sums_[kOld].error.of(band);
+    figures.disoccluded = static_cast<uint64_t>(sums_[0].error.of(band)[1]);
+    for (size_t age = 0; age < kGhostAges; ++age) {
+        const std::array<double, 2> error = sums_[age].error.of(band);
+        const std::array<double, 3> share = sums_[age].share.of(band);
+        const bool enough = error[1] >= double(kFewestGhostPixels);
+        figures.ghost[age] = enough ? shareOf({share[0], share[1], share[2]}) : kNone;
+        figures.error[age] = enough && old[0] > 0 ? error[0] / error[1] / (old[0] / old[1]) : kNone;
+        if (std::isnan(figures.heal) && figures.error[age] <= kHealed)
+            figures.heal = static_cast<double>(age);
+    }
+    return figures;
+}
+
+} // namespace glint::measure

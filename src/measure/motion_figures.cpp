@@ -1,0 +1,26 @@
+#include "measure/motion_figures.hpp"
+
+namespace glint::measure {
+
+void MotionMeter::add(const MotionFrame& frame, const SurfaceMotion& motion) {
+    const uint32_t index = next_++;
+    const bool counts = index >= warmUp_;
+    flicker_.add(frame, counts);
+    if (!frame.hasReference())
+        return;
+    if (counts)
+        error_.add(frame);
+    trail_.add(frame, counts);
+    ghost_.add(frame, motion, counts);
+    steps_.add(frame, index);
+}
+
+MotionFigures MotionMeter::figures() const {
+    MotionFigures figures;
+    for (size_t band = 0; band <= kBands; ++band)
+        figures[band] = {error_.figures(band), flicker_.figures(band), trail_.figures(band), ghost_.figures(band),
+                         steps_.figures(band)};
+    return figures;
+}
+
+} // namespace glint::measure

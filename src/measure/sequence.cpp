@@ -1,0 +1,228 @@
+#include "measure/sequence.hpp"
+
+#include "measure/radiance_film.hpp"
+#include "measure/surface_motion.hpp"
+#include "render/run_job.hpp"
+#include "scene/animation_sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::measure {
+namespace {
+
+Result<scene::CameraPath> makePath(const SequencePlan& plan, const render::JobInputs& inputs) {
+    const SequencePath& path = plan.path;
+    if (!path.keys.empty())
+        return scene::CameraPath::through(path.keys, inputs.camera);
+    const double focus = scene::focusDistance(inputs.camera, inputs.pose.boundsWS);
+    const double speed = scene::focusSpeed(inputs.camera, focus, inputs.height, path.pixelsPerFrame, plan.fps);
+    const double middle = std::min(plan.frames - 1, path.stop) / plan.fps / 2;
+    return scene::CameraPath::move(path.move, inputs.camera, speed, focus, middle);
+}
+
+/// The first frames that show a stepped animation changing.
+std::vector<uint32_t> stepFrames(const SequencePlan& plan, const scene::Scene& scene) {
+    std::vector<uint32_t> frames;
+    for (const double seconds : scene::stepTimes(scene)) {
+        const double frame = std::ceil((seconds - plan.configs.front().job.time) * plan.fps - 1e-6);
+        if (frame >= 1 && frame < plan.frames && (frames.empty() || frames.back() != frame))
+            frames.push_back(static_cast<uint32_t>(frame));
+    }
+    return frames;
+}
+
+Result<void> checkMemory(const SequencePlan& plan, const render::JobInputs& inputs) {
+    constexpr double kMost = 16e9, kFilms = 3 * kSignals, kBytesPerPixel = 3 * sizeof(uint16_t);
+    const double bytes = kFilms * kBytesPerPixel * inputs.width * inputs.height * plan.frames;
+    if (plan.measure && bytes > kMost)
+        return invalidArgument("{} frames of {}x{} take {:.0f} GB to measure; the most is {:.0f}: lower --frames or "
+                               "--size",
+                               plan.frames, inputs.width, inputs.height, bytes / 1e9, kMost / 1e9);
+    return {};
+}
+
+/// Implements renderSequence: the reference, then config by config, on one session.
+class Sequencer {
+public:
+    Sequencer(render::ReflectionSession session, scene::CameraPath path, const SequencePlan& plan,
+              const SequenceCallbacks& callbacks)
+        : session_(std::move(session)), path_(std::move(path)), plan_(plan), callbacks_(callbacks),
+          tracker_(*session_.inputs().scene), surfaces_(plan.frames) {}
+
+    Result<Sequence> run(const gpu::Context& context) {
+        describe(context);
+        if (plan_.reference)
+            GLINT_CHECK(renderReference());
+        for (size_t i = 0; i < plan_.configs.size(); ++i)
+            GLINT_CHECK(renderConfig(i));
+        return std::move(result_);
+    }
+
+private:
+    /// What the frames show, whatever the config.
+    struct Surfaces {
+        PixelBands bands;
+        SurfaceMotion motion; ///< since the frame before
+    };
+    using Films = std::array<RadianceFilm, kSignals>;
+    using Views = std::array<render::RenderedView, kSignals>;
+
+    void describe(const gpu::Context& context) {
+        result_.scene = plan_.configs.front().job.scene;
+        result_.width = session_.inputs().width;
+        result_.height = session_.inputs().height;
+        result_.frames = plan_.frames;
+        result_.fps = plan_.fps;
+        result_.device = context.info().name;
+        result_.driver = context.info().driver;
+        result_.software = context.info().software;
+        result_.warmUp = plan_.warmUp;
+        result_.steps = stepFrames(plan_, *session_.inputs().scene);
+    }
+
+    Result<void> renderReference() {
+        const ComparedConfig& reference = *plan_.reference;
+        result_.reference = reference.name;
+        result_.referenceFrames = reference.job.frames;
+        const uint32_t seed = plan_.configs.front().job.seed;
+        reference_.emplace(std::array{seed + 2, seed + 3}, reference.job.frames); // configs have the two before
+        GLINT_CHECK(session_.setSettings(reference.job.settings));
+        GLINT_CHECK(standAtStart());
+        for (uint32_t frame = 0; frame < plan_.frames; ++frame) {
+            GLINT_CHECK(moveTo(frame));
+            GLINT_CHECK(reference_->add(session_));
+            showProgress("reference " + reference.name, frame);
+        }
+        return {};
+    }
+
+    Result<void> renderConfig(size_t index) {
+        const ComparedConfig& config = plan_.configs[index];
+        SequenceConfig done;
+        done.name = config.name;
+        done.settings = config.job.settings;
+        GLINT_CHECK(session_.setSettings(config.job.settings));
+        Films films;
+        GLINT_CHECK(renderFrames(config, config.job.seed, [&](uint32_t frame, Views& views) {
+            return keepFrame(index, frame, views, films, done);
+        }));
+        done.raysPerPixel /= double(plan_.frames) * result_.width * result_.height;
+        done.notes = session_.notes();
+        if (plan_.measure) {
+            std::vector<MotionMeter> meters(kSignals, MotionMeter(plan_.warmUp, result_.steps));
+            GLINT_CHECK(renderFrames(config, config.job.seed + 1, [&](uint32_t frame, Views& views) -> Result<void> {
+                for (size_t signal = 0; signal < kSignals; ++signal)
+                    meters[signal].add(motionFrame(frame, signal, films[signal], views[signal]),
+                                       surfaces_[frame].motion);
+                return {};
+            }));
+            for (const MotionMeter& meter : meters)
+                done.figures.push_back(meter.figures());
+        }
+        result_.configs.push_back(std::move(done));
+        return {};
+    }
+
+    /// A frame of the first seed.
+    Result<void> keepFrame(size_t index, uint32_t frame, const Views& views, Films& films, SequenceConfig& done) {
+        done.times.add(times_);
+        done.times.addDrawn(times_);
+        const render::RenderStats stats = session_.stats();
+        done.raysPerPixel += static_cast<double>(stats.rays + stats.scene.rays);
+        if (callbacks_.frame)
+            GLINT_CHECK(callbacks_.frame({index, frame, result_.width, result_.height,
+                                          views[static_cast<size_t>(Signal::Composite)],
+                                          views[static_cast<size_t>(Signal::Reflection)]}));
+        if (!plan_.measure)
+            return {};
+        for (size_t signal = 0; signal < kSignals; ++signal)
+            films[signal].add(radianceOf(views[signal].rgba));
+        return surfaces_[frame].bands ? Result<void>() : readSurfaces(frame);
+    }
+
+    Result<void> readSurfaces(uint32_t frame) {
+        GLINT_TRY(roughness, session_.readView("roughness"));
+        GLINT_TRY(reflectivity, session_.readView("reflectivity"));
+        surfaces_[frame].bands = pixelBands(roughness.rgba, reflectivity.rgba);
+        if (!plan_.reference) // no figure needs the motion
+            return {};
+        GLINT_TRY(motion, tracker_.advance(secondsOf(frame), session_.view()));
+        surfaces_[frame].motion = std::move(motion);
+        return {};
+    }
+
+    MotionFrame motionFrame(uint32_t frame, size_t signal, const RadianceFilm& film,
+                            const render::RenderedView& view) const {
+        MotionFrame made{result_.width, result_.height, {film.frame(frame), radianceOf(view.rgba)}, {},
+                         surfaces_[frame].bands};
+        if (reference_)
+            made.reference = reference_->frame(static_cast<Signal>(signal), frame);
+        return made;
+    }
+
+    /// Renders every frame from the start, without history before the first.
+    Result<void> renderFrames(const ComparedConfig& config, uint32_t seed,
+                              const std::function<Result<void>(uint32_t frame, Views& views)>& use) {
+        GLINT_CHECK(session_.restart(seed));
+        GLINT_CHECK(standAtStart());
+        for (uint32_t frame = 0; frame < plan_.frames; ++frame) {
+            GLINT_CHECK(moveTo(frame));
+            GLINT_TRY(times, session_.renderFrame(frame));
+            times_ = std::move(times);
+            Views views;
+            for (size_t signal = 0; signal < kSignals; ++signal) {
+                GLINT_TRY(view, session_.readView(kSignalViews[signal]));
+                views[signal] = std::move(view);
+            }
+            GLINT_CHECK(use(frame, views));
+            showProgress(plan_.measure ? fmt::format("{}, seed {}", config.name, seed) : config.name, frame);
+        }
+        return {};
+    }
+
+    /// Draws the first frame's view once without reflections, so that the first frame shows no motion.
+    Result<void> standAtStart() {
+        GLINT_CHECK(moveTo(0));
+        render::FramePlan draw;
+        draw.reflect = false;
+        GLINT_TRY(times, session_.renderFrame(0, draw));
+        return {};
+    }
+
+    double secondsOf(uint32_t frame) const { return plan_.configs.front().job.time + frame / plan_.fps; }
+
+    Result<void> moveTo(uint32_t frame) {
+        if (!session_.inputs().scene->animations.empty())
+            GLINT_CHECK(session_.setTime(secondsOf(frame)));
+        return session_.setCamera(path_.at(std::min(frame, plan_.path.stop) / plan_.fps));
+    }
+
+    void showProgress(const std::string& what, uint32_t frame) const {
+        if (callbacks_.progress)
+            callbacks_.progress(what, frame + 1, plan_.frames);
+    }
+
+    render::ReflectionSession session_;
+    scene::CameraPath path_;
+    const SequencePlan& plan_;
+    const SequenceCallbacks& callbacks_;
+    SurfaceTracker tracker_;
+    std::vector<Surfaces> surfaces_; ///< by frame, from the first config
+    std::optional<SequenceReference> reference_;
+    render::FrameTimes times_; ///< of the last frame
+    Sequence result_;
+};
+
+} // namespace
+
+Result<Sequence> renderSequence(gpu::Context& context, const SequencePlan& plan, const SequenceCallbacks& callbacks) {
+    render::RenderJob first = plan.configs.front().job;
+    first.statistics = true;
+    GLINT_TRY(session, render::openJob(context, first));
+    GLINT_CHECK(checkMemory(plan, session.inputs()));
+    GLINT_TRY(path, makePath(plan, session.inputs()));
+    return Sequencer(std::move(session), std::move(path), plan, callbacks).run(context);
+}
+
+} // namespace glint::measure
