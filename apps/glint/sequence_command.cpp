@@ -51,7 +51,8 @@ Result<measure::SequencePath> sequencePath(const SequenceOptions& options) {
         path.keys = std::move(keys);
     } else {
         const std::vector<std::string> names(moves.begin(), moves.end());
-        return invalidArgument("--path {}: expected {} or a .json file", printable(options.path), joinText(names, ", "));
+        return invalidArgument("--path {}: expected {} or a .json file", printable(options.path),
+                               joinText(names, ", "));
     }
     path.pixelsPerFrame = options.speed;
     if (options.stop >= 0)
@@ -127,8 +128,8 @@ public:
         GLINT_TRY(pattern, FramePattern::parse(output));
         GLINT_CHECK(checkFolder("-o", pattern.folder()));
         for (size_t i = 0; i < configs.size(); ++i)
-            files.patterns_.push_back(
-                configs.size() == 1 ? pattern : pattern.inFolder(configFileName(i, configs[i].name)));
+            files.patterns_.push_back(configs.size() == 1 ? pattern
+                                                          : pattern.inFolder(configFileName(i, configs[i].name)));
         return files;
     }
 

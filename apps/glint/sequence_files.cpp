@@ -39,8 +39,7 @@ Result<FramePattern> FramePattern::parse(const std::string& text) {
 }
 
 std::string FramePattern::path(uint32_t frame) const {
-    return fmt::format("{}{:0{}}{}", text_.substr(0, numberAt_), frame, digits_,
-                       text_.substr(numberAt_ + numberSize_));
+    return fmt::format("{}{:0{}}{}", text_.substr(0, numberAt_), frame, digits_, text_.substr(numberAt_ + numberSize_));
 }
 
 std::string FramePattern::folder() const {
@@ -72,9 +71,9 @@ Result<void> writeFrame(const std::string& path, PictureKind kind, const measure
 
 Result<void> writeVideo(const FramePattern& frames, double fps, const std::string& program) {
     // Most players need even sides.
-    GLINT_TRY(made, runChild({program, "-y", "-loglevel", "error", "-framerate", fmt::format("{}", fps), "-start_number",
-                              "0", "-i", frames.text(), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
-                              frames.video()}));
+    GLINT_TRY(made, runChild({program, "-y", "-loglevel", "error", "-framerate", fmt::format("{}", fps),
+                              "-start_number", "0", "-i", frames.text(), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                              "-pix_fmt", "yuv420p", frames.video()}));
     if (made.code != 0)
         return makeError(ErrorCode::Io, "{} failed: {}", program, printable(made.error, 200));
     return {};

@@ -36,7 +36,7 @@ struct MeanLag {
     size_t reached = 0;
 };
 
-MeanLag meanLag(const std::vector<measure::StepResponse>& steps, double measure::StepResponse::* lag) {
+MeanLag meanLag(const std::vector<measure::StepResponse>& steps, double measure::StepResponse::*lag) {
     double sum = 0;
     size_t reached = 0;
     for (const measure::StepResponse& step : steps) {
@@ -48,7 +48,7 @@ MeanLag meanLag(const std::vector<measure::StepResponse>& steps, double measure:
     return {reached > 0 ? sum / static_cast<double>(reached) : std::nan(""), reached};
 }
 
-SequenceJson lagJson(const std::vector<measure::StepResponse>& steps, double measure::StepResponse::* lag) {
+SequenceJson lagJson(const std::vector<measure::StepResponse>& steps, double measure::StepResponse::*lag) {
     const MeanLag mean = meanLag(steps, lag);
     return {{"mean", known(mean.mean)}, {"reached", mean.reached}, {"steps", steps.size()}};
 }
@@ -119,7 +119,7 @@ std::string cell(double value, const char* format) {
 }
 
 std::string bandRow(const char* signal, const char* name, const measure::MotionBandFigures& band) {
-    const auto lag = [&](double measure::StepResponse::* which) {
+    const auto lag = [&](double measure::StepResponse::*which) {
         const MeanLag mean = meanLag(band.steps, which);
         return mean.reached == band.steps.size() ? mean.mean : std::nan(""); // the mean of some would flatter
     };

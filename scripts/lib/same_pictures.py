@@ -49,7 +49,7 @@ def named(text: str, pattern: str) -> list[str]:
 def make_cases(program: str) -> dict[str, list[str]]:
     """Command lines by name. Files are written into the current folder."""
     text = output(program, ["render", "--help"]).stdout
-    scenes = named(text, r"((?:builtin:\w+(?:, )?)+)")
+    scenes = named(text, r"((?:builtin:[\w-]+(?:, )?)+)")
     presets = named(text, r"Settings to start from: ((?:[\w-]+, )*[\w-]+)")
     views = named(text, r"What to show[^:]*: ((?:\w+, )*\w+)")
     cases: dict[str, list[str]] = {}

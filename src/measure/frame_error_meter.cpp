@@ -6,10 +6,23 @@ namespace glint::measure {
 namespace {
 
 constexpr float kFireflyFactor = 8;
-constexpr float kFireflyFloor = 0.01f; ///< radiance; in black surroundings nothing dimmer counts
-constexpr int kFireflyRadius = 2;      ///< pixels: 5 x 5
+constexpr float kFireflyFloor = 0.01f;     ///< radiance; in black surroundings nothing dimmer counts
+constexpr double kGradientAgreement = 0.1; ///< of pure noise, the two references' gradients agree on 0
+constexpr int kFireflyRadius = 2;          ///< pixels: 5 x 5
 
-enum Term : size_t { Values, Bias, Noise, Tested, Reference, GradientTest, GradientReference, Fireflies, Pixels, Count };
+enum Term : size_t {
+    Values,
+    Bias,
+    Noise,
+    Tested,
+    Reference,
+    GradientTest,
+    GradientReference,
+    GradientAll,
+    Fireflies,
+    Pixels,
+    Count
+};
 using Sums = BandSums<Count>;
 
 float luminance(const float* rgb) {
@@ -44,7 +57,9 @@ void addGradient(const MotionFrame& frame, size_t p, size_t q, std::array<double
         const size_t i = 3 * p + c, k = 3 * q + c;
         const auto change = [&](const Radiance& image) { return double((*image)[k]) - double((*image)[i]); };
         sums[GradientTest] += change(frame.test[0]) * change(frame.test[1]);
-        sums[GradientReference] += change(frame.reference[0]) * change(frame.reference[1]);
+        const double a = change(frame.reference[0]), b = change(frame.reference[1]);
+        sums[GradientReference] += a * b;
+        sums[GradientAll] += (a * a + b * b) / 2;
     }
 }
 
@@ -91,7 +106,7 @@ void FrameErrorMeter::add(const MotionFrame& frame) {
         series.fireflies.add(1e6 * all[Fireflies] / all[Pixels]);
         if (all[Reference] > 0)
             series.energy.add(all[Tested] / all[Reference]);
-        if (all[GradientReference] > 0)
+        if (all[GradientReference] > kGradientAgreement * all[GradientAll])
             series.sharp.add(all[GradientTest] / all[GradientReference]);
     }
 }

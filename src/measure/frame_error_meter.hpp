@@ -10,7 +10,7 @@ struct FrameErrorFigures {
     SeriesFigure relativeMse; ///< bias + noise
     SeriesFigure bias;        ///< systematic part: blur, lag, lost energy; may be negative by the noise of its estimate
     SeriesFigure noise;       ///< part that changes with the seed
-    SeriesFigure sharp;       ///< gain of gradients: below 1 blurred, above 1 crunched
+    SeriesFigure sharp;       ///< gain of gradients: below 1 blurred, above 1 crunched; NaN if the reference is flat
     SeriesFigure energy;      ///< tested over reference radiance
     SeriesFigure fireflies;   ///< per million pixels: brighter than 8 times the reference around them
     double pixels = 0;        ///< per frame, mean
@@ -29,8 +29,8 @@ private:
     ByBand<Series> series_;
 };
 
-/// The terms of MotionFrame's error at value `i`, relative to the reference: bias squared, and noise. Based on: Rousselle
-/// et al. 2011, "Adaptive Sampling and Reconstruction using Greedy Error Minimization" (the divisor).
+/// The terms of MotionFrame's error at value `i`, relative to the reference: bias squared, and noise. Based on:
+/// Rousselle et al. 2011, "Adaptive Sampling and Reconstruction using Greedy Error Minimization" (the divisor).
 struct RelativeError {
     double bias = 0;
     double noise = 0;

@@ -57,9 +57,8 @@ void GhostMeter::add(const MotionFrame& frame, const SurfaceMotion& motion, bool
             sums.error[band][0] += (error.bias + error.noise) / 3;
             if (pixel.age == kOld || !pixel.knowsGhost)
                 continue;
-            const ShareTerms terms =
-                shareTerms(frame.testMean(i), {(*frame.reference[0])[i], (*frame.reference[1])[i]},
-                           {pixel.ghost[0][c], pixel.ghost[1][c]});
+            const ShareTerms terms = shareTerms(frame.testMean(i), {(*frame.reference[0])[i], (*frame.reference[1])[i]},
+                                                {pixel.ghost[0][c], pixel.ghost[1][c]});
             sums.share[band][0] += terms.product;
             sums.share[band][1] += terms.square;
             sums.share[band][2] += terms.difference;

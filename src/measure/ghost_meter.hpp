@@ -15,7 +15,7 @@ struct GhostFigures {
     std::array<double, kGhostAges> ghost = {};
     /// Likewise: relative mean squared error, divided by that of surfaces that were not disoccluded.
     std::array<double, kGhostAges> error = {};
-    double heal = 0;        ///< the first age whose `error` is at most 2; NaN: none
+    double heal = 0;          ///< the first age whose `error` is at most 2; NaN: none
     uint64_t disoccluded = 0; ///< pixels, all frames together
 };
 
@@ -29,8 +29,8 @@ public:
 private:
     static constexpr uint8_t kOld = kGhostAges;
     struct Pixel {
-        uint8_t age = kOld;                              ///< frames since the disocclusion; kOld: long ago or never
-        bool knowsGhost = false;                         ///< `ghost` is set
+        uint8_t age = kOld;                             ///< frames since the disocclusion; kOld: long ago or never
+        bool knowsGhost = false;                        ///< `ghost` is set
         std::array<std::array<float, 3>, 2> ghost = {}; ///< of the two references, before the disocclusion
     };
     void moveAges(const MotionFrame& frame, const SurfaceMotion& motion);

@@ -19,9 +19,9 @@ struct OracleHit {
     glm::dvec3 normalWS = glm::dvec3(0);          ///< interpolated as the raster pass does, unit
     glm::dvec3 geometricNormalWS = glm::dvec3(0); ///< normal of the triangle, unit, towards the ray origin
     bool frontFace = true;
-    size_t item = 0;                         ///< index in Pose::items
-    size_t firstIndex = 0;                   ///< of the triangle, in the item's indices
-    glm::dvec2 barycentric = glm::dvec2(0);  ///< weights of the triangle's second and third corner
+    size_t item = 0;                        ///< index in Pose::items
+    size_t firstIndex = 0;                  ///< of the triangle, in the item's indices
+    glm::dvec2 barycentric = glm::dvec2(0); ///< weights of the triangle's second and third corner
 };
 
 /// Contains triangles of opaque and masked surfaces; blended and transmissive surfaces, lines and points are left out.

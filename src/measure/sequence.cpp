@@ -154,8 +154,8 @@ private:
 
     MotionFrame motionFrame(uint32_t frame, size_t signal, const RadianceFilm& film,
                             const render::RenderedView& view) const {
-        MotionFrame made{result_.width, result_.height, {film.frame(frame), radianceOf(view.rgba)}, {},
-                         surfaces_[frame].bands};
+        MotionFrame made{
+            result_.width, result_.height, {film.frame(frame), radianceOf(view.rgba)}, {}, surfaces_[frame].bands};
         if (reference_)
             made.reference = reference_->frame(static_cast<Signal>(signal), frame);
         return made;

@@ -18,16 +18,16 @@ namespace glint::measure {
 /// The movement of the camera: a built-in one or the keys of a path file.
 struct SequencePath {
     scene::CameraMove move = scene::CameraMove::Still;
-    double pixelsPerFrame = 2; ///< of a point at the focus, for a built-in movement
-    std::vector<scene::PathKey> keys; ///< not empty: these instead of `move`
+    double pixelsPerFrame = 2;                            ///< of a point at the focus, for a built-in movement
+    std::vector<scene::PathKey> keys;                     ///< not empty: these instead of `move`
     uint32_t stop = std::numeric_limits<uint32_t>::max(); ///< the camera stands still from this frame on
 };
 
 struct SequencePlan {
     std::vector<ComparedConfig> configs; ///< at least one; all with the same scene, camera and size
     SequencePath path;
-    uint32_t frames = 1; ///< >= 1
-    double fps = 60;     ///< frames per second of the scene's and the camera's clock, > 0
+    uint32_t frames = 1;  ///< >= 1
+    double fps = 60;      ///< frames per second of the scene's and the camera's clock, > 0
     bool measure = false; ///< also compute figures: each config is rendered with two seeds
     uint32_t warmUp = 0;  ///< frames that count for no mean
     /// Measured against; its job's number of frames is averaged. Absent: few figures are known.
@@ -55,8 +55,8 @@ struct SequenceConfig {
     render::ProgramSettings settings;
     std::vector<std::string> notes;
     EffectTimes times;
-    double raysPerPixel = 0;                           ///< screen rays and rays through triangles, mean over the frames
-    std::vector<MotionFigures> figures;                ///< by Signal; empty unless measured
+    double raysPerPixel = 0;            ///< screen rays and rays through triangles, mean over the frames
+    std::vector<MotionFigures> figures; ///< by Signal; empty unless measured
 };
 
 struct Sequence {
@@ -68,7 +68,7 @@ struct Sequence {
     std::string device;
     std::string driver;
     bool software = false;
-    std::string reference;       ///< name; empty: none
+    std::string reference;        ///< name; empty: none
     uint32_t referenceFrames = 0; ///< averaged for each frame of the sequence and each seed
     uint32_t warmUp = 0;
     std::vector<uint32_t> steps; ///< first frames after a sudden change of the scene
@@ -77,7 +77,8 @@ struct Sequence {
 
 /// The first frame shows the scene at the first config's time; frame i shows it i / fps seconds later. The same plan
 /// gives the same bits on one device and driver. Sudden changes are the keys of the scene's stepped animations. Errors:
-/// those of the scene's readers, the device and the callbacks; InvalidArgument if so many frames do not fit into memory.
+/// those of the scene's readers, the device and the callbacks; InvalidArgument if so many frames do not fit into
+/// memory.
 Result<Sequence> renderSequence(gpu::Context& context, const SequencePlan& plan, const SequenceCallbacks& callbacks);
 
 } // namespace glint::measure

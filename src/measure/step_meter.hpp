@@ -7,11 +7,11 @@ namespace glint::measure {
 
 /// The response to one change. NaN where it did not get so far before the next change.
 struct StepResponse {
-    uint32_t frame = 0;    ///< the first frame that shows the change
-    double lag90 = 0;      ///< frames from there until 90 % of the change show; 0: at once
-    double lag99 = 0;      ///< likewise 99 %
-    double overshoot = 0;  ///< largest part beyond 100 %
-    uint64_t pixels = 0;   ///< that change
+    uint32_t frame = 0;   ///< the first frame that shows the change
+    double lag90 = 0;     ///< frames from there until 90 % of the change show; 0: at once
+    double lag99 = 0;     ///< likewise 99 %
+    double overshoot = 0; ///< largest part beyond 100 %
+    uint64_t pixels = 0;  ///< that change
 };
 
 class StepMeter {

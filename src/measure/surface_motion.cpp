@@ -17,9 +17,8 @@ glm::dvec3 positionIn(const scene::Pose& pose, int item, const OracleHit& hit) {
     const auto corner = [&](size_t k) {
         return glm::dvec3(drawn.geometry->positions[drawn.geometry->indices[hit.firstIndex + k]]);
     };
-    const glm::dvec3 positionLS =
-        corner(0) * (1 - hit.barycentric.x - hit.barycentric.y) + corner(1) * hit.barycentric.x +
-        corner(2) * hit.barycentric.y;
+    const glm::dvec3 positionLS = corner(0) * (1 - hit.barycentric.x - hit.barycentric.y) +
+                                  corner(1) * hit.barycentric.x + corner(2) * hit.barycentric.y;
     return glm::dvec3(glm::dmat4(drawn.localToWorld) * glm::dvec4(positionLS, 1));
 }
 
@@ -111,8 +110,8 @@ Result<SurfaceMotion> SurfaceTracker::advance(double seconds, const render::View
         motion.resize(now->items.size());
         forEachRow(view.height, [&](uint32_t y) {
             for (size_t p = size_t(y) * view.width; p < size_t(y + 1) * view.width; ++p)
-                motion[p] = now->items[p] < 0 ? PixelOrigin{0, SurfaceOrigin::None}
-                                              : originOf(now->hits[p], now->items[p]);
+                motion[p] =
+                    now->items[p] < 0 ? PixelOrigin{0, SurfaceOrigin::None} : originOf(now->hits[p], now->items[p]);
         });
     }
     prev_ = std::move(now);

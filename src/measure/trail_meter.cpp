@@ -22,9 +22,8 @@ ShareTerms shareTerms(double test, const std::array<double, 2>& now, const std::
 
 double shareOf(const ShareTerms& sums) {
     constexpr double kAgreement = 0.1; // of pure noise, the mean is 0
-    return sums.difference > 0 && sums.square > kAgreement * sums.difference
-               ? sums.product / sums.square
-               : std::numeric_limits<double>::quiet_NaN();
+    return sums.difference > 0 && sums.square > kAgreement * sums.difference ? sums.product / sums.square
+                                                                             : std::numeric_limits<double>::quiet_NaN();
 }
 
 void TrailMeter::add(const MotionFrame& frame, bool counts) {

@@ -33,12 +33,9 @@ const std::array kEntries = {
           builtin::makeGlass},
     Entry{{"motion", "floor in strips of roughness under all that moves: for glint sequence", "main", "sky", 0.2f},
           [] {
-              return builtin::makeMotion("builtin:motion", {.objects = true,
-                                                            .hidden = true,
-                                                            .lamp = true,
-                                                            .grille = true,
-                                                            .panels = true,
-                                                            .emitters = true});
+              return builtin::makeMotion(
+                  "builtin:motion",
+                  {.objects = true, .hidden = true, .lamp = true, .grille = true, .panels = true, .emitters = true});
           }},
     Entry{{"motion-still", "builtin:motion with nothing that moves", "main", "sky", 0.2f},
           [] { return builtin::makeMotion("builtin:motion-still", {}); }},
@@ -46,11 +43,13 @@ const std::array kEntries = {
           [] { return builtin::makeMotion("builtin:motion-objects", {.objects = true}); }},
     Entry{{"motion-hidden", "the same with a ball that moves where only the floor shows it", "main", "sky", 0.2f},
           [] { return builtin::makeMotion("builtin:motion-hidden", {.hidden = true}); }},
-    Entry{{"motion-lamp", "the same with a lamp that is switched off, on, and then twice a second", "main", "sky", 0.2f},
-          [] { return builtin::makeMotion("builtin:motion-lamp", {.lamp = true}); }},
+    Entry{
+        {"motion-lamp", "the same with a lamp that is switched off, on, and then twice a second", "main", "sky", 0.2f},
+        [] { return builtin::makeMotion("builtin:motion-lamp", {.lamp = true}); }},
     Entry{{"motion-grille", "the same with poles, leaves and a grille; nothing moves", "main", "sky", 0.2f},
           [] { return builtin::makeMotion("builtin:motion-grille", {.grille = true}); }},
-    Entry{{"motion-panels", "the same with turning mirrors: flat, glossy, bumpy, convex and concave", "main", "sky", 0.2f},
+    Entry{{"motion-panels", "the same with turning mirrors: flat, glossy, bumpy, convex and concave", "main", "sky",
+           0.2f},
           [] { return builtin::makeMotion("builtin:motion-panels", {.panels = true}); }},
     Entry{{"motion-emitters", "the same with small bright lights that wander over a bumpy floor", "main", "sky", 0.2f},
           [] { return builtin::makeMotion("builtin:motion-emitters", {.emitters = true, .bumpyFloor = true}); }},

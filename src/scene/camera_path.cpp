@@ -153,9 +153,9 @@ Camera CameraPath::at(double seconds) const {
             smooth<glm::vec3>(keys_, seconds, [](const PathKey& key) -> const glm::vec3& { return key.target; });
         camera.viewToWorld = lookAt(position, target);
         if (keys_.front().fovY)
-            camera.fovY = std::clamp(
-                smooth<float>(keys_, seconds, [](const PathKey& key) -> const float& { return *key.fovY; }),
-                glm::radians(0.1f), glm::radians(179.0f)); // between keys a cubic may overshoot them
+            camera.fovY =
+                std::clamp(smooth<float>(keys_, seconds, [](const PathKey& key) -> const float& { return *key.fovY; }),
+                           glm::radians(0.1f), glm::radians(179.0f)); // between keys a cubic may overshoot them
         return camera;
     }
     const double metres = speed_ * (seconds - middle_);
@@ -172,7 +172,9 @@ Camera CameraPath::at(double seconds) const {
     case CameraMove::Dolly:
         camera.viewToWorld[3] += glm::vec4(levelForward(camera_) * static_cast<float>(metres), 0);
         break;
-    case CameraMove::Truck: camera.viewToWorld[3] += glm::vec4(glm::vec3(base[0]) * static_cast<float>(metres), 0); break;
+    case CameraMove::Truck:
+        camera.viewToWorld[3] += glm::vec4(glm::vec3(base[0]) * static_cast<float>(metres), 0);
+        break;
     case CameraMove::Orbit:
         camera.viewToWorld = turned(position - glm::vec3(base[2]) * static_cast<float>(focusDistance_), angle);
         break;
@@ -181,8 +183,8 @@ Camera CameraPath::at(double seconds) const {
 }
 
 double focusSpeed(const Camera& camera, double focusDistance, uint32_t height, double pixelsPerFrame, double fps) {
-    const double imageHeight = camera.orthographic ? double(camera.orthoHeight)
-                                                   : 2 * focusDistance * std::tan(double(camera.fovY) / 2);
+    const double imageHeight =
+        camera.orthographic ? double(camera.orthoHeight) : 2 * focusDistance * std::tan(double(camera.fovY) / 2);
     return pixelsPerFrame * fps * imageHeight / double(height);
 }
 

@@ -35,6 +35,19 @@ TEST(AnimationSampling, StepHoldsUntilTheNextKey) {
         EXPECT_EQ(sampleChannel(steps, time)[0], value) << time;
 }
 
+TEST(AnimationSampling, StepTimesAreThoseOfChanges) {
+    scene::Scene scene;
+    scene.animations.push_back(
+        {"a",
+         {channel(AnimationPath::Translation, Interpolation::Step, {1, 2, 4}, {0, 0, 0, 0, 0, 0, 0, 5, 0}),
+          channel(AnimationPath::Scale, Interpolation::Step, {0, 3, 4}, {1, 1, 1, 2, 2, 2, 1, 1, 1}),
+          channel(AnimationPath::Rotation, Interpolation::Linear, {0, 7}, {0, 0, 0, 1, 0, 1, 0, 0})}});
+    scene.animations.push_back( // not played: drives the same property
+        {"b", {channel(AnimationPath::Scale, Interpolation::Step, {0, 9}, {1, 1, 1, 2, 2, 2})}});
+    EXPECT_THAT(scene::stepTimes(scene), ElementsAre(3, 4));
+    EXPECT_TRUE(scene::stepTimes(scene::Scene()).empty());
+}
+
 TEST(AnimationSampling, LinearIsClampedAtBothEnds) {
     const auto line = channel(AnimationPath::Translation, Interpolation::Linear, {1, 3}, {0, 0, 0, 2, 4, -6});
     EXPECT_THAT(sampleChannel(line, -5), ElementsAre(0, 0, 0));

@@ -1,5 +1,6 @@
 // The built-in scenes: sound geometry, and the promises that other tests build on (where the floor mirror shows each
 // box; that the exact scene is emission and perfect mirrors only).
+#include "scene/animation_sampling.hpp"
 #include "scene/builtin.hpp"
 #include "scene/builtin/shapes.hpp"
 #include "scene/builtin/sign.hpp"
@@ -226,6 +227,41 @@ TEST(BuiltinScenes, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
     EXPECT_EQ(scene.error().code, ErrorCode::InvalidArgument);
     for (const BuiltinInfo& info : builtinScenes())
         EXPECT_THAT(scene.error().message, testing::HasSubstr(std::string(info.name)));
+}
+
+/// Channels of the scene's animation that change anything.
+size_t movingChannels(const Scene& scene) {
+    size_t count = 0;
+    for (const Animation& animation : scene.animations)
+        for (const AnimationChannel& channel : animation.channels)
+            count += sampleChannel(channel, 0.9) != sampleChannel(channel, 0);
+    return count;
+}
+
+TEST(BuiltinMotion, EachVariantMovesItsOwnThing) {
+    const std::pair<const char*, size_t> channels[] = {
+        {"motion-still", 0},  {"motion-objects", 3}, {"motion-hidden", 1},   {"motion-lamp", 1},
+        {"motion-grille", 0}, {"motion-panels", 5},  {"motion-emitters", 6}, {"motion", 16},
+    };
+    for (const auto& [name, count] : channels)
+        EXPECT_EQ(movingChannels(cached(name)), count) << name;
+}
+
+TEST(BuiltinMotion, TheLampIsSwitchedBetweenFrames) {
+    const std::vector<double> times = stepTimes(cached("motion-lamp"));
+    ASSERT_GE(times.size(), 4u);
+    const double frames[] = {32, 64, 79, 94};
+    for (size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(times[i] * 60, frames[i] - 0.5, 1e-3);
+}
+
+TEST(BuiltinMotion, TheFloorHasEveryRoughnessAsMetalAndAsDielectric) {
+    std::map<float, int> metals, dielectrics;
+    for (const Material& m : cached("motion-still").materials)
+        if (m.name.starts_with("floor"))
+            ++(m.metallicFactor > 0 ? metals : dielectrics)[m.roughnessFactor];
+    EXPECT_EQ(metals.size(), 6u);
+    EXPECT_EQ(metals, dielectrics);
 }
 
 TEST(BuiltinHall, HasTheSizeOfAShowPiece) {

@@ -31,8 +31,8 @@ glm::vec3 forwardOf(const Camera& camera) {
 }
 
 void expectNear(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-5f) {
-    EXPECT_LT(glm::distance(a, b), tolerance) << a.x << " " << a.y << " " << a.z << " for " << b.x << " " << b.y << " "
-                                              << b.z;
+    EXPECT_LT(glm::distance(a, b), tolerance)
+        << a.x << " " << a.y << " " << a.z << " for " << b.x << " " << b.y << " " << b.z;
 }
 
 TEST(CameraPath, EveryMovementPassesThroughTheCamera) {

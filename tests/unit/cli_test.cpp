@@ -310,6 +310,34 @@ TEST_F(CliTest, CompareFindsBadArgumentsBeforeAnyWork) {
     }
 }
 
+TEST_F(CliTest, SequenceFindsBadArgumentsBeforeAnyWork) {
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{"--path", "zoom"}, "--path zoom: expected still, pan, dolly, truck, orbit or a .json file"},
+        {{"--path", folder_ + "none.json"}, "none.json: No such file"},
+        {{"--frames", "0"}, "--frames 0: expected 1 to"},
+        {{"--fps", "0"}, "--fps 0: expected 1 to 1000"},
+        {{"--fps", "nan"}, "--fps nan: expected 1 to 1000"},
+        {{"--speed", "1e9"}, "--speed"},
+        {{"--stop", "-2"}, "--stop -2"},
+        {{"--config", "slow"}, "--config slow: no preset of this name"},
+        {{"--config", "fast", "--preset", "fast"}, "--config excludes --preset"},
+        {{"--preset", "slow"}, "slow"},
+        {{"--set", "screen.stpe=1"}, "did you mean 'screen.step'?"},
+        {{"--size", "0x0"}, "--size 0x0"},
+        {{"--reference-samples", "-1"}, "--reference-samples -1"},
+        {{"--reference-samples", "64", "--reference", "balanced"}, "need rays.enabled and rays.accumulate"},
+        {{"--frames", "8", "--warm-up", "8"}, "--warm-up 8: expected 0 to 7"},
+        {{"--json", folder_ + "none/a.json"}, "there is no folder"},
+        {{"-o", folder_ + "frame.png"}, "expected one %d or %04d"},
+        {{"-o", folder_ + "frame_%d.jpg"}, "must end in .png or .exr"},
+        {{"-o", folder_ + "none/deep/frame_%d.png"}, "there is no folder"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), {"sequence", "builtin:exact"});
+        expectError(run(arguments), kBadInput, part);
+    }
+}
+
 TEST_F(CliTest, BenchFindsBadArgumentsBeforeAnyWork) {
     const std::pair<std::vector<std::string>, std::string_view> cases[] = {
         {{"--config", "slow"}, "--config slow: no preset of this name"},
@@ -367,7 +395,7 @@ TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
 TEST_F(CliTest, HelpListsOnlyWhatIsThere) {
     const Ended with = run({"--help"});
     EXPECT_EQ(with.code, kDone);
-    for (const char* command : {"render", "inspect", "compare", "bench", "settings", "devices"})
+    for (const char* command : {"render", "inspect", "compare", "sequence", "bench", "settings", "devices"})
         EXPECT_NE(with.out.find(command), with.out.npos) << command;
     const char* argv[] = {"glint", "--help"};
     testing::internal::CaptureStdout();

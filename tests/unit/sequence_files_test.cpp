@@ -40,7 +40,8 @@ TEST(SequenceVideo, IsMadeByTheProgramFromAllFrames) {
     const FramePattern pattern = must(FramePattern::parse(folder + "f_%04d.png"));
     must(writeVideo(pattern, 29.97, program));
     EXPECT_THAT(must(readFile(arguments, 1 << 16)),
-                testing::AllOf(testing::HasSubstr("-framerate 29.97 "), testing::HasSubstr("-i " + folder + "f_%04d.png"),
+                testing::AllOf(testing::HasSubstr("-framerate 29.97 "),
+                               testing::HasSubstr("-i " + folder.path() + "f_%04d.png"),
                                testing::HasSubstr(folder + "f.mp4")));
     must(writeFile(program, "#!/bin/sh\necho no codec >&2\nexit 3\n"));
     const auto failed = writeVideo(pattern, 60, program);

@@ -1,6 +1,6 @@
 // builtin:motion and its variants: the test track for moving pictures (docs/motion.md). A floor in strips of roughness
-// lies before a chequered wall, and each variant adds one thing that moves, so that a figure has one cause. The movement
-// is the scene's own animation, eight seconds of it.
+// lies before a chequered wall, and each variant adds one thing that moves, so that a figure has one cause. The
+// movement is the scene's own animation, eight seconds of it.
 //
 // Only floor, spheres and panels reflect: everything else has F0 = 0, so that figures count reflections of moving
 // objects and not the objects.
@@ -22,10 +22,11 @@ namespace glint::scene::builtin {
 namespace {
 
 constexpr std::array kStrips = {0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.8f}; ///< perceptual roughness, from left to right
-constexpr float kStripWidth = 1;                                     // metres
+constexpr float kStripWidth = 1;                                      // metres
 constexpr float kWallZ = -3, kFrontZ = 4.2f;
 constexpr float kSeconds = 8;
 constexpr int kKeysPerSecond = 30;
+constexpr glm::vec2 kPanelHalf(0.5f, 0.36f); // metres
 constexpr float kTurn = 2 * glm::pi<float>();
 
 Material dull(std::string name, const glm::vec3& albedo) {
@@ -135,8 +136,8 @@ private:
             return std::vector{2 * std::sin(phase), 0.4f, 0.35f};
         }));
         Material paint = dull("moving box", glm::vec3(1));
-        paint.baseColorTexture = b_.texture(checker("box", 128, 4, {0.9f, 0.9f, 0.85f}, {0.02f, 0.25f, 0.08f}),
-                                            glm::vec2(3));
+        paint.baseColorTexture =
+            b_.texture(checker("box", 128, 4, {0.9f, 0.9f, 0.85f}, {0.02f, 0.25f, 0.08f}), glm::vec2(3));
         const int box = b_.add("moving box", builtin::box(glm::vec3(0.22f)), b_.material(paint));
         b_.animate(moving(box, AnimationPath::Translation, 4, [](float phase) {
             return std::vector{-2 * std::sin(phase), 0.34f, -0.35f};
@@ -152,14 +153,14 @@ private:
         }));
     }
 
-    /// glTF cannot animate light. A shell of light shrinks into a dark lamp instead: nothing else changes, and nothing
-    /// moves by more than the lamp's radius. At 60 frames per second it goes off at frame 32, on at 64, and changes
-    /// every 15 frames from then on.
+    /// A tube over all strips. glTF cannot animate light. A shell of light shrinks into a dark lamp instead: nothing
+    /// else changes, and nothing moves by more than the lamp's radius. At 60 frames per second it goes off at frame 32,
+    /// on at 64, and changes every 15 frames from then on.
     void lamp() {
-        const glm::vec3 at(2.72f, 0.75f, -1.2f);
-        b_.add("lamp", rod(0.04f, 1.1f, 24), b_.material(dull("lamp", glm::vec3(0.1f))), {at});
-        const int shell = b_.add("lamp light", rod(0.05f, 1.2f, 24), b_.material(emission("lamp light", {9, 4, 2})),
-                                 {at});
+        const Place across = {{0, 0.55f, -1.9f}, glm::angleAxis(glm::radians(90.0f), glm::vec3(0, 0, 1))};
+        b_.add("lamp", rod(0.04f, 5.3f, 24), b_.material(dull("lamp", glm::vec3(0.1f))), across);
+        const int shell =
+            b_.add("lamp light", rod(0.05f, 5.4f, 24), b_.material(emission("lamp light", {9, 4, 2})), across);
         AnimationChannel channel;
         channel.node = shell;
         channel.path = AnimationPath::Scale;
@@ -197,8 +198,9 @@ private:
         }
     }
 
+    /// Above the spheres. What they reflect stands behind the camera: posts of light.
     void panels() {
-        const Geometry flat = boxSide({0.45f, 0.55f, 0}, Side::PlusZ);
+        const Geometry flat = boxSide({kPanelHalf, 0}, Side::PlusZ);
         Material bumpy = metal("bumpy panel", glm::vec3(0.9f), 0.05f);
         bumpy.normalTexture = b_.texture(ripples("panel ripples", 0.012f), glm::vec2(2));
         const std::array<std::pair<Geometry, int>, 5> panels = {{
@@ -210,19 +212,23 @@ private:
         }};
         for (size_t i = 0; i < panels.size(); ++i) {
             const float x = 1.15f * (static_cast<float>(i) - 2);
-            const int node = b_.add("panel", panels[i].first, panels[i].second, {{x, 0.62f, -2.2f}});
+            const int node = b_.add("panel", panels[i].first, panels[i].second, {{x, 1.16f, -2}});
             b_.animate(moving(node, AnimationPath::Rotation, 4,
                               [](float phase) { return rotationY(0.35f * std::sin(phase)); }));
         }
+        const std::array posts = {
+            b_.mesh("post", rod(0.15f, 2.4f, 16), b_.material(emission("warm post", {2, 0.9f, 0.2f}))),
+            b_.mesh("post", rod(0.15f, 2.4f, 16), b_.material(emission("cool post", {0.2f, 0.7f, 2})))};
+        for (size_t i = 0; i < 13; ++i)
+            b_.place(posts[i % 2], {{static_cast<float>(i) - 6, 1.2f, 5.6f}});
     }
 
     /// A part of an upright cylinder that faces +Z: convex for a positive radius, concave for a negative one.
     static Geometry curvedPanel(float radius) {
-        constexpr float kHalfWidth = 0.45f, kHalfHeight = 0.55f;
         Geometry panel = lattice(32, 1, [&](int column, int row) {
-            const float x = kHalfWidth * (static_cast<float>(column) / 16 - 1);
+            const float x = kPanelHalf.x * (static_cast<float>(column) / 16 - 1);
             const float sine = x / radius, cosine = std::sqrt(1 - sine * sine);
-            const float y = row == 0 ? -kHalfHeight : kHalfHeight;
+            const float y = row == 0 ? -kPanelHalf.y : kPanelHalf.y;
             return SurfacePoint{{x, y, radius * (cosine - 1)}, {sine, 0, cosine}, {x, -y}};
         });
         computeTangents(panel);
@@ -238,7 +244,8 @@ private:
                 b_.material(emission(fmt::format("emitter {}", i), kColors[static_cast<size_t>(i) % kColors.size()]));
             const int node = b_.add("emitter", sphere(0.008f, 12, 6), material);
             b_.animate(moving(node, AnimationPath::Translation, 8, [&](float phase) {
-                return std::vector{-2.5f + k + 0.4f * std::sin(2 * phase + k), 0.35f + 0.2f * std::sin(3 * phase + 2 * k),
+                return std::vector{-2.5f + k + 0.4f * std::sin(2 * phase + k),
+                                   0.35f + 0.2f * std::sin(3 * phase + 2 * k),
                                    0.4f + 0.7f * std::cos(phase + 1.7f * k)};
             }));
         }
