@@ -30,6 +30,14 @@ SequenceJson valuesJson(const Values& values) {
     return json;
 }
 
+template <class Shares>
+SequenceJson sharesJson(const Shares& shares) {
+    SequenceJson json = SequenceJson::array();
+    for (const measure::Share& share : shares)
+        json.push_back({{"share", known(share.value)}, {"standardError", known(share.standardError)}});
+    return json;
+}
+
 /// The mean over the steps that got so far before the next one.
 struct MeanLag {
     double mean = 0; ///< NaN if none did
@@ -65,8 +73,8 @@ SequenceJson bandJson(const measure::MotionBandFigures& band) {
     json["sharp"] = seriesJson(band.error.sharp);
     json["energy"] = seriesJson(band.error.energy);
     json["fireflies"] = seriesJson(band.error.fireflies);
-    json["trail"] = valuesJson(band.trail);
-    json["ghost"] = valuesJson(band.ghost.ghost);
+    json["trail"] = sharesJson(band.trail);
+    json["ghost"] = sharesJson(band.ghost.ghost);
     json["ghostError"] = valuesJson(band.ghost.error);
     json["heal"] = known(band.ghost.heal);
     json["disoccluded"] = band.ghost.disoccluded;
@@ -118,6 +126,12 @@ std::string cell(double value, const char* format) {
     return fmt::format("{:>9}", std::isnan(value) ? std::string("-") : fmt::format(fmt::runtime(format), value));
 }
 
+std::string shareCell(const measure::Share& share) {
+    return fmt::format("{:>14}", std::isnan(share.value)
+                                     ? std::string("-")
+                                     : fmt::format("{:.3f}±{:.3f}", share.value, share.standardError));
+}
+
 std::string bandRow(const char* signal, const char* name, const measure::MotionBandFigures& band) {
     const auto lag = [&](double measure::StepResponse::*which) {
         const MeanLag mean = meanLag(band.steps, which);
@@ -130,8 +144,8 @@ std::string bandRow(const char* signal, const char* name, const measure::MotionB
     row += cell(band.flicker.tPsnr, "{:.1f}");
     row += cell(lag(&measure::StepResponse::lag90), "{:.1f}");
     row += cell(lag(&measure::StepResponse::lag99), "{:.1f}");
-    row += cell(band.trail[3], "{:.3f}");
-    row += cell(band.ghost.ghost[4], "{:.3f}");
+    row += shareCell(band.trail[3]);
+    row += shareCell(band.ghost.ghost[4]);
     row += cell(band.ghost.heal, "{:.0f}");
     row += cell(band.error.sharp.mean, "{:.3f}");
     row += cell(band.error.energy.mean, "{:.3f}");
@@ -149,8 +163,8 @@ std::string sequenceText(const measure::Sequence& sequence) {
         text += fmt::format("\n{}: {:.2f} rays per pixel, {:.2f} ms, {:.2f} (95 %)\n", config.name, config.raysPerPixel,
                             config.times.total().median, config.times.total().p95);
         if (!config.figures.empty())
-            text += fmt::format("  {:<17}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "",
-                                "relMSE", "bias", "noise", "flicker", "swim", "tPSNR", "lag90", "lag99", "trail4",
+            text += fmt::format("  {:<17}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>14}{:>14}{:>9}{:>9}{:>9}{:>9}\n",
+                                "", "relMSE", "bias", "noise", "flicker", "swim", "tPSNR", "lag90", "lag99", "trail4",
                                 "ghost4", "heal", "sharp", "energy", "firefly");
         for (size_t signal = 0; signal < config.figures.size(); ++signal)
             for (size_t band = 0; band <= measure::kBands; ++band)

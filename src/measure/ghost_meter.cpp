@@ -1,7 +1,6 @@
 #include "measure/ghost_meter.hpp"
 
 #include "measure/frame_error_meter.hpp"
-#include "measure/trail_meter.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,39 +43,43 @@ void GhostMeter::moveAges(const MotionFrame& frame, const SurfaceMotion& motion)
 void GhostMeter::add(const MotionFrame& frame, const SurfaceMotion& motion, bool counts) {
     moveAges(frame, prevReference_[0] ? motion : SurfaceMotion());
     prevReference_ = frame.reference;
+    std::array<BandSums<3>, kGhostAges> shares;
     for (size_t p = 0; p < frame.pixels(); ++p) {
         const uint8_t band = (*frame.bands)[p];
         const Pixel& pixel = pixels_[p];
         if (band == kNoBand || (pixel.age == kOld && !counts))
             continue;
-        AgeSums& sums = sums_[pixel.age];
-        sums.error[band][1] += 1;
+        std::array<double, 2>& errors = errors_[pixel.age][band];
+        errors[1] += 1;
         for (size_t c = 0; c < 3; ++c) {
             const size_t i = 3 * p + c;
             const RelativeError error = relativeError(frame, i);
-            sums.error[band][0] += (error.bias + error.noise) / 3;
+            errors[0] += (error.bias + error.noise) / 3;
             if (pixel.age == kOld || !pixel.knowsGhost)
                 continue;
             const ShareTerms terms = shareTerms(frame.testMean(i), {(*frame.reference[0])[i], (*frame.reference[1])[i]},
                                                 {pixel.ghost[0][c], pixel.ghost[1][c]});
-            sums.share[band][0] += terms.product;
-            sums.share[band][1] += terms.square;
-            sums.share[band][2] += terms.difference;
+            std::array<double, 3>& sums = shares[pixel.age][band];
+            sums[0] += terms.product;
+            sums[1] += terms.square;
+            sums[2] += terms.difference;
         }
     }
+    for (size_t age = 0; age < kGhostAges; ++age)
+        for (size_t band = 0; band <= kBands; ++band)
+            shares_[age][band].add({shares[age].of(band)[0], shares[age].of(band)[1], shares[age].of(band)[2]});
 }
 
 GhostFigures GhostMeter::figures(size_t band) const {
     constexpr double kHealed = 2, kNone = std::numeric_limits<double>::quiet_NaN();
     GhostFigures figures;
     figures.heal = kNone;
-    const std::array<double, 2> old = sums_[kOld].error.of(band);
-    figures.disoccluded = static_cast<uint64_t>(sums_[0].error.of(band)[1]);
+    const std::array<double, 2> old = errors_[kOld].of(band);
+    figures.disoccluded = static_cast<uint64_t>(errors_[0].of(band)[1]);
     for (size_t age = 0; age < kGhostAges; ++age) {
-        const std::array<double, 2> error = sums_[age].error.of(band);
-        const std::array<double, 3> share = sums_[age].share.of(band);
+        const std::array<double, 2> error = errors_[age].of(band);
         const bool enough = error[1] >= double(kFewestGhostPixels);
-        figures.ghost[age] = enough ? shareOf({share[0], share[1], share[2]}) : kNone;
+        figures.ghost[age] = enough ? shares_[age][band].share() : Share{kNone, kNone};
         figures.error[age] = enough && old[0] > 0 ? error[0] / error[1] / (old[0] / old[1]) : kNone;
         if (std::isnan(figures.heal) && figures.error[age] <= kHealed)
             figures.heal = static_cast<double>(age);

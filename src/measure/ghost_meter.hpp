@@ -2,6 +2,7 @@
 #pragma once
 
 #include "measure/motion_frame.hpp"
+#include "measure/radiance_share.hpp"
 #include "measure/surface_motion.hpp"
 
 namespace glint::measure {
@@ -12,7 +13,7 @@ constexpr uint64_t kFewestGhostPixels = 64; ///< fewer pixels of an age say noth
 struct GhostFigures {
     /// By the frames since the disocclusion: share of the radiance that the earlier frame had in the surface's place.
     /// NaN for too few pixels, or if that radiance was the same.
-    std::array<double, kGhostAges> ghost = {};
+    std::array<Share, kGhostAges> ghost = {};
     /// Likewise: relative mean squared error, divided by that of surfaces that were not disoccluded.
     std::array<double, kGhostAges> error = {};
     double heal = 0;          ///< the first age whose `error` is at most 2; NaN: none
@@ -37,11 +38,8 @@ private:
 
     std::vector<Pixel> pixels_;
     std::array<Radiance, 2> prevReference_;
-    struct AgeSums {
-        BandSums<2> error; ///< sum, number of pixels
-        BandSums<3> share; ///< ShareTerms
-    };
-    std::array<AgeSums, kGhostAges + 1> sums_; ///< the last: kOld
+    std::array<BandSums<2>, kGhostAges + 1> errors_; ///< by age, the last: kOld. Sum, number of pixels
+    std::array<ByBand<ShareSeries>, kGhostAges> shares_;
 };
 
 } // namespace glint::measure

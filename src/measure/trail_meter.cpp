@@ -1,34 +1,11 @@
 #include "measure/trail_meter.hpp"
 
-#include <cmath>
-#include <limits>
-
 namespace glint::measure {
-
-ShareTerms shareTerms(double test, const std::array<double, 2>& now, const std::array<double, 2>& wrong) {
-    constexpr double kRelative = 0.1, kAbsolute = 0.01; // radiance
-    ShareTerms terms;
-    for (size_t weigh = 0; weigh < 2; ++weigh) {
-        const size_t measure = 1 - weigh;
-        const double difference = wrong[weigh] - now[weigh];
-        if (!(std::abs(difference) > kRelative * now[weigh] + kAbsolute))
-            continue;
-        terms.product += (test - now[measure]) * difference;
-        terms.square += (wrong[measure] - now[measure]) * difference;
-        terms.difference += difference * difference;
-    }
-    return terms;
-}
-
-double shareOf(const ShareTerms& sums) {
-    constexpr double kAgreement = 0.1; // of pure noise, the mean is 0
-    return sums.difference > 0 && sums.square > kAgreement * sums.difference ? sums.product / sums.square
-                                                                             : std::numeric_limits<double>::quiet_NaN();
-}
 
 void TrailMeter::add(const MotionFrame& frame, bool counts) {
     for (size_t k = 0; counts && k < references_.size(); ++k) {
         const std::array<Radiance, 2>& before = references_[k];
+        BandSums<3> sums;
         for (size_t p = 0; p < frame.pixels(); ++p) {
             const uint8_t band = (*frame.bands)[p];
             if (band == kNoBand)
@@ -37,12 +14,13 @@ void TrailMeter::add(const MotionFrame& frame, bool counts) {
                 const ShareTerms terms =
                     shareTerms(frame.testMean(i), {(*frame.reference[0])[i], (*frame.reference[1])[i]},
                                {(*before[0])[i], (*before[1])[i]});
-                std::array<double, 3>& to = sums_[k][band];
-                to[0] += terms.product;
-                to[1] += terms.square;
-                to[2] += terms.difference;
+                sums[band][0] += terms.product;
+                sums[band][1] += terms.square;
+                sums[band][2] += terms.difference;
             }
         }
+        for (size_t band = 0; band <= kBands; ++band)
+            shares_[k][band].add({sums.of(band)[0], sums.of(band)[1], sums.of(band)[2]});
     }
     references_.push_front(frame.reference);
     if (references_.size() > kTrailFrames)
@@ -51,10 +29,8 @@ void TrailMeter::add(const MotionFrame& frame, bool counts) {
 
 TrailFigures TrailMeter::figures(size_t band) const {
     TrailFigures figures;
-    for (size_t k = 0; k < kTrailFrames; ++k) {
-        const std::array<double, 3> sums = sums_[k].of(band);
-        figures[k] = shareOf({sums[0], sums[1], sums[2]});
-    }
+    for (size_t k = 0; k < kTrailFrames; ++k)
+        figures[k] = shares_[k][band].share();
     return figures;
 }
 

@@ -201,21 +201,23 @@ TEST(MotionFigures, AShiftedPictureIsItsOwnTrail) {
                                                     .reference = {noisy(stripes, 0.2, 19), noisy(stripes, 0.2, 20)},
                                                     .frames = 40,
                                                     .warmUp = 17});
-        EXPECT_NEAR(figures.trail[k - 1], 1, 0.02) << k;
+        EXPECT_NEAR(figures.trail[k - 1].value, 1, 0.02) << k;
+        EXPECT_NEAR(figures.trail[k - 1].value, 1, 4 * figures.trail[k - 1].standardError) << k;
+        EXPECT_LT(figures.trail[k - 1].standardError, 0.01) << k;
     }
     const MotionBandFigures none = measured({.test = {noisy(stripes, 0.2, 21), noisy(stripes, 0.2, 22)},
                                              .reference = {noisy(stripes, 0.2, 23), noisy(stripes, 0.2, 24)},
                                              .frames = 40,
                                              .warmUp = 17});
-    for (const double share : none.trail)
-        EXPECT_NEAR(share, 0, 0.02);
+    for (const Share& share : none.trail)
+        EXPECT_NEAR(share.value, 0, 0.02);
 }
 
 TEST(MotionFigures, AStillPictureHasNoTrail) {
     const MotionBandFigures figures =
         measured({.test = {flat, flat}, .reference = {noisy(flat, 0.5, 25), noisy(flat, 0.5, 26)}, .frames = 24});
-    for (const double share : figures.trail)
-        EXPECT_TRUE(std::isnan(share)) << share;
+    for (const Share& share : figures.trail)
+        EXPECT_TRUE(std::isnan(share.value)) << share.value;
 }
 
 TEST(MotionFigures, SharpIsTheGainOfGradients) {
@@ -269,7 +271,7 @@ TEST(MotionFigures, GhostsAndHealingFollowTheDisocclusion) {
     EXPECT_EQ(figures.ghost.disoccluded, (kWidth - kColumn) * kHeight);
     const double keep = n / (1 + n);
     for (size_t age = 0; age < 8; ++age)
-        EXPECT_NEAR(figures.ghost.ghost[age], std::pow(keep, double(age) + 1), 0.01) << age;
+        EXPECT_NEAR(figures.ghost.ghost[age].value, std::pow(keep, double(age) + 1), 0.01) << age;
     // Healed when the ghost's squared error 16 keep^(2 (age + 1)) is at most the noise's, 0.01.
     EXPECT_NEAR(figures.ghost.heal, std::ceil(std::log(0.01 / 16) / (2 * std::log(keep))) - 1, 1);
     const MotionBandFigures clean = measured({.test = {error(truth, 35), error(truth, 36)},
@@ -277,7 +279,7 @@ TEST(MotionFigures, GhostsAndHealingFollowTheDisocclusion) {
                                               .frames = 40,
                                               .warmUp = 3,
                                               .motion = motion});
-    EXPECT_NEAR(clean.ghost.ghost[0], 0, 0.01);
+    EXPECT_NEAR(clean.ghost.ghost[0].value, 0, 0.01);
     EXPECT_EQ(clean.ghost.heal, 0);
 }
 
