@@ -6,17 +6,27 @@
 #include "lib/sanitize.glsl"
 #include "probes/probe_march.glsl"
 
-/// Metres, infinite for a miss; negative: this probe has no answer.
-float distanceToHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
+const float kProxyFits = 0.5; // largest difference of 1 / distance, as a fraction of the larger one
+
+/// The proxy's answer where the cube does not show the ray's start: only where the cube shows a surface near the
+/// proxy's. In the open the proxy of a street's houses is a wall as high as the sky.
+ProbeHit proxyGuess(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float toProxy) {
+    vec3 at = positionWS + toProxy * directionWS - probe.capturePositionWS;
+    float expected = inversesqrt(max(dot(at, at), 1e-20));
+    float shown = textureLod(cubes[nonuniformEXT(probe.cube)], at, 0.0).a;
+    bool fits = abs(shown - expected) < kProxyFits * max(shown, expected);
+    return fits ? ProbeHit(toProxy, false, false) : kProbeNoHit;
+}
+
+ProbeHit probeHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
     if ((flags & kProbesParallax) == 0u)
-        return 1e30;
+        return ProbeHit(1e30, true, false);
     uint steps = probe.distances != 0u ? flags >> kProbesStepsShift : 0u;
-    float marched = kProbeUnseen;
-    if (steps > 0u)
-        marched = marchedDistance(probe, positionWS, directionWS, probeSearch(steps, perceptualRoughness));
-    if (marched != kProbeUnseen)
-        return marched;
-    return probe.proxyShape == kProbeNoProxy ? 1e30 : proxyDistance(probe, positionWS, directionWS);
+    float toProxy = probe.proxyShape == kProbeNoProxy ? 1e30 : proxyDistance(probe, positionWS, directionWS);
+    if (steps == 0u)
+        return ProbeHit(toProxy, true, false);
+    return marchedHit(probe, positionWS, directionWS, probeSearch(steps, perceptualRoughness),
+                      proxyGuess(probe, positionWS, directionWS, toProxy));
 }
 
 vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float surfaceToHit, float perceptualRoughness,
@@ -27,27 +37,39 @@ vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float s
     return sanitize(sanitize(radiance) * probe.strength);
 }
 
-/// Asks the probes around `weighedWS`. `ofObject`: `weighedWS` is an object's centre, which has no normal and faces
+/// How much better the environment shows the sky than the probe: texels blur a lobe that is no wider than they are, and
+/// mix the sky with the silhouettes before it. A wider lobe also sees the surfaces around, as the probe does.
+float skyIsSharper(ProbeRecord probe, float perceptualRoughness) {
+    float texel = 0.5 * kPi / float(textureSize(cubes[nonuniformEXT(probe.cube)], 0).x);
+    return 1.0 - smoothstep(1.0, 4.0, 2.0 * square(perceptualRoughness) / texel); // half of the lobe within 2 alpha
+}
+
+/// Asks the probes around `weighedWS`; the probes that only guess the hit get what the others leave. `ofObject`: `weighedWS` is an object's centre, which has no normal and faces
 /// everywhere.
 vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, vec3 directionWS,
                float perceptualRoughness, float left, uint flags) {
     uvec2 range = probesAround(weighedWS);
-    vec3 sum = vec3(0.0);
-    float total = 0.0;
-    for (uint i = range.x; i < range.y && total < left; ++i) {
+    vec4 certain = vec4(0.0); // weighted radiance, weight
+    vec4 guessed = vec4(0.0);
+    for (uint i = range.x; i < range.y && certain.a < left; ++i) {
         ProbeRecord probe = probes.list[probeLists.probe[i]];
         float weight = ofObject ? probeWeightOfObject(probe, weighedWS)
                                 : probeWeight(probe, weighedWS, normalWS, directionWS);
-        weight = min(weight, left - total);
         if (weight <= 0.0)
             continue;
-        float distance = distanceToHit(probe, positionWS, directionWS, perceptualRoughness, flags);
-        if (distance < 0.0)
+        ProbeHit hit = probeHit(probe, positionWS, directionWS, perceptualRoughness, flags);
+        weight = min(weight, left - (hit.certain ? certain.a : guessed.a));
+        float toSky = hit.sky && (flags & kProbesBeforeSky) != 0u ? weight * skyIsSharper(probe, perceptualRoughness) : 0.0;
+        left -= toSky;
+        weight -= toSky;
+        if (hit.distance < 0.0 || weight <= 0.0)
             continue;
-        sum += weight * probeRadiance(probe, positionWS, directionWS, distance, perceptualRoughness, flags);
-        total += weight;
+        vec4 answer = vec4(probeRadiance(probe, positionWS, directionWS, hit.distance, perceptualRoughness, flags), 1.0);
+        certain += hit.certain ? weight * answer : vec4(0.0);
+        guessed += hit.certain ? vec4(0.0) : weight * answer;
     }
-    return total > 0.0 ? vec4(sanitize(sum / total), total) : vec4(0.0);
+    vec4 sum = certain + guessed * min((left - certain.a) / max(guessed.a, 1e-6), 1.0);
+    return sum.a > 0.0 ? vec4(sanitize(sum.rgb / sum.a), sum.a) : vec4(0.0);
 }
 
 /// Mean radiance and weight, at most `left`. `flags`: kProbes*.

@@ -12,6 +12,7 @@ const uint kProbeHalvings = 6u;    // of a mirror's steps
 const uint kProbeFewestSteps = 4u; // of the widest lobes
 const float kProbeBias = 0.01;     // fraction of the distance: a hit nearer behind a surface may be the surface itself
 const float kProbeEdge = 0.1;      // a larger step, as a fraction of 1 / distance, separates two surfaces
+const float kProbeClear = 2.0;     // texels
 const float kProbeFarShown = 0.02; // in distances of the surface: treated as the sky, 50 times as far
 
 /// A ray from the point `from`, relative to the capture position. Its points lie in the directions (1 - u) from + u *
@@ -43,8 +44,14 @@ vec2 behindShown(ProbeRay ray, float u, bool sharply) {
     return vec2((1.0 - kProbeBias) * shown - (1.0 - u) * inversesqrt(max(dot(at, at), 1e-20)), shown);
 }
 
-const float kProbeUnseen = -1.0; // the cube does not show it
-const float kProbeHidden = -2.0; // the ray goes into the sky or far away, behind a surface
+/// What the cube knows of a ray.
+struct ProbeHit {
+    float distance; // metres, infinite for the sky; negative: no answer
+    bool certain;   // false: the hit is hidden, and this is the surface beside what hides it, continued
+    bool sky;       // the cube shows the sky there
+};
+
+const ProbeHit kProbeNoHit = ProbeHit(-1.0, false, false);
 
 /// Precision of the march: the points of one ray turn by half a circle at most, and details within the lobe around the
 /// ray are not resolved.
@@ -62,15 +69,28 @@ ProbeSearch probeSearch(uint mostSteps, float perceptualRoughness) {
     return ProbeSearch(steps, uint(clamp(ceil(log2(2.0 * turn / max(lobe, 1e-3))), 1.0, float(kProbeHalvings))));
 }
 
-/// Metres to the ray's hit, infinite for the sky; or one of the constants above.
-float marchedDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeSearch search) {
+/// Metres along the ray.
+float distanceAt(float scale, float u) {
+    return u < 1.0 ? scale * u / (1.0 - u) : 1e30;
+}
+
+/// A place on the ray at which the cube shows the surface beside the silhouette at `front`, clear of the texels that
+/// mix both; at most as far back as `last`.
+float besideSilhouette(ProbeRay ray, float front, float last) {
+    float texel = 0.5 * kPi / float(textureSize(cubes[nonuniformEXT(ray.cube)], 0).x);
+    vec3 there = normalize(mix(ray.from, ray.along, front));
+    vec3 before = normalize(mix(ray.from, ray.along, last));
+    return mix(front, last, min(kProbeClear * texel / max(distance(there, before), 1e-6), 1.0));
+}
+
+/// `unseen`: the answer where the cube does not show the ray's start.
+ProbeHit marchedHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeSearch search, ProbeHit unseen) {
     vec3 from = positionWS - probe.capturePositionWS;
     float scale = max(length(from), 1e-6);
     ProbeRay ray = ProbeRay(from, scale * directionWS, probe.cube);
     bool before = false;
     float last = 0.0;
-    float lastShown = 0.0;
-    float hidden = kProbeUnseen; // the answer if the ray does not come out again
+    ProbeHit hidden = unseen; // the answer if the ray does not come out again
     for (uint i = 0u; i <= search.steps; ++i) { // at 0: tests whether the cube shows the surface itself
         float u = float(i) / float(search.steps);
         vec2 at = behindShown(ray, u, false);
@@ -80,21 +100,21 @@ float marchedDistance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, Prob
             for (uint h = 0u; h < search.halvings; ++h) {
                 float middle = 0.5 * (front + back);
                 vec2 there = behindShown(ray, middle, true);
-                lastShown = there.x > 0.0 ? lastShown : there.y;
                 front = there.x > 0.0 ? front : middle;
                 back = there.x > 0.0 ? middle : back;
                 at = there.x > 0.0 ? there : at;
             }
-            if (at.y - lastShown < kProbeEdge * at.y)
-                return back < 1.0 ? scale * back / (1.0 - back) : 1e30;
-            // The surface beside the silhouette continues behind it.
-            hidden = lastShown * scale < kProbeFarShown ? kProbeHidden : scale * front / (1.0 - front);
+            float beside = behindShown(ray, front, true).y;
+            if (at.y - beside < kProbeEdge * at.y)
+                return ProbeHit(distanceAt(scale, back), true, back >= 1.0);
+            hidden = beside * scale < kProbeFarShown
+                         ? kProbeNoHit
+                         : ProbeHit(distanceAt(scale, besideSilhouette(ray, front, last)), false, false);
         }
         before = at.x <= 0.0;
         last = u;
-        lastShown = at.y;
     }
-    return before ? 1e30 : hidden;
+    return before ? ProbeHit(1e30, true, true) : hidden;
 }
 
 #endif
