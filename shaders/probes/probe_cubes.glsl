@@ -9,24 +9,26 @@
 const float kProxyFits = 0.5; // largest difference of 1 / distance, as a fraction of the larger one
 
 /// The proxy's answer where the cube does not show the ray's start: only where the cube shows a surface near the
-/// proxy's. In the open the proxy of a street's houses is a wall as high as the sky.
+/// proxy's. In the open the proxy of a street's houses is a wall as high as the sky. An infinite proxy always answers.
 ProbeHit proxyGuess(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float toProxy) {
+    if (toProxy > kProbeFar)
+        return ProbeHit(toProxy, false);
     vec3 at = positionWS + toProxy * directionWS - probe.capturePositionWS;
     float expected = inversesqrt(max(dot(at, at), 1e-20));
     float shown = textureLod(cubes[nonuniformEXT(probe.cube)], at, 0.0).a;
     bool fits = abs(shown - expected) < kProxyFits * max(shown, expected);
-    return fits ? ProbeHit(toProxy, false, false) : kProbeNoHit;
+    return fits ? ProbeHit(toProxy, false) : kProbeNoHit;
 }
 
 ProbeHit probeHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
     if ((flags & kProbesParallax) == 0u)
-        return ProbeHit(1e30, true, false);
+        return ProbeHit(1e30, true);
     uint steps = probe.distances != 0u ? flags >> kProbesStepsShift : 0u;
     float toProxy = probe.proxyShape == kProbeNoProxy ? 1e30 : proxyDistance(probe, positionWS, directionWS);
     if (steps == 0u)
-        return ProbeHit(toProxy, true, false);
-    return marchedHit(probe, positionWS, directionWS, probeSearch(steps, perceptualRoughness),
-                      proxyGuess(probe, positionWS, directionWS, toProxy));
+        return ProbeHit(toProxy, true);
+    ProbeHit hit = marchedHit(probe, positionWS, directionWS, probeSearch(steps, perceptualRoughness));
+    return hit == kProbeUnseen ? proxyGuess(probe, positionWS, directionWS, toProxy) : hit;
 }
 
 vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float surfaceToHit, float perceptualRoughness,
@@ -37,15 +39,8 @@ vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float s
     return sanitize(sanitize(radiance) * probe.strength);
 }
 
-/// How much better the environment shows the sky than the probe: texels blur a lobe that is no wider than they are, and
-/// mix the sky with the silhouettes before it. A wider lobe also sees the surfaces around, as the probe does.
-float skyIsSharper(ProbeRecord probe, float perceptualRoughness) {
-    float texel = 0.5 * kPi / float(textureSize(cubes[nonuniformEXT(probe.cube)], 0).x);
-    return 1.0 - smoothstep(1.0, 4.0, 2.0 * square(perceptualRoughness) / texel); // half of the lobe within 2 alpha
-}
-
-/// Asks the probes around `weighedWS`; the probes that only guess the hit get what the others leave. `ofObject`: `weighedWS` is an object's centre, which has no normal and faces
-/// everywhere.
+/// Asks the probes around `weighedWS`; guesses get the weight that certain answers leave. `ofObject`: `weighedWS` is an
+/// object's centre, which has no normal and faces everywhere.
 vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, vec3 directionWS,
                float perceptualRoughness, float left, uint flags) {
     uvec2 range = probesAround(weighedWS);
@@ -59,9 +54,6 @@ vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, ve
             continue;
         ProbeHit hit = probeHit(probe, positionWS, directionWS, perceptualRoughness, flags);
         weight = min(weight, left - (hit.certain ? certain.a : guessed.a));
-        float toSky = hit.sky && (flags & kProbesBeforeSky) != 0u ? weight * skyIsSharper(probe, perceptualRoughness) : 0.0;
-        left -= toSky;
-        weight -= toSky;
         if (hit.distance < 0.0 || weight <= 0.0)
             continue;
         vec4 answer = vec4(probeRadiance(probe, positionWS, directionWS, hit.distance, perceptualRoughness, flags), 1.0);

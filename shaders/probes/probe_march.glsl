@@ -12,7 +12,7 @@ const uint kProbeHalvings = 6u;    // of a mirror's steps
 const uint kProbeFewestSteps = 4u; // of the widest lobes
 const float kProbeBias = 0.01;     // fraction of the distance: a hit nearer behind a surface may be the surface itself
 const float kProbeEdge = 0.1;      // a larger step, as a fraction of 1 / distance, separates two surfaces
-const float kProbeClear = 2.0;     // texels
+const float kProbeClear = 2.0;     // texels from a silhouette: clear of those that mix two surfaces
 const float kProbeFarShown = 0.02; // in distances of the surface: treated as the sky, 50 times as far
 
 /// A ray from the point `from`, relative to the capture position. Its points lie in the directions (1 - u) from + u *
@@ -48,10 +48,10 @@ vec2 behindShown(ProbeRay ray, float u, bool sharply) {
 struct ProbeHit {
     float distance; // metres, infinite for the sky; negative: no answer
     bool certain;   // false: the hit is hidden, and this is the surface beside what hides it, continued
-    bool sky;       // the cube shows the sky there
 };
 
-const ProbeHit kProbeNoHit = ProbeHit(-1.0, false, false);
+const ProbeHit kProbeUnseen = ProbeHit(-1.0, false); // the cube does not show the ray's start
+const ProbeHit kProbeNoHit = ProbeHit(-2.0, false);  // the ray goes into the sky or far away, behind a surface
 
 /// Precision of the march: the points of one ray turn by half a circle at most, and details within the lobe around the
 /// ray are not resolved.
@@ -78,19 +78,18 @@ float distanceAt(float scale, float u) {
 /// mix both; at most as far back as `last`.
 float besideSilhouette(ProbeRay ray, float front, float last) {
     float texel = 0.5 * kPi / float(textureSize(cubes[nonuniformEXT(ray.cube)], 0).x);
-    vec3 there = normalize(mix(ray.from, ray.along, front));
-    vec3 before = normalize(mix(ray.from, ray.along, last));
+    vec3 there = normalizeOr(mix(ray.from, ray.along, front), vec3(0.0));
+    vec3 before = normalizeOr(mix(ray.from, ray.along, last), vec3(0.0));
     return mix(front, last, min(kProbeClear * texel / max(distance(there, before), 1e-6), 1.0));
 }
 
-/// `unseen`: the answer where the cube does not show the ray's start.
-ProbeHit marchedHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeSearch search, ProbeHit unseen) {
+ProbeHit marchedHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeSearch search) {
     vec3 from = positionWS - probe.capturePositionWS;
     float scale = max(length(from), 1e-6);
     ProbeRay ray = ProbeRay(from, scale * directionWS, probe.cube);
     bool before = false;
     float last = 0.0;
-    ProbeHit hidden = unseen; // the answer if the ray does not come out again
+    ProbeHit hidden = kProbeUnseen; // the answer if the ray does not come out again
     for (uint i = 0u; i <= search.steps; ++i) { // at 0: tests whether the cube shows the surface itself
         float u = float(i) / float(search.steps);
         vec2 at = behindShown(ray, u, false);
@@ -106,15 +105,15 @@ ProbeHit marchedHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeS
             }
             float beside = behindShown(ray, front, true).y;
             if (at.y - beside < kProbeEdge * at.y)
-                return ProbeHit(distanceAt(scale, back), true, back >= 1.0);
+                return ProbeHit(distanceAt(scale, back), true);
             hidden = beside * scale < kProbeFarShown
                          ? kProbeNoHit
-                         : ProbeHit(distanceAt(scale, besideSilhouette(ray, front, last)), false, false);
+                         : ProbeHit(distanceAt(scale, besideSilhouette(ray, front, last)), false);
         }
         before = at.x <= 0.0;
         last = u;
     }
-    return before ? ProbeHit(1e30, true, true) : hidden;
+    return before ? ProbeHit(1e30, true) : hidden;
 }
 
 #endif

@@ -50,7 +50,6 @@ struct ProbesConstants {
 
 GLINT_CONSTANT(uint, kProbesParallax, 1);          // proxies apply
 GLINT_CONSTANT(uint, kProbesDistanceRoughness, 2); // reflections of near surfaces are sharper
-GLINT_CONSTANT(uint, kProbesBeforeSky, 4);         // the environment answers for what probes leave
 
 GLINT_CONSTANT(uint, kProbesStepsShift, 8);
 

@@ -62,14 +62,12 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
     resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);
     resolved.layerTrace = layerTraceConstants(settings, levels);
-    const auto environment = static_cast<bool>(host_.images.environment);
-    resolved.refraction = refractionConstants(settings, probes() != nullptr, environment);
+    resolved.refraction =
+        refractionConstants(settings, probes() != nullptr, static_cast<bool>(host_.images.environment));
     if (usesRays())
         resolved.rays = raysSource_->constants(host_.images, hierarchy_->before(shared::kSourceRays));
     resolved.planar = PlanarSource::constants(settings, hierarchy_->before(shared::kSourcePlanar));
-    const uint32_t beforeProbes = hierarchy_->before(shared::kSourceProbes);
-    const bool skyFollows = environment && settings.sky.enabled && (beforeProbes & 1u << shared::kSourceSky) == 0;
-    resolved.probes = {probeFlags(settings, skyFollows), beforeProbes};
+    resolved.probes = {probeFlags(settings), hierarchy_->before(shared::kSourceProbes)};
     resolved.hierarchy = hierarchy_->constants();
     resolved.blur = blurConstants(settings);
     if (denoisesLobes())

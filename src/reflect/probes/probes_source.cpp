@@ -17,11 +17,10 @@ Result<void> ProbesSource::setProbes(ProbesState& probes) {
     return {};
 }
 
-uint32_t probeFlags(const Settings& settings, bool skyFollows) {
+uint32_t probeFlags(const Settings& settings) {
     return static_cast<uint32_t>(settings.probes.steps) << shared::kProbesStepsShift |
            (settings.probes.parallax ? shared::kProbesParallax : 0) |
-           (settings.probes.distanceRoughness ? shared::kProbesDistanceRoughness : 0) |
-           (skyFollows ? shared::kProbesBeforeSky : 0);
+           (settings.probes.distanceRoughness ? shared::kProbesDistanceRoughness : 0);
 }
 
 void ProbesSource::record(gpu::Frame& frame, const ProbesInputs& inputs) {

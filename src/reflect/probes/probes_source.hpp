@@ -15,8 +15,8 @@ struct ProbesInputs {
     EarlierAnswers earlier;
 };
 
-/// Returns the flags kProbes*, for every pass that samples probes. `skyFollows`: the environment follows.
-uint32_t probeFlags(const Settings& settings, bool skyFollows);
+/// Returns the flags kProbes*, for every pass that samples probes.
+uint32_t probeFlags(const Settings& settings);
 
 /// Created when a host first provides probes.
 class ProbesSource {

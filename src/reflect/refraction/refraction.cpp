@@ -51,7 +51,7 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     flag(wanted.screen, shared::kLayerScreen);
     flag(probes && settings.probes.enabled, shared::kLayerProbes);
     flag(environment && settings.sky.enabled, shared::kLayerSky);
-    constants.probeFlags = probeFlags(settings, environment && settings.sky.enabled);
+    constants.probeFlags = probeFlags(settings);
     return constants;
 }
 
