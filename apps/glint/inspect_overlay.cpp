@@ -158,7 +158,8 @@ Float3 decisionColor(std::string_view decision) {
         {"front", {{0.35f, 0.75f, 1.0f}}},   {"behind", {{0.65f, 0.4f, 1.0f}}},   {"empty", {{0.6f, 0.65f, 0.7f}}},
         {"lookInto", {{1.0f, 0.85f, 0.2f}}}, {"passes", {{1.0f, 0.55f, 0.15f}}},  {"hit", {{0.2f, 0.95f, 0.3f}}},
         {"side", {{0.75f, 0.9f, 0.1f}}},     {"backFace", {{0.7f, 0.45f, 0.2f}}}, {"grazes", {{0.85f, 0.75f, 0.6f}}},
-        {"nearly", {{1.0f, 0.35f, 0.9f}}},   {"places", {{1.0f, 1.0f, 1.0f}}},
+        {"nearly", {{1.0f, 0.35f, 0.9f}}},   {"places", {{1.0f, 1.0f, 1.0f}}},    {"inferred", {{0.75f, 1.0f, 0.8f}}},
+        {"beside", {{0.6f, 0.8f, 0.7f}}},
     };
     for (const auto& [name, color] : kColors)
         if (name == decision)

@@ -31,6 +31,8 @@ struct RaySample {
     /// grazes            the ray is in the slab of the surface that it starts from
     /// nearly            a slab twice as thick would give a hit
     /// places            fetched only to locate a hit exactly
+    /// inferred          the ray crosses a surface behind the occluder that the pixel shows
+    /// beside            fetched only to find that surface beside the occluder
     std::string_view decision;
 };
 

@@ -40,6 +40,9 @@
     SETTING(float, thicknessRelative, 0.01f, "[0, 1]", "of viewZ",                                                     \
         "Slab behind each depth sample, as a fraction of its distance; used by thicknessMode relative only",           \
         "hdrp:depthBufferThickness")                                                                                   \
+    SETTING(float, inferred, 1, "[0, 1]", "",                                                                          \
+        "Weight of answers for rays that crossed a surface behind an occluder, from what shows of it beside; 0: off",  \
+        "")                                                                                                            \
     SETTING(int, selfCollisionSkip, 0, "[0, 16]", "iterations",                                                        \
         "Iterations at a ray's start that ignore hits, so that a surface does not hit itself; 0: none",                \
         "babylon:selfCollisionNumSkip")                                                                                \

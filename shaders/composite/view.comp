@@ -45,13 +45,13 @@ vec3 sourceColor(uvec2 shares) {
     return color;
 }
 
-/// Unity HDRP's colours; what answers from a surface's side or back is neither of the two.
+/// Unity HDRP's colours; answers that are no hits are neither of the two.
 vec3 successColor(uint outcome) {
     if (outcome == kOutcomeNone || outcome >= kOutcomeBelowThreshold)
         return vec3(0.0);
-    if (outcome == kOutcomeSide || outcome == kOutcomeBackFace)
-        return vec3(0.95, 0.85, 0.4);
-    return outcome == kOutcomeHit ? vec3(0.55, 0.95, 0.55) : vec3(0.6, 0.8, 1.0);
+    if (outcome == kOutcomeHit)
+        return vec3(0.55, 0.95, 0.55);
+    return isAnswered(outcome) ? vec3(0.95, 0.85, 0.4) : vec3(0.6, 0.8, 1.0);
 }
 
 vec3 rayDirectionWS(ivec2 px, Surface here, float z) {

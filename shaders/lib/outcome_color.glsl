@@ -27,6 +27,8 @@ vec3 outcomeColor(RayRecord ray, uint maxSteps) {
         return vec3(0.45, 0.3, 0.15);
     case kOutcomeSide:
         return vec3(0.45, 0.75, 0.1);
+    case kOutcomeInferred:
+        return vec3(0.75, 1.0, 0.8);
     case kOutcomeBelowThreshold:
         return vec3(0.15);
     case kOutcomeTooRough:

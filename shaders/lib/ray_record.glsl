@@ -16,7 +16,8 @@ struct RayRecord {
 
 /// Did the ray bring back a colour?
 bool isAnswered(uint outcome) {
-    return outcome == kOutcomeHit || outcome == kOutcomeSide || outcome == kOutcomeBackFace;
+    return outcome == kOutcomeHit || outcome == kOutcomeSide || outcome == kOutcomeBackFace ||
+           outcome == kOutcomeInferred;
 }
 
 uvec2 packRayRecord(RayRecord ray) {

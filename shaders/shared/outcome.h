@@ -19,10 +19,12 @@ GLINT_CONSTANT(uint, kOutcomeTooThick, 8);     // the same, but a slab of twice 
                                                // says hidden where it passed in cells and not in pixels)
 GLINT_CONSTANT(uint, kOutcomeBackFace, 9);     // met a surface from its unseen side
 GLINT_CONSTANT(uint, kOutcomeSide, 10);        // ran into the slab behind a surface: answered with its front's colour
-GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 11); // not traced: reflects too little
-GLINT_CONSTANT(uint, kOutcomeTooRough, 12);       // not traced: rougher than reflect.maxRoughness
-GLINT_CONSTANT(uint, kOutcomeFacingCamera, 13);   // not traced: fade.facingCamera leaves nothing of it
-GLINT_CONSTANT(uint, kOutcomeCount, 14);
+GLINT_CONSTANT(uint, kOutcomeInferred, 11);    // crossed a surface unseen, behind an occluder: answered with the
+                                               // nearest that is seen of it
+GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 12); // not traced: reflects too little
+GLINT_CONSTANT(uint, kOutcomeTooRough, 13);       // not traced: rougher than reflect.maxRoughness
+GLINT_CONSTANT(uint, kOutcomeFacingCamera, 14);   // not traced: fade.facingCamera leaves nothing of it
+GLINT_CONSTANT(uint, kOutcomeCount, 15);
 
 GLINT_CONSTANT(uint, kMaxLookups, 4095); // as a ray record stores them: more reads count as this many
 

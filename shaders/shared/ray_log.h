@@ -18,8 +18,10 @@ GLINT_CONSTANT(uint, kSampleSide, 6);
 GLINT_CONSTANT(uint, kSampleBackFace, 7);
 GLINT_CONSTANT(uint, kSampleGrazes, 8);
 GLINT_CONSTANT(uint, kSampleNearly, 9);
-GLINT_CONSTANT(uint, kSamplePlaces, 10); // the neighbour that contains the hit's exact place
-GLINT_CONSTANT(uint, kSampleDecisionCount, 11);
+GLINT_CONSTANT(uint, kSamplePlaces, 10);   // the neighbour that contains the hit's exact place
+GLINT_CONSTANT(uint, kSampleInferred, 11); // a surface was crossed there, behind the occluder that the pixel shows
+GLINT_CONSTANT(uint, kSampleBeside, 12);   // read only to see whether that surface shows beside the occluder
+GLINT_CONSTANT(uint, kSampleDecisionCount, 13);
 
 struct LoggedSample {
     float2 px;
@@ -38,7 +40,8 @@ GLINT_CONSTANT(uint, kLoggedDistance, 3);
 GLINT_CONSTANT(uint, kLoggedIterations, 4);
 GLINT_CONSTANT(uint, kLoggedFacingCamera, 5);
 GLINT_CONSTANT(uint, kLoggedBackface, 6);
-GLINT_CONSTANT(uint, kLoggedFadeCount, 7);
+GLINT_CONSTANT(uint, kLoggedInferred, 7);
+GLINT_CONSTANT(uint, kLoggedFadeCount, 8);
 
 struct LoggedSource {
     uint answered; // 1: the fields below are set

@@ -24,6 +24,7 @@ struct TraceConstants {
     uint baseSteps;
     float pixelSpacing;
     uint refinements;
+    float inferredWeight; // of answers with outcome inferred; 0: none
 };
 
 GLINT_CONSTANT(uint, kTraceSmooth, 1);

@@ -159,6 +159,21 @@ uint endedOnScreen(ScreenRay ray, float sceneZ, bool behind, bool nearlyThickEno
 
 /// Did the ray go behind something that the picture shows? What it would have met there is not known.
 bool passedBehind = false;
+/// Where on its line the ray first did; 1: nowhere.
+float firstBehind = 1.0;
+
+void passBehind(float share) {
+    passedBehind = true;
+    firstBehind = min(firstBehind, share);
+}
+
+/// Where the ray crosses a plane, from its heights over the plane at two places: in front of it, and behind it.
+float crossingShare(ScreenRay ray, float fromShare, float heightFrom, float share, float height) {
+    // Heights are linear along the ray in 3D; over w, on screen.
+    float from = heightFrom * mix(ray.startInvW, ray.endInvW, fromShare);
+    float here = height * mix(ray.startInvW, ray.endInvW, share);
+    return mix(fromShare, share, clamp(from / max(from - here, 1e-30), 0.0, 1.0));
+}
 
 uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     ivec2 px = ivec2(s.px);
@@ -176,10 +191,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     bool own = isOwnSurface(surfaceVS, normalVS, r);
     bool faces = facesRay(normalVS, own, r);
     if (faces && heightFrom >= -planeSlack(normalVS, s.sceneZ)) {
-        // Heights are linear along the ray in 3D; over w, on screen.
-        float from = heightFrom * mix(r.screen.startInvW, r.screen.endInvW, fromShare);
-        float here = heightHere * mix(r.screen.startInvW, r.screen.endInvW, s.share);
-        float share = mix(fromShare, s.share, clamp(from / max(from - here, 1e-30), 0.0, 1.0));
+        float share = crossingShare(r.screen, fromShare, heightFrom, s.share, heightHere);
         if (isEdgeOn(normalVS, surfaceVS)) {
             // The rim of something closed: its plane goes on behind it, the thing does not.
             float backZ = backOf(s.px, s.sceneZ, lookups);
@@ -209,7 +221,8 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
 uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     vec2 px = s.px;
     uint met = testSurface(r, fromShare, s, lookups);
-    passedBehind = passedBehind || met == kPasses || met == kNearlyMeets;
+    if (met == kPasses || met == kNearlyMeets)
+        passBehind(s.share);
     logDecision(px, kSamplePasses + (met == kInFront ? kPasses : met)); // in the same order
     return met;
 }

@@ -88,7 +88,8 @@ Quarter firstQuarter(Line line, Cell cell, int level, ivec2 px, float share, flo
             ivec2 high = min((child + 1) << (level - 1), ivec2(frame.constants.size)) - 1;
             return Quarter(true, to, clamp(ivec2(floor(line.startPX + line.deltaPX * to)), low, high));
         }
-        passedBehind = passedBehind || (behind && solid.x <= solid.y);
+        if (behind && solid.x <= solid.y)
+            passBehind(share);
         if (leave >= last)
             break;
         ivec2 next = enterNext(line, child, level - 1, leave, overX);
@@ -150,7 +151,8 @@ March march(Ray r) {
                 bool inFront = min(aboveFirst, aboveLast) >= -rounding;
                 // Starts a pixel earlier, as tests of single pixels do.
                 bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
-                passedBehind = passedBehind || (behind && !inFront);
+                if (behind && !inFront)
+                    passBehind(share);
                 logCell(ray, share, cell, level, start + slope * share - aboveFirst, bounds.slab,
                         inFront  ? kSampleFront
                         : behind ? kSampleBehind

@@ -47,11 +47,21 @@ void logSlab(vec2 px, float slabZ) {
         rayLog.samples[i].slabZ = slabZ;
 }
 
-/// Logs the neighbour of a hit, tested for the same surface.
-void logPlace(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
+/// Logs one depth sample of a pixel that the ray need not pass, with the reason why it was read.
+void logOther(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ, uint decision) {
     logSample(ray, share, px, rayZ, sceneZ);
     if (rayLog.header.sampleCount <= kMaxLoggedSamples)
-        rayLog.samples[rayLog.header.sampleCount - 1u].decision = kSamplePlaces;
+        rayLog.samples[rayLog.header.sampleCount - 1u].decision = decision;
+}
+
+/// Logs the neighbour of a hit, tested for the same surface.
+void logPlace(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
+    logOther(ray, share, px, rayZ, sceneZ, kSamplePlaces);
+}
+
+/// Logs a pixel beside an occluder, tested for the surface that a ray crossed behind it.
+void logBeside(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {
+    logOther(ray, share, px, rayZ, sceneZ, kSampleBeside);
 }
 
 /// Logs one read of a cell. `nearness`: of the cell's plane where the ray enters the cell. `slab`: as in
@@ -127,6 +137,7 @@ void logSample(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {}
 void logDecision(vec2 px, uint decision) {}
 void logSlab(vec2 px, float slabZ) {}
 void logPlace(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {}
+void logBeside(ScreenRay ray, float share, vec2 px, float rayZ, float sceneZ) {}
 void logCell(ScreenRay ray, float share, ivec2 cell, int level, float nearness, float slab, uint decision) {}
 void logCellDecision(uint decision) {}
 float logFade(uint fade, float factor) {

@@ -20,6 +20,7 @@
 #include "lib/noise.glsl"
 #include "lib/trace_pixel.glsl"
 #include "trace/hit_color.glsl"
+#include "trace/infer.glsl"
 #include "trace/ray_inputs.glsl"
 #include "trace/traced.glsl"
 
@@ -44,6 +45,8 @@ float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float percept
         weight *= logFade(kLoggedIterations, fadeIterations(float(end.iterations), float(settings.maxSteps)));
     if (isOn(kFadeFacingCamera))
         weight *= logFade(kLoggedFacingCamera, fadeFacingCamera(VoR));
+    if (end.outcome == kOutcomeInferred)
+        weight *= logFade(kLoggedInferred, settings.inferredWeight);
     if (isOn(kFadeBackface)) {
         vec3 hitNormalVS = unpackSurface(texelFetch(surface, ivec2(end.hitPX), 0).xy).normalVS;
         weight *= logFade(kLoggedBackface, fadeBackface(dot(hitNormalVS, -ray.directionVS)));
@@ -81,6 +84,8 @@ void main() {
         ray.directionVS = jitter(ray.directionVS, px, origin);
     ray.screen = makeScreenRay(frame.constants, ray.originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);
+    if (!isAnswered(end.outcome) && firstBehind < end.share && settings.inferredWeight > 0.0)
+        inferCrossing(ray, end);
 
     bool hit = isAnswered(end.outcome);
     vec2 endPX = hit ? end.hitPX : ray.screen.startPX + ray.screen.deltaPX * end.share;

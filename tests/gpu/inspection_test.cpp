@@ -133,8 +133,7 @@ protected:
         ASSERT_EQ(found.outcome, reflect::kOutcomeNames[outcome]);
         ASSERT_EQ(found.traced, reflect::isTraced(outcome)) << found.whyNoRay;
         EXPECT_EQ(found.hit, outcome == shared::kOutcomeHit);
-        EXPECT_EQ(found.answered, outcome == shared::kOutcomeHit || outcome == shared::kOutcomeSide ||
-                                      outcome == shared::kOutcomeBackFace);
+        EXPECT_EQ(found.answered, reflect::isAnswered(outcome));
         if (!found.traced) {
             EXPECT_TRUE(found.samples.empty());
             EXPECT_FALSE(found.whyNoRay.empty());
@@ -391,8 +390,7 @@ TEST_F(InspectionTest, ViewsTellHitsFromSidesAndMisses) {
     for (size_t i = 0; i < ray.size(); i += 4) {
         const auto outcome = static_cast<uint32_t>(ray[i + 2]);
         colors[outcome] = {success[i], success[i + 1], success[i + 2]};
-        const bool answered =
-            outcome == shared::kOutcomeHit || outcome == shared::kOutcomeSide || outcome == shared::kOutcomeBackFace;
+        const bool answered = reflect::isAnswered(outcome);
         const auto x = static_cast<size_t>(ray[i] * kWidth);
         const auto y = static_cast<size_t>(ray[i + 1] * kHeight);
         EXPECT_EQ(hitDepth[i], answered ? depth[(y * kWidth + x) * 4] : 0);

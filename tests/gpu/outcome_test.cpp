@@ -315,6 +315,78 @@ TEST_P(OutcomeTest, backFace) {
               50u);
 }
 
+/// A card floats between the camera and the places on the wall where rays hit it.
+Stage wallBehindCard() {
+    Stage scene = floorAndWall();
+    scene.cards.push_back({.low = {-1, 0.35}, .high = {1, 0.8}, .z = -1});
+    return scene;
+}
+
+/// Where the ray hits the wall, if the card surely hides that place and the ray passes far behind the card.
+std::optional<glm::dvec3> crossesUnseen(const Stage& scene, const SyntheticCamera& camera, const MirrorRay& ray) {
+    const auto t = scene.cards[0].distance(ray.start, ray.direction);
+    if (!t || ray.start.z > -1.15)
+        return std::nullopt;
+    const glm::dvec3 crossing = ray.start + ray.direction * *t;
+    for (const glm::dvec3& off : {glm::dvec3(0.1, 0, 0), {-0.1, 0, 0}, {0, 0.1, 0}, {0, -0.1, 0}})
+        if (!scene.cards[1].distance(camera.position, glm::normalize(crossing + off - camera.position)))
+            return std::nullopt;
+    return crossing;
+}
+
+TEST_P(OutcomeTest, aWallBehindAnOccluderIsInferred) {
+    if (!technique().walks)
+        GTEST_SKIP() << "it does not look at what is on the way";
+    const SyntheticCamera camera;
+    const Stage scene = wallBehindCard();
+    for (const float weight : {1.0f, 0.25f, 0.0f}) {
+        Settings changed = settings();
+        changed.screen.inferred = weight;
+        const Picture picture = show(scene, camera, changed);
+        size_t unseen = 0;
+        size_t inferred = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
+            const auto crossing = ray ? crossesUnseen(scene, camera, *ray) : std::nullopt;
+            if (!crossing)
+                continue;
+            ++unseen;
+            ASSERT_FALSE(picture.hit(i)) << i << ": the place is hidden";
+            if (picture.outcome(i) != shared::kOutcomeInferred)
+                continue;
+            ++inferred;
+            const double length = glm::distance(*crossing, ray->start);
+            ASSERT_NEAR(picture.hitDistance[i * 4], length, 0.01 * length) << i;
+            ASSERT_EQ(picture.weight[i * 4], weight) << i;
+            // The answer's pixel shows the wall, near the hidden place.
+            const glm::uvec2 px(picture.hitPX(i));
+            const glm::dvec3 toPixel = camera.rayThrough(px.x, px.y, kWidth, kHeight);
+            ASSERT_FALSE(scene.cards[1].distance(camera.position, toPixel)) << i;
+            const auto toWall = scene.cards[0].distance(camera.position, toPixel);
+            ASSERT_TRUE(toWall) << i;
+            ASSERT_LT(glm::distance(camera.position + toPixel * *toWall, *crossing), 0.75) << i;
+        }
+        EXPECT_GT(unseen, 100u);
+        EXPECT_GE(inferred, weight > 0 ? unseen * 9 / 10 : 0);
+        EXPECT_EQ(picture.counted("inferred") > 0, weight > 0);
+    }
+}
+
+TEST_P(OutcomeTest, nothingIsInferredWhereNoSurfaceShowsBesideTheOccluder) {
+    const SyntheticCamera camera;
+    Stage scene = wallBehindCard();
+    scene.cards.erase(scene.cards.begin());
+    Settings changed = settings();
+    changed.screen.inferred = 1;
+    EXPECT_EQ(show(scene, camera, changed).counted("inferred"), 0u) << "the card alone";
+
+    // A smaller card that the first hides whole.
+    scene = wallBehindCard();
+    scene.cards[0].low = {-0.2, 0.3};
+    scene.cards[0].high = {0.2, 0.4};
+    EXPECT_EQ(show(scene, camera, changed).counted("inferred"), 0u) << "no pixel shows it";
+}
+
 TEST_P(OutcomeTest, unseenSidesFade) {
     // The wall's normal faces away, as on an object's hidden side. A ray that ends behind the wall ended in its slab
     // (backFace) or, where its samples miss the slab, farther behind (hidden).

@@ -16,9 +16,10 @@ namespace {
 static_assert(kMaxRaySamples == shared::kMaxLoggedSamples);
 
 constexpr std::array<std::string_view, shared::kSampleDecisionCount> kDecisionNames = {
-    "front", "behind", "empty", "lookInto", "passes", "hit", "side", "backFace", "grazes", "nearly", "places"};
+    "front",    "behind", "empty",  "lookInto", "passes",   "hit",   "side",
+    "backFace", "grazes", "nearly", "places",   "inferred", "beside"};
 constexpr std::array<std::string_view, shared::kLoggedFadeCount> kFadeNames = {
-    "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface"};
+    "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface", "inferred"};
 
 constexpr std::array<std::string_view, shared::kProbeNoProxy + 1> kProxyNames = {"box", "sphere", "none"};
 

@@ -77,6 +77,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
     constants.pixelSpacing = settings.adaptive.pixelSpacing;
     constants.refinements = static_cast<uint32_t>(settings.adaptive.refinements);
+    constants.inferredWeight = settings.screen.inferred;
     constants.step = static_cast<uint32_t>(settings.screen.step);
     constants.selfCollisionSkip = static_cast<uint32_t>(settings.screen.selfCollisionSkip);
     constants.roughnessFadeStart = settings.reflect.roughnessFadeStart;

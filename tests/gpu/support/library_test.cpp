@@ -19,6 +19,7 @@ uint32_t Picture::outcome(size_t pixel) const {
         {shared::kOutcomeTooThick, {0.9f, 0.3f, 0.9f}},
         {shared::kOutcomeBackFace, {0.45f, 0.3f, 0.15f}},
         {shared::kOutcomeSide, {0.45f, 0.75f, 0.1f}},
+        {shared::kOutcomeInferred, {0.75f, 1, 0.8f}},
         {shared::kOutcomeBelowThreshold, {0.15f, 0.15f, 0.15f}},
         {shared::kOutcomeTooRough, {0.3f, 0.3f, 0.3f}},
         {shared::kOutcomeFacingCamera, {0, 0.5f, 0.5f}},
@@ -56,6 +57,7 @@ Settings LibraryTest::plainSettings(March march) {
     settings.fade.border = FadeBorder::None_;
     settings.screen.thicknessMode = ThicknessMode::Constant;
     settings.screen.thickness = 0.1f;
+    settings.screen.inferred = 0;
     settings.screen.selfCollisionSkip = 1;
     settings.reflect.roughnessFadeStart = 0.3f;
     settings.reflect.maxRoughness = 0.6f;

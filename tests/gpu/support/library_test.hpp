@@ -3,7 +3,7 @@
 
 #include "gpu/support/synthetic_gbuffer.hpp"
 
-#include "shared/outcome.h"
+#include "reflect/trace/outcomes.hpp"
 
 namespace glint::test {
 
@@ -31,10 +31,8 @@ struct Picture {
     /// kOutcome*, from its colour; every outcome has its own colour.
     uint32_t outcome(size_t pixel) const;
     bool hit(size_t pixel) const { return outcome(pixel) == shared::kOutcomeHit; }
-    /// True if the ray took the colour of its hit: a front, or the slab behind one.
-    bool answered(size_t pixel) const {
-        return hit(pixel) || outcome(pixel) == shared::kOutcomeSide || outcome(pixel) == shared::kOutcomeBackFace;
-    }
+    /// True if the ray has an answer: a front, the slab behind one, or a surface behind an occluder.
+    bool answered(size_t pixel) const { return reflect::isAnswered(outcome(pixel)); }
     /// Number of pixels with this outcome in the statistics.
     uint64_t counted(std::string_view outcome) const;
     double meanWeight() const;
