@@ -97,6 +97,8 @@ Result<void> checkFolder(std::string_view option, const std::string& file) {
 void addSceneOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--camera", options.camera, "Camera: a file, a name in the scene or an index");
     command.add_option("--env", options.environment, "Environment: an .hdr or .exr file, sky or none");
+    command.add_option("--materials", options.materials,
+                       "Material overrides: a JSON file, or none (default: SCENE.materials.json, if there is one)");
     command.add_option("--time", options.time, "Seconds into the scene's animations")->capture_default_str();
     command.add_option("--seed", options.seed, "Seed of the rays' noise")->capture_default_str();
     command.add_option("--device", options.device, "Part of a device's name, or an index (glint devices)");
@@ -155,6 +157,7 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     job.scene = options.scene;
     job.camera = options.camera;
     job.environment = options.environment;
+    job.materials = options.materials;
     job.probes = options.probes;
     GLINT_TRY(planar, mirrorSearch(options.planar));
     job.planar = planar;

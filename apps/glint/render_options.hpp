@@ -18,6 +18,7 @@ struct RenderOptions {
     std::string output = "out.png";
     std::string camera;
     std::string environment;
+    std::string materials;
     std::string probes;
     std::string planar = "none";
     std::string size;

@@ -52,14 +52,29 @@ Result<GpuScene> GpuScene::create(gpu::Context& context, const scene::Scene& sce
     GpuScene result;
     GLINT_TRY(textures, GpuTextures::create(context, scene));
     result.textures_ = std::move(textures);
-    std::vector<shared::Material> materials;
-    for (const scene::Material& material : scene.materials)
-        materials.push_back(gpuMaterial(material, result.textures_));
-    materials.push_back(gpuMaterial(scene::Material(), result.textures_));
-    GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/materials", materials, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
-    result.materials_ = std::move(buffer);
+    GLINT_CHECK(result.uploadMaterials(context, scene));
     GLINT_CHECK(result.setPose(context, scene, pose));
     return result;
+}
+
+Result<void> GpuScene::uploadMaterials(gpu::Context& context, const scene::Scene& scene) {
+    std::vector<shared::Material> materials;
+    for (const scene::Material& material : scene.materials)
+        materials.push_back(gpuMaterial(material, textures_));
+    materials.push_back(gpuMaterial(scene::Material(), textures_));
+    GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/materials", materials, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    materials_ = std::move(buffer);
+    return {};
+}
+
+Result<bool> GpuScene::setMaterials(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose) {
+    if (!textures_.holds(scene))
+        return false;
+    const bool transmitted = transmitsLight_;
+    GLINT_CHECK(uploadMaterials(context, scene));
+    lastShapes_.clear(); // a body's shape depends on its material
+    GLINT_CHECK(uploadInstances(context, scene, pose));
+    return transmitted == transmitsLight_;
 }
 
 Result<void> GpuScene::setPose(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose) {
@@ -129,7 +144,8 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.surface = surfaceClass(material);
         out.doubleSided = material.doubleSided;
         // Decided once: the shape of moving and deforming objects does not change.
-        const BodyShape shape = moved ? lastShapes_[i] : bodyShape(material, *item.geometry);
+        const bool known = moved && lastShapes_.size() == pose.items.size();
+        const BodyShape shape = known ? lastShapes_[i] : bodyShape(material, *item.geometry);
         shapes.push_back(shape);
         out.isBody = shape != BodyShape::Straight;
         transmitsLight_ |= render::transmitsLight(material);

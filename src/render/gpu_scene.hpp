@@ -34,6 +34,10 @@ public:
     /// frame while anything moves, and once more when it stops. Errors: OutOfMemory, DeviceLost.
     Result<void> setPose(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
 
+    /// Call after the scene's materials have changed; their number must be the same. Returns false if a new GpuScene
+    /// and new passes are needed: for other textures, or for the first or no transmissive surface. Errors: as create.
+    Result<bool> setMaterials(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
+
     const std::vector<GpuItem>& items() const { return items_; }
     bool transmitsLight() const { return transmitsLight_; } ///< at least one item is transmissive
     const scene::Bounds& boundsWS() const { return boundsWS_; }
@@ -54,6 +58,7 @@ private:
         int prevVertexDelta = 0;
     };
 
+    Result<void> uploadMaterials(gpu::Context& context, const scene::Scene& scene);
     Result<void> uploadGeometry(gpu::Context& context, const scene::Pose& pose);
     Result<void> uploadInstances(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
 

@@ -77,6 +77,16 @@ Result<GpuTextures> GpuTextures::create(gpu::Context& context, const scene::Scen
     return result;
 }
 
+bool GpuTextures::holds(const scene::Scene& scene) const {
+    bool all = true;
+    for (const scene::Material& material : scene.materials)
+        visitTextureSlots(material, [&](const scene::TextureSlot& slot, TextureKind kind) {
+            all &= slot.texture < 0 || scene.textures[size_t(slot.texture)].image < 0 ||
+                   indices_.contains({slot.texture, kind});
+        });
+    return all;
+}
+
 uint32_t GpuTextures::index(const scene::TextureSlot& slot, TextureKind kind) const {
     const auto found = indices_.find({slot.texture, kind});
     return found == indices_.end() ? shared::kNoTexture : found->second;

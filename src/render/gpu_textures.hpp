@@ -21,6 +21,8 @@ public:
     /// InvalidInput for an image larger than the device supports.
     static Result<GpuTextures> create(gpu::Context& context, const scene::Scene& scene);
 
+    /// True if every texture of the scene's materials that can be read is in the table.
+    bool holds(const scene::Scene& scene) const;
     /// Returns the index into the table; shared::kNoTexture if the slot is empty or its image could not be read.
     uint32_t index(const scene::TextureSlot& slot, TextureKind kind) const;
     const gpu::TextureTable& table() const { return table_; }

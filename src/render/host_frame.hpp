@@ -39,6 +39,8 @@ public:
     /// Returns true if `reflections` has been updated. Returns false if the sources were replaced: new Reflections must
     /// receive them through giveSources.
     virtual Result<bool> setTime(double seconds, Reflections& reflections) = 0;
+    /// Replaces the overrides of the scene's materials. Returns as setTime.
+    virtual Result<bool> setMaterials(const scene::MaterialOverrides& overrides, Reflections& reflections) = 0;
     /// Returns the same host with all device objects recreated for `library`. On success, this object is not drawn with
     /// again.
     virtual Result<std::unique_ptr<HostFrame>> remade(Context& library) = 0;

@@ -59,7 +59,40 @@ std::string defaultEnvironment(std::string_view scene) {
     return "sky";
 }
 
+/// Returns the file to read; empty: none.
+std::string materialFile(const RenderJob& job) {
+    if (!job.materials.empty())
+        return job.materials == kNoMaterials ? std::string() : job.materials;
+    const std::string beside = materialFileFor(job.scene);
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(beside, ignored) ? beside : std::string();
+}
+
+Result<void> loadMaterials(const RenderJob& job, JobInputs& inputs) {
+    inputs.fileMaterials = inputs.scene->materials;
+    const std::string file = materialFile(job);
+    if (file.empty())
+        return {};
+    GLINT_TRY(overrides, scene::readMaterialFile(file, *inputs.scene));
+    GLINT_CHECK(scene::loadTextures(overrides, *inputs.scene));
+    setMaterials(inputs, overrides);
+    inputs.notes.push_back(fmt::format("{} of the scene's {} materials are from {}", overrides.size(),
+                                       inputs.fileMaterials.size(), printable(file)));
+    return {};
+}
+
 } // namespace
+
+std::string materialFileFor(const std::string& scene) {
+    return (isBuiltin(scene) ? scene.substr(kBuiltinPrefix.size()) : scene) + ".materials.json";
+}
+
+void setMaterials(JobInputs& inputs, const scene::MaterialOverrides& overrides) {
+    inputs.overrides = overrides;
+    inputs.scene->materials = inputs.fileMaterials;
+    for (const auto& [index, override] : overrides)
+        inputs.scene->materials[index] = scene::overridden(inputs.fileMaterials[index], override);
+}
 
 Result<JobInputs> loadJobInputs(const RenderJob& job) {
     JobInputs inputs;
@@ -68,6 +101,7 @@ Result<JobInputs> loadJobInputs(const RenderJob& job) {
         return Error{scene.error().code == ErrorCode::Unsupported ? ErrorCode::InvalidInput : scene.error().code,
                      scene.error().message};
     inputs.scene = std::make_unique<scene::Scene>(std::move(scene).value());
+    GLINT_CHECK(loadMaterials(job, inputs));
     GLINT_TRY(pose, scene::pose(*inputs.scene, job.time));
     inputs.pose = std::move(pose);
 

@@ -66,6 +66,16 @@ SurfaceMaterial surfaceMaterial(const GpuScene& gpuScene, const scene::Material&
     return out;
 }
 
+/// The last one is glTF's default.
+std::vector<SurfaceMaterial> surfaceMaterials(const GpuScene& gpuScene, const scene::Scene& scene) {
+    const scene::Material defaultMaterial;
+    std::vector<SurfaceMaterial> materials;
+    for (const scene::Material& material : scene.materials)
+        materials.push_back(surfaceMaterial(gpuScene, material));
+    materials.push_back(surfaceMaterial(gpuScene, defaultMaterial));
+    return materials;
+}
+
 SurfaceLight surfaceLight(const shared::Light& light) {
     SurfaceLight out;
     out.kind = light.type == shared::kLightDirectional ? SurfaceLightKind::Directional
@@ -165,11 +175,7 @@ Result<RayWorld> RayWorld::create(gpu::Context& context, Context& library, GpuSc
         mesh.deforms = part.deforms;
         rayMeshes.push_back(mesh);
     }
-    const scene::Material defaultMaterial;
-    std::vector<SurfaceMaterial> materials;
-    for (const scene::Material& material : scene.materials)
-        materials.push_back(surfaceMaterial(gpuScene, material));
-    materials.push_back(surfaceMaterial(gpuScene, defaultMaterial));
+    const std::vector<SurfaceMaterial> materials = surfaceMaterials(gpuScene, scene);
     std::vector<SurfaceTexture> textures;
     for (const VkDescriptorImageInfo& entry : gpuScene.textures().entries())
         textures.push_back({entry.imageView, entry.sampler});
@@ -215,6 +221,11 @@ Result<bool> RayWorld::setPose(GpuScene& gpuScene, const scene::Scene& scene, co
     GLINT_CHECK(surfaces_.setInstances(all.instances));
     parts_ = std::move(all.parts);
     return true;
+}
+
+Result<void> RayWorld::setMaterials(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose) {
+    GLINT_CHECK(surfaces_.setMaterials(surfaceMaterials(gpuScene, scene)));
+    return rays_.setInstances(gather(gpuScene, scene, pose).rayInstances); // some may have become transparent
 }
 
 void RayWorld::bindForShadows(gpu::Pass& pass) {

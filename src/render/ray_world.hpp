@@ -26,6 +26,9 @@ public:
     /// be created. Errors: OutOfMemory.
     Result<bool> setPose(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose);
 
+    /// Call after GpuScene::setMaterials has returned true. Errors: OutOfMemory.
+    Result<void> setMaterials(GpuScene& gpuScene, const scene::Scene& scene, const scene::Pose& pose);
+
     /// Call before the first frame and after changes.
     void record(VkCommandBuffer commands) {
         rays_.record(commands);

@@ -100,6 +100,19 @@ Result<void> ReflectionSession::setTime(double seconds) {
     return sourcesFit ? Result<void>() : makeReflections(*objects_);
 }
 
+Result<void> ReflectionSession::setMaterials(const scene::MaterialOverrides& overrides) {
+    drawn_ = false;
+    passTimes_.clear();
+    GLINT_TRY(sourcesFit, objects_->host->setMaterials(overrides, *objects_->reflections));
+    return sourcesFit ? Result<void>() : makeReflections(*objects_);
+}
+
+std::vector<std::string> ReflectionSession::notes() const {
+    std::vector<std::string> notes = objects_->reflections->notes();
+    notes.insert(notes.end(), inputs().notes.begin(), inputs().notes.end());
+    return notes;
+}
+
 /// A host's frame: its opaque image, the reflections, then the surfaces blended over both.
 Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FramePlan& plan) {
     GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");

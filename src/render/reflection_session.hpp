@@ -62,6 +62,8 @@ public:
     /// Makes the next frame the first that rays.accumulate averages: for frames in which only the light or the objects
     /// change, and to start with another seed at the same view.
     void restartAccumulation(uint32_t seed);
+    /// Replaces the overrides of the scene's materials. Errors: as create.
+    Result<void> setMaterials(const scene::MaterialOverrides& overrides);
     /// Sets the camera of the next frames; motion is relative to the previous frame's camera.
     Result<void> setCamera(const scene::Camera& camera);
     /// Poses the scene at another animation time. Errors: OutOfMemory, DeviceLost.
@@ -83,7 +85,8 @@ public:
     /// Returns the result for the pixel inspected last.
     RayInspection inspection() const { return objects_->reflections->inspection(); }
 
-    const std::vector<std::string>& notes() const { return objects_->reflections->notes(); }
+    /// Returns the notes of the library and of the scene's inputs.
+    std::vector<std::string> notes() const;
     /// Returns the bytes of device memory allocated in this session's context and in the library; other users of that
     /// context are counted too.
     size_t deviceBytes() const;

@@ -21,7 +21,9 @@ struct RenderJob {
     /// A camera's name or index in the scene, or a camera file; empty: the first camera, or a view of the whole scene.
     std::string camera;
     std::string environment; ///< an .hdr or .exr path, "sky" or "none"; empty: the scene's default
-    uint32_t width = 0;      ///< pixels, [1, 16384]; 0 with height 0: the camera's own size, or 1280 x 720
+    /// A file of material overrides, or "none"; empty: the file beside the scene, if there is one.
+    std::string materials;
+    uint32_t width = 0; ///< pixels, [1, 16384]; 0 with height 0: the camera's own size, or 1280 x 720
     uint32_t height = 0;
     double time = 0;                                ///< seconds into the scene's animations
     uint32_t frames = 1;                            ///< >= 1; the images are those of the last frame

@@ -106,6 +106,11 @@ Result<void> Renderer::setPose(const scene::Scene& scene, const scene::Pose& pos
     return placeLights();
 }
 
+Result<bool> Renderer::setMaterials(const scene::Scene& scene, const scene::Pose& pose) {
+    lightsChanged_ = true; // a material decides if its surfaces cast shadows
+    return scene_.setMaterials(*context_, scene, pose);
+}
+
 Result<void> Renderer::placeLights() {
     lights_ = sceneLights_;
     if (environment_.sun())

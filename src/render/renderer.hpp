@@ -64,6 +64,9 @@ public:
     Result<void> setEnvironment(Environment&& environment);
     /// Poses the same scene at another time (GpuScene::setPose).
     Result<void> setPose(const scene::Scene& scene, const scene::Pose& pose);
+    /// Call after the scene's materials have changed. Returns false if a new Renderer is needed
+    /// (GpuScene::setMaterials).
+    Result<bool> setMaterials(const scene::Scene& scene, const scene::Pose& pose);
 
     /// Returns the G-buffer with every opaque surface and the background. Valid until the next call or resize.
     GBuffer& drawOpaque(gpu::Frame& frame, const ViewParameters& parameters);

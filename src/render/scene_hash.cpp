@@ -16,6 +16,7 @@ void add(Hash& hash, const scene::Material& m) {
     hash.value(m.specularFactor).value(m.specularColorFactor).value(m.ior);
     hash.value(m.transmissionFactor).value(m.thicknessFactor).value(m.attenuationColor).value(m.attenuationDistance);
     hash.value(m.clearcoatFactor).value(m.clearcoatRoughnessFactor).value(m.clearcoatNormalScale);
+    hash.value(m.refraction); // decides which faces of a body are drawn
     hash.value(m.specularGlossiness).value(m.specularGlossinessFactor).value(m.glossinessFactor);
     for (const scene::TextureSlot* slot :
          {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture, &m.emissiveTexture,

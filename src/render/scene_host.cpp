@@ -23,11 +23,15 @@ Result<std::unique_ptr<HostFrame>> SceneHost::create(gpu::Context& context, Cont
     return std::unique_ptr<HostFrame>(std::move(host));
 }
 
-Result<void> SceneHost::make() {
+Result<Renderer> SceneHost::makeRenderer() {
     const RenderSettings& settings = job_.settings.render;
-    context_.addShaders(gpu::shaders::render());
     GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings));
-    GLINT_TRY(renderer, Renderer::create(context_, *inputs_->scene, inputs_->pose, std::move(environment), settings));
+    return Renderer::create(context_, *inputs_->scene, inputs_->pose, std::move(environment), settings);
+}
+
+Result<void> SceneHost::make() {
+    context_.addShaders(gpu::shaders::render());
+    GLINT_TRY(renderer, makeRenderer());
     renderer_ = std::make_unique<Renderer>(std::move(renderer));
     GLINT_CHECK(makeRayWorld());
     GLINT_CHECK(makeProbes());
@@ -92,7 +96,32 @@ Result<bool> SceneHost::setTime(double seconds, Reflections& reflections) {
     return mirrorsFit;
 }
 
-/// Called once per pose, as it visits every triangle.
+Result<bool> SceneHost::setMaterials(const scene::MaterialOverrides& overrides, Reflections&) {
+    render::setMaterials(*inputs_, overrides);
+    GLINT_TRY(kept, renderer_->setMaterials(*inputs_->scene, inputs_->pose));
+    if (!kept) {
+        GLINT_CHECK(remakeRenderer());
+        return false;
+    }
+    if (rayWorld_) {
+        GLINT_CHECK(rayWorld_->setMaterials(renderer_->scene(), *inputs_->scene, inputs_->pose));
+        GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
+    }
+    return moveMirrors();
+}
+
+/// Keeps the renderer's address, which mirrors refer to until giveSources replaces them.
+Result<void> SceneHost::remakeRenderer() {
+    GLINT_TRY(renderer, makeRenderer());
+    *renderer_ = std::move(renderer);
+    if (rayWorld_)
+        retiredRayWorld_ = std::move(rayWorld_); // refers to the previous renderer's buffers
+    GLINT_CHECK(makeRayWorld());
+    findMirrors();
+    return resizeGBuffer();
+}
+
+/// Called once per pose and change of materials, as it visits every triangle.
 void SceneHost::findMirrors() {
     mirrors_ = render::findMirrors(*inputs_->scene, inputs_->pose, job_.planar, kMaxPlanarMirrors);
 }

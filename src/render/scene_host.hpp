@@ -28,6 +28,7 @@ public:
     Result<void> setCamera(const scene::Camera& camera) override;
     void setSeed(uint32_t seed) override { job_.seed = seed; }
     Result<bool> setTime(double seconds, Reflections& reflections) override;
+    Result<bool> setMaterials(const scene::MaterialOverrides& overrides, Reflections& reflections) override;
     Result<std::unique_ptr<HostFrame>> remade(Context& library) override;
 
     Result<void> draw(gpu::Frame& frame, VkCommandBuffer commands, uint32_t frameIndex) override;
@@ -50,6 +51,8 @@ private:
         parameters_.camera = inputs_->camera;
     }
     Result<void> make();
+    Result<Renderer> makeRenderer();
+    Result<void> remakeRenderer();
     Result<void> applySettings(const RenderSettings& before);
     Result<void> resizeGBuffer();
     Result<void> makeProbes();

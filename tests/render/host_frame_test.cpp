@@ -45,6 +45,7 @@ public:
     Result<void> resize(uint32_t, uint32_t) override { return fixed("size"); }
     Result<void> setCamera(const scene::Camera&) override { return fixed("camera"); }
     Result<bool> setTime(double, Reflections&) override { return fixed("time"); }
+    Result<bool> setMaterials(const scene::MaterialOverrides&, Reflections&) override { return fixed("materials"); }
     Result<std::unique_ptr<render::HostFrame>> remade(Context&) override { return fixed("device"); }
 
     Result<void> draw(gpu::Frame&, VkCommandBuffer, uint32_t) override { return {}; }
