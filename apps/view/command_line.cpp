@@ -30,6 +30,10 @@ std::string commandLine(const ViewerState& state, const render::RenderJob& job,
         text += " --camera " + shellWord(job.camera);
     else if (state.cameraIndex > 0)
         text += fmt::format(" --camera {}", state.cameraIndex);
+    if (!state.materials.savedFile().empty() && state.materials.savedFile() != render::materialFileFor(job.scene))
+        text += " --materials " + shellWord(state.materials.savedFile());
+    else if (!job.materials.empty() && state.materials.savedFile().empty())
+        text += " --materials " + shellWord(job.materials);
     if (!job.environment.empty())
         text += " --env " + shellWord(job.environment);
     if (!job.probes.empty())

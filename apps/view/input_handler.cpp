@@ -117,6 +117,8 @@ void InputHandler::move(glm::vec2 to, ViewerState& state, glm::uvec2 window) {
 void InputHandler::click(ViewerState& state, glm::uvec2 window) {
     state.asked = glm::clamp(makeCanvas(state.zoom, window).toUV(mouse_), glm::vec2(0), glm::vec2(1));
     state.askFollows = false;
+    if (state.showMaterials)
+        state.materialAsked = state.asked;
     const bool again = lastClick_ >= 0 && state.now - lastClick_ < kDoubleClick;
     if (again && glm::distance(mouse_, lastClickAt_) < kClickSlack) {
         state.focusAsked = true;

@@ -5,16 +5,17 @@
 
 namespace glint::view {
 
-void drawViewBar(ViewerState& state);       ///< view_bar.cpp: views, split, camera, time
-void drawSettingsPanel(ViewerState& state); ///< settings_panel.cpp
-void drawHelpPanel(ViewerState& state);     ///< help_panel.cpp
-void drawTimesPanel(ViewerState& state);    ///< times_panel.cpp
-void drawPalette(ViewerState& state);       ///< palette.cpp
-void drawOpenPanel(ViewerState& state);     ///< open_panel.cpp
-void drawRayPanel(ViewerState& state);      ///< ray_panel.cpp
-void drawSecondPanel(ViewerState& state);   ///< second_panel.cpp
-void drawMessage(ViewerState& state);       ///< view_bar.cpp
-void drawShaderError(ViewerState& state);   ///< view_bar.cpp
+void drawViewBar(ViewerState& state);        ///< view_bar.cpp: views, split, camera, time
+void drawSettingsPanel(ViewerState& state);  ///< settings_panel.cpp
+void drawMaterialsPanel(ViewerState& state); ///< materials_panel.cpp
+void drawHelpPanel(ViewerState& state);      ///< help_panel.cpp
+void drawTimesPanel(ViewerState& state);     ///< times_panel.cpp
+void drawPalette(ViewerState& state);        ///< palette.cpp
+void drawOpenPanel(ViewerState& state);      ///< open_panel.cpp
+void drawRayPanel(ViewerState& state);       ///< ray_panel.cpp
+void drawSecondPanel(ViewerState& state);    ///< second_panel.cpp
+void drawMessage(ViewerState& state);        ///< view_bar.cpp
+void drawShaderError(ViewerState& state);    ///< view_bar.cpp
 
 /// Draws a slider, a check box or a list for one setting; a change is made in the model. One drag of a slider is one
 /// undo step.

@@ -89,10 +89,12 @@ void PicturePair::restart() {
 bool PicturePair::moved(const ViewerState& state, glm::uvec2 window) {
     const bool first = lastWindow_ == glm::uvec2(0);
     const bool moved = lastCamera_ != state.camera.camera().viewToWorld || lastSettings_ != state.settings.version() ||
-                       lastSeconds_ != state.animation.seconds || lastWindow_ != window;
+                       lastSeconds_ != state.animation.seconds || lastMaterials_ != state.materials.version() ||
+                       lastWindow_ != window;
     lastCamera_ = state.camera.camera().viewToWorld;
     lastSettings_ = state.settings.version();
     lastSeconds_ = state.animation.seconds;
+    lastMaterials_ = state.materials.version();
     lastWindow_ = window;
     return moved && !first;
 }
@@ -100,6 +102,7 @@ bool PicturePair::moved(const ViewerState& state, glm::uvec2 window) {
 Result<void> PicturePair::prepare(ScenePicture& picture, const ViewerState& state, glm::uvec2 size) {
     GLINT_CHECK(picture.resize(size.x, size.y));
     GLINT_CHECK(picture.setTime(state.animation.seconds));
+    GLINT_CHECK(picture.setMaterials(state.materials.overrides(), state.materials.version()));
     return picture.setCamera(state.camera.camera());
 }
 
@@ -150,8 +153,8 @@ void PicturePair::note(ViewerState& state) {
     const double now = seconds();
     const double interval =
         frameStart_ > 0 && now - frameStart_ < 2 * times.wallMs / 1000 ? (now - frameStart_) * 1000 : 0;
-    const std::string of =
-        fmt::format("{}x{} {}", picture_->width(), picture_->height(), state.settings.version()); // as --stats counts
+    const std::string of = fmt::format("{}x{} {} {}", picture_->width(), picture_->height(), state.settings.version(),
+                                       state.materials.version()); // as --stats counts
     if (std::exchange(recentOf_, of) != of)
         recent_.clear();
     recent_.add(times, interval);
@@ -243,6 +246,7 @@ Result<void> PicturePair::updateSecond(ViewerState& state) {
     }
     GLINT_CHECK(second_->resize(second.size.x, second.size.y));
     GLINT_CHECK(second_->setTime(state.animation.seconds));
+    GLINT_CHECK(second_->setMaterials(state.materials.overrides(), state.materials.version()));
     GLINT_CHECK(second_->setSettings(state.settings.settings()));
     scene::Camera camera = second.camera.camera();
     camera.near = std::max(camera.near, second.cut);

@@ -66,6 +66,7 @@ private:
     glm::mat4 lastCamera_ = glm::mat4(0);
     uint64_t lastSettings_ = 0;
     double lastSeconds_ = 0;
+    uint64_t lastMaterials_ = 0;
     glm::uvec2 lastWindow_ = glm::uvec2(0);
     std::string shown_;       ///< view and versions shown in picture_'s image
     std::string shownBeside_; ///< view and versions shown beside it

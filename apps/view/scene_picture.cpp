@@ -74,6 +74,15 @@ Result<void> ScenePicture::setTime(double seconds) {
     return {};
 }
 
+Result<void> ScenePicture::setMaterials(const scene::MaterialOverrides& overrides, uint64_t version) {
+    if (version == materialsVersion_)
+        return {};
+    GLINT_CHECK(session_.setMaterials(overrides));
+    materialsVersion_ = version;
+    changed();
+    return {};
+}
+
 Result<void> ScenePicture::resize(uint32_t width, uint32_t height) {
     if (width == width_ && height == height_)
         return {};

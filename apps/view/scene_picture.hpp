@@ -19,6 +19,8 @@ public:
     Result<void> setSettings(const render::ProgramSettings& settings);
     Result<void> setCamera(const scene::Camera& camera);
     Result<void> setTime(double seconds);
+    /// `version`  of the overrides; 0: those of the job, which a new picture has. Differs if they differ.
+    Result<void> setMaterials(const scene::MaterialOverrides& overrides, uint64_t version);
     Result<void> resize(uint32_t width, uint32_t height);
 
     /// Recreates all device objects (ReflectionSession::remake). On error the picture does not change.
@@ -69,6 +71,7 @@ private:
     gpu::Image second_;
     uint64_t imagesMade_ = 0;
     render::FrameTimes times_;
+    uint64_t materialsVersion_ = 0;
     uint32_t width_ = 0;
     uint32_t height_ = 0;
     uint32_t frames_ = 0;

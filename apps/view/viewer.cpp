@@ -18,6 +18,7 @@
 #include "render_doc.hpp"
 #include "render_output.hpp"
 #include "scene/image_file.hpp"
+#include "scene/pick.hpp"
 #include "script_player.hpp"
 #include "window.hpp"
 
@@ -48,6 +49,12 @@ std::string ending(const std::string& path) {
     return text;
 }
 
+/// The file in which changes of the materials are saved.
+std::string materialFile(const render::RenderJob& job) {
+    return job.materials.empty() || job.materials == render::kNoMaterials ? render::materialFileFor(job.scene)
+                                                                          : job.materials;
+}
+
 class Viewer {
 public:
     Viewer(const ViewOptions& options, SettingsModel model, render::RenderJob job)
@@ -75,9 +82,13 @@ private:
     Result<void> screenshot(const std::string& path);
     Result<void> savePicture(const std::string& path);
     Result<void> saveSettings(const std::string& path);
+    Result<void> saveMaterials(const std::string& path);
+    Result<void> openMaterials(const std::string& path);
+    void chooseMaterial();
     Result<void> openFile(const std::string& path);
     Result<void> openOtherScene(const std::string& path);
     Result<void> openEnvironment(const std::string& path);
+    Result<void> openSceneAgain(render::RenderJob job);
     Result<void> remakePipelines();
     Result<void> startCapture();
     void endCapture();
@@ -153,6 +164,7 @@ Result<void> Viewer::openScene(const render::RenderJob& job) {
     const glm::vec3 position(inputs.camera.viewToWorld[3]);
     const float ahead = glm::dot(center - position, -glm::vec3(inputs.camera.viewToWorld[2]));
     state_.scene = job.scene;
+    state_.materials = MaterialsModel(inputs, materialFile(job));
     state_.camera = OrbitCamera(inputs.camera, std::max(ahead, size * 0.05f));
     state_.cameras = inputs.pose.cameras;
     state_.cameraIndex = -1;
@@ -220,6 +232,7 @@ Result<void> Viewer::run() {
         last = now;
         state_.now += step;
         handler_.handle(events, state_, *gui_, window_->size(), step);
+        chooseMaterial();
         GLINT_CHECK(checkWindow());
         if (closeIsAllThatIsAsked()) // no further frame is needed
             break;
@@ -333,6 +346,7 @@ Result<void> Viewer::drawWindow(std::span<const InputEvent> events, double step)
     if (state_.showPanels) {
         drawViewBar(state_);
         drawSettingsPanel(state_);
+        drawMaterialsPanel(state_);
         drawHelpPanel(state_);
         drawTimesPanel(state_);
         drawRayPanel(state_);
@@ -353,7 +367,8 @@ Result<void> Viewer::serveRequests() {
     std::vector<Request> later;
     for (const Request& request : std::exchange(state_.requests, {})) {
         const bool whole = request.kind == Request::Kind::Picture || request.kind == Request::Kind::Save;
-        const bool writes = whole || request.kind == Request::Kind::Screenshot || request.kind == Request::Kind::Stats;
+        const bool writes = whole || request.kind == Request::Kind::SaveMaterials ||
+                            request.kind == Request::Kind::Screenshot || request.kind == Request::Kind::Stats;
         if (whole && !pictures_->complete()) { // not of a coarse picture in motion
             later.push_back(request);
             continue;
@@ -378,15 +393,17 @@ Result<void> Viewer::serve(const Request& request) {
         return writeFile(request.text, figuresJson(state_.figures, state_.stats, state_.history.passes(),
                                                    pictures_->picture().session().deviceBytes()));
     case Request::Kind::Save: return saveSettings(request.text);
+    case Request::Kind::SaveMaterials: return saveMaterials(request.text);
     case Request::Kind::Open:
         GLINT_CHECK(openFile(request.text));
         state_.recent.add(request.text);
         return {};
     case Request::Kind::CopyCommandLine:
         window_->setClipboard(commandLine(state_, job_, savedCamera_));
-        state_.say(
-            (cameraIsLost(state_, savedCamera_) ? "copied without the camera, which Ctrl+S saves: " : "copied: ") +
-            commandLine(state_, job_, savedCamera_));
+        state_.say(std::string("copied") +
+                   (cameraIsLost(state_, savedCamera_) ? " without the camera, which Ctrl+S saves" : "") +
+                   (state_.materials.unsaved() ? " without the materials, which their panel saves" : "") + ": " +
+                   commandLine(state_, job_, savedCamera_));
         return {};
     case Request::Kind::CopyRay: {
         render::RenderResult result;
@@ -452,6 +469,36 @@ Result<void> Viewer::saveSettings(const std::string& path) {
     return {};
 }
 
+Result<void> Viewer::saveMaterials(const std::string& path) {
+    GLINT_CHECK(state_.materials.save(path));
+    state_.say("materials " + path);
+    return {};
+}
+
+/// Opens the same scene with another file of material overrides.
+Result<void> Viewer::openMaterials(const std::string& path) {
+    render::RenderJob job = job_;
+    job.materials = path;
+    GLINT_CHECK(openSceneAgain(job));
+    state_.say("materials from " + path);
+    return {};
+}
+
+/// The material of the surface at the clicked point.
+void Viewer::chooseMaterial() {
+    if (!state_.materialAsked || !pictures_ || state_.width == 0)
+        return;
+    const glm::vec2 uv = *std::exchange(state_.materialAsked, std::nullopt);
+    const scene::Pose& pose = pictures_->picture().session().inputs().pose;
+    const float aspectRatio = static_cast<float>(state_.width) / static_cast<float>(state_.height);
+    const scene::CameraRay ray = scene::cameraRay(state_.camera.camera(), uv, aspectRatio);
+    const std::optional<size_t> item = scene::pickItem(pose, ray.originWS, ray.directionWS);
+    if (item && pose.items[*item].material >= 0)
+        state_.materials.chosen = static_cast<size_t>(pose.items[*item].material);
+    else
+        state_.say("no material there");
+}
+
 Result<void> Viewer::openFile(const std::string& path) {
     const std::string kind = ending(path);
     if (path.ends_with(".camera.json")) { // a saved view
@@ -461,6 +508,8 @@ Result<void> Viewer::openFile(const std::string& path) {
         state_.say("camera " + path);
         return {};
     }
+    if (path.ends_with(".materials.json"))
+        return openMaterials(path);
     if (kind == ".json") {
         GLINT_CHECK(state_.settings.load(path));
         state_.say("settings from " + path);
@@ -520,6 +569,8 @@ Result<void> Viewer::openOtherScene(const std::string& path) {
     job.camera.clear();
     job.environment = options_.scene.environment;
     job.probes = probesElsewhere();
+    if (job.materials != render::kNoMaterials) // a file belongs to its scene
+        job.materials.clear();
     job.time = 0;
     GLINT_CHECK(openScene(job));
     state_.settings = std::move(settings);
@@ -529,9 +580,17 @@ Result<void> Viewer::openOtherScene(const std::string& path) {
 /// Opens the same scene with another environment.
 Result<void> Viewer::openEnvironment(const std::string& path) {
     render::RenderJob job = job_;
-    job.settings = state_.settings.settings();
     job.environment = path;
     job.probes = probesElsewhere();
+    const MaterialsModel materials = state_.materials;
+    GLINT_CHECK(openSceneAgain(job));
+    state_.materials = materials;
+    return {};
+}
+
+/// Keeps settings, time and camera.
+Result<void> Viewer::openSceneAgain(render::RenderJob job) {
+    job.settings = state_.settings.settings();
     job.time = state_.animation.seconds;
     const OrbitCamera camera = state_.camera;
     const int cameraIndex = state_.cameraIndex;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frame_figures.hpp"
+#include "materials_model.hpp"
 #include "open_list.hpp"
 #include "orbit_camera.hpp"
 #include "recent_files.hpp"
@@ -28,6 +29,7 @@ struct Request {
         Screenshot,      ///< write the window to `text`
         Picture,         ///< write the scene's picture alone to `text`, .png or .exr
         Stats,           ///< write the help panel's figures to `text`
+        SaveMaterials,   ///< write the material overrides to `text`
         Save,            ///< write the settings to `text`, and the camera beside them
         Open,            ///< open `text`: a scene, an environment, settings or a camera
         CopyCommandLine, ///< copy it to the clipboard
@@ -57,6 +59,7 @@ struct ViewerState {
 
     std::string scene; ///< as given on the command line
     SettingsModel settings;
+    MaterialsModel materials;
     OrbitCamera camera;
     std::vector<scene::Camera> cameras; ///< cameras of the scene
     int cameraIndex = -1;               ///< -1: none of the scene's cameras
@@ -73,14 +76,16 @@ struct ViewerState {
     uint32_t besideFrames = 0;
     Zoom zoom;
 
-    std::optional<glm::vec2> asked; ///< the pixel to inspect, as UV
-    bool askFollows = false;        ///< inspect the pixel under the mouse
-    bool focusAsked = false;        ///< focus on the inspected point as soon as it is known
+    std::optional<glm::vec2> asked;         ///< the pixel to inspect, as UV
+    bool askFollows = false;                ///< inspect the pixel under the mouse
+    bool focusAsked = false;                ///< focus on the inspected point as soon as it is known
+    std::optional<glm::vec2> materialAsked; ///< a click that chooses the material of this point, as UV
     std::optional<RayInspection> ray;
     render::View rayView; ///< view that the ray was traced in
     SecondCamera second;
 
     bool showSettings = true;
+    bool showMaterials = false;
     bool showHelp = false;
     bool showTimes = false;
     bool showPalette = false;
