@@ -486,6 +486,37 @@ TEST_P(OutcomeTest, hitDistanceIsThatInTheWorld) {
     EXPECT_GT(hits, 1000u);
 }
 
+TEST_F(LibraryTest, viewRayDirWSIsTheDirectionOfTheMirrorRay) {
+    SyntheticCamera camera;
+    camera.position = {1, 1.2, 3};
+    camera.target = {-0.5, 0.6, 0};
+    Stage scene = floorAndWall();
+    scene.cards.push_back(
+        {.low = {-1, 0.2}, .high = {0.5, 1}, .z = 0.5, .normalWS = glm::normalize(glm::dvec3(1, 2, 3))});
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, kWidth, kHeight);
+    Reflections made = reflections(kWidth, kHeight);
+    must(made.setInputs(host.gbuffer));
+    HostImage image;
+    run([&](VkCommandBuffer commands) {
+        made.record(commands, camera.view(kWidth, kHeight));
+        image = must(made.recordView(commands, "rayDirWS"));
+    });
+    const std::vector<float> shown = download(gpu(), image);
+    const auto surfaces = seen(scene, camera, kWidth, kHeight);
+    size_t background = 0;
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        glm::dvec3 expected(0);
+        if (surfaces[i])
+            expected = glm::reflect(camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight), surfaces[i]->normalWS);
+        else
+            ++background;
+        // Normals are stored in sixteen bits a component.
+        ASSERT_LT(glm::distance(glm::dvec3(shown[i * 4], shown[i * 4 + 1], shown[i * 4 + 2]), expected), 3e-4)
+            << "pixel " << i % kWidth << "," << i / kWidth;
+    }
+    EXPECT_LT(background, size_t{kWidth} * kHeight / 2);
+}
+
 TEST_F(LibraryTest, coarseCellsAnswerForSurfacesAlone) {
     // Posts before a wall: cells of several pixels show both, and the air between.
     SyntheticCamera camera;

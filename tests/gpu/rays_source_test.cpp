@@ -321,6 +321,49 @@ TEST_P(RaysSourceTest, masksRangesAndRoughnessLeaveRaysOut) {
     EXPECT_EQ(center(settings), 0);
 }
 
+/// A small mirror shows a metal of roughness 0.4 behind the camera, which reflects a light behind the mirror.
+TEST_P(RaysSourceTest, aPathEndsAtARougherHit) {
+    SurfaceScene scene;
+    scene.addQuad({-0.5f, -0.5f, -4}, {1, 0, 0}, {0, 1, 0}, whiteMetal(0)); // hides little of the light
+    scene.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, whiteMetal(0.4f));
+    scene.addQuad({-20, -20, -8}, {40, 0, 0}, {0, 40, 0}, emitting(glm::vec3(1)));
+    const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
+    const auto center = [&](float maxRoughness, int bounces) {
+        Settings settings = raySettings();
+        settings.rays.bounces = bounces;
+        settings.rays.samples = 32;
+        settings.rays.maxRoughness = maxRoughness;
+        return reflected(look(scene, camera, 33, 17, settings), 33 * 8 + 16).r;
+    };
+    EXPECT_EQ(center(1, 1), 0) << "the metal's own light: none, and there is no environment";
+    EXPECT_GT(center(1, 2), 0.5f) << "the light that the metal reflects";
+    EXPECT_GT(center(0.41f, 2), 0.5f);
+    EXPECT_EQ(center(0.39f, 2), 0) << "the metal is rougher: it is lit as it is in a host's frame";
+}
+
+/// Before a rough metal a wall in two colours: a mirror shows one of them in each pixel, a lobe mixes them.
+TEST_P(RaysSourceTest, mirrorIfOneIsAMirrorForOneSampleAlone) {
+    SurfaceScene scene;
+    scene.addQuad({-2, -2, -4}, {4, 0, 0}, {0, 4, 0}, whiteMetal(0.5f));
+    scene.addQuad({0, -40, 6}, {-40, 0, 0}, {0, 80, 0}, emitting({1, 0, 0}));
+    scene.addQuad({40, -40, 6}, {-40, 0, 0}, {0, 80, 0}, emitting({0, 0, 1}));
+    const SyntheticCamera camera = {.position = {0, 0, 3}, .target = {0, 0, 0}};
+    const auto show = [&](RayLobe lobe, int samples) {
+        Settings settings = raySettings();
+        settings.rays.lobe = lobe;
+        settings.rays.samples = samples;
+        settings.rays.regularization = 0;
+        return look(scene, camera, 33, 17, settings).reflection;
+    };
+    const std::vector<float> mirror = show(RayLobe::Mirror, 1);
+    const std::vector<float> one = show(RayLobe::Ggx, 1);
+    const std::vector<float> four = show(RayLobe::Ggx, 4);
+    EXPECT_NE(mirror, one);
+    EXPECT_NE(mirror, four);
+    EXPECT_EQ(show(RayLobe::MirrorIfOne, 1), mirror);
+    EXPECT_EQ(show(RayLobe::MirrorIfOne, 4), four);
+}
+
 TEST_P(RaysSourceTest, aLightShinesOnWhatAMirrorShowsUnlessSomethingStandsBetween) {
     for (const bool shadowed : {false, true}) {
         SurfaceScene scene;

@@ -122,6 +122,121 @@ TEST_F(SettingsEffectTest, iterationsAreNeverExceededAndTheLastOneCounts) {
     }
 }
 
+TEST_F(SettingsEffectTest, hizMaxLevelIsTheLargestCellThatARayCrosses) {
+    Settings settings = plainSettings();
+    settings.hiz.maxIterations = 1000;
+    const Picture coarse = show(settings);
+    double before = 1e9;
+    for (const int level : {0, 1, 2, 4}) {
+        settings.hiz.maxLevel = level;
+        const Picture picture = show(settings);
+        const std::vector<uint32_t> counts = iterations(settings);
+        const double cell = 1 << level;
+        uint64_t seenHits = 0;
+        uint64_t different = 0;
+        double sum = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            if (!picture.hit(i))
+                continue;
+            different += !coarse.hit(i) || glm::length(picture.hitPX(i) - coarse.hitPX(i)) > 1;
+            // Each iteration crosses one cell at most.
+            const glm::dvec2 way = glm::abs(picture.hitPX(i) - glm::dvec2(i % kWidth + 0.5, i / kWidth + 0.5));
+            ASSERT_GE(counts[i] + 1.0, std::max(way.x, way.y) / cell - 1) << "level " << level;
+            sum += counts[i];
+            ++seenHits;
+        }
+        EXPECT_EQ(different, 0u) << "level " << level;
+        EXPECT_GT(seenHits, hits(coarse) * 19 / 20) << "level " << level;
+        std::printf("hiz.maxLevel %d: %.1f iterations a hit, %zu of %zu hits\n", level,
+                    sum / static_cast<double>(seenHits), size_t(seenHits), size_t(hits(coarse)));
+        EXPECT_LT(sum, 0.8 * before) << "larger cells, fewer iterations";
+        before = sum;
+    }
+}
+
+TEST_F(SettingsEffectTest, adaptiveRefinementsAreSamplesInTheStepThatHits) {
+    Settings settings = plainSettings(March::Adaptive);
+    settings.adaptive.refinements = 0;
+    const Picture none = show(settings);
+    for (const int refinements : {1, 3, 5, 8}) {
+        settings.adaptive.refinements = refinements;
+        const Picture picture = show(settings);
+        uint64_t both = 0;
+        double more = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            if (!picture.hit(i) || !none.hit(i))
+                continue;
+            ++both;
+            more += picture.lookups[i * 4] - none.lookups[i * 4];
+        }
+        ASSERT_GT(both, 500u) << refinements;
+        std::printf("adaptive.refinements %d: %.2f more lookups a hit\n", refinements,
+                    more / static_cast<double>(both));
+        // Most rays go behind one surface alone.
+        EXPECT_NEAR(more / static_cast<double>(both), refinements, 0.35 * refinements);
+    }
+}
+
+/// A floor alone, whose rays end in the air: each takes one sample a step.
+TEST_F(SettingsEffectTest, adaptiveStepsFollowTheLengthOnScreen) {
+    const SyntheticCamera camera;
+    constexpr float kLength = 1.5f; // metres
+    for (const int steps : {4, 8, 40}) {
+        Settings settings = plainSettings(March::Adaptive);
+        settings.screen.maxDistance = kLength;
+        settings.adaptive.steps = steps;
+        settings.adaptive.pixelSpacing = 4;
+        settings.adaptive.refinements = 0;
+        const Picture picture = show(Stage(), settings, camera);
+        uint64_t checked = 0;
+        uint64_t between = 0; // of neither bound
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            if (picture.outcome(i) != shared::kOutcomeMaxDistance)
+                continue;
+            const glm::dvec3 start = startOf(i, camera);
+            glm::dvec3 d = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+            d.y = -d.y;
+            const glm::dvec2 end = camera.project(start + d * double(kLength), kWidth, kHeight);
+            if (glm::any(glm::lessThan(end, glm::dvec2(1))) ||
+                glm::any(glm::greaterThan(end, glm::dvec2(kWidth - 1, kHeight - 1))))
+                continue; // clipped at the border
+            const glm::dvec2 way = glm::abs(end - camera.project(start, kWidth, kHeight));
+            const double pixels = std::max(way.x, way.y);
+            const auto expected = [&](double length) {
+                return std::clamp(std::ceil(length / 4), double(steps), std::min(2.0 * steps, 128.0));
+            };
+            // Where rounding of the length cannot decide.
+            if (expected(pixels - 0.02) != expected(pixels + 0.02))
+                continue;
+            ASSERT_EQ(picture.lookups[i * 4], expected(pixels)) << pixels << " pixels, base " << steps;
+            ++checked;
+            between += expected(pixels) != steps && expected(pixels) != 2 * steps;
+        }
+        EXPECT_GT(checked, 300u) << steps;
+        EXPECT_TRUE(between > 100 || steps == 40) << between;
+    }
+}
+
+/// A floor alone: whatever a ray hits there is its own surface.
+TEST_F(SettingsEffectTest, halfDepthMakesNoFloorHitItself) {
+    for (const reflect::Technique& technique : reflect::techniques())
+        for (const double height : {0.1, 1.0, 4.0})
+            for (const int skip : {0, 1, 2}) {
+                SyntheticCamera camera;
+                camera.position = {0, height, 3};
+                camera.target = {0, height * 0.8, 0};
+                Settings settings = plainSettings(technique.march);
+                settings.gbuffer.depthFormat = DepthFormat::Half;
+                settings.screen.selfCollisionSkip = skip;
+                const Picture picture = show(Stage(), settings, camera);
+                uint64_t selfHits = 0;
+                for (uint32_t i = 0; i < picture.pixels(); ++i)
+                    selfHits += picture.answered(i);
+                EXPECT_GT(picture.statistics.rays, 3000u);
+                EXPECT_EQ(selfHits, 0u) << technique.name << ", camera at " << height << " m, skip " << skip;
+            }
+}
+
 TEST_F(SettingsEffectTest, stepSkipsPixels) {
     Settings settings = plainSettings(March::Linear);
     settings.screen.smooth = false;
