@@ -42,9 +42,9 @@ float heightAt(Ray r, ShownPlane plane, float share) {
     return dot(plane.normalVS, rayVS - plane.pointVS);
 }
 
-const uint kOccluder = 0u; // the pixel shows something in front of the plane
+const uint kOccluder = 0u; // the pixel shows something in front of the plane, or a surface that meets it there
 const uint kSurface = 1u;  // the plane's surface
-const uint kBeyond = 2u;   // something behind the plane, or another surface at it: the plane's surface is not there
+const uint kBeyond = 2u;   // something behind the plane: the plane's surface is not there
 const uint kOffScreen = 3u;
 
 uint compare(ShownPlane plane, vec2 px, float sceneZ) {
@@ -55,7 +55,9 @@ uint compare(ShownPlane plane, vec2 px, float sceneZ) {
     float slack = kInferSlack * abs(expected);
     if (nearer > slack)
         return kOccluder;
-    return nearer >= -slack && dot(normalAt(px), plane.normalVS) > kOwnNormal ? kSurface : kBeyond;
+    if (nearer < -slack)
+        return kBeyond;
+    return dot(normalAt(px), plane.normalVS) > kOwnNormal ? kSurface : kOccluder;
 }
 
 uint lookBeside(Ray r, ShownPlane plane, Sample crossing, vec2 px, inout uint lookups) {
@@ -144,7 +146,7 @@ bool inferFrom(Ray r, Sample shown, float front, float behind, inout March end) 
         takeSample(r.screen, crossingShare(r.screen, front, heightFront, behind, heightBehind), end.lookups);
     uint there = compare(plane, crossing.px, crossing.sceneZ);
     if (there == kBeyond)
-        return false; // the surface would be seen
+        return false; // the surface would show
     vec2 px = crossing.px;
     if (there == kOccluder && !findSurface(r, plane, crossing, end.lookups, px))
         return true;
