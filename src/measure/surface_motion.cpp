@@ -82,8 +82,10 @@ PixelOrigin SurfaceTracker::originOf(const OracleHit& hit, int item) const {
     // The pixel whose centre is nearest may show another surface, at an edge: then one of those around it.
     double nearest = std::numeric_limits<double>::infinity();
     PixelOrigin origin = kNothing;
-    for (int v = int(px.y - 0.5); v <= int(px.y + 0.5); ++v)
-        for (int u = int(px.x - 0.5); u <= int(px.x + 0.5); ++u) {
+    const glm::ivec2 first(px - 0.5);
+    const glm::ivec2 last(px + 0.5);
+    for (int v = first.y; v <= last.y; ++v)
+        for (int u = first.x; u <= last.x; ++u) {
             if (u < 0 || v < 0 || u >= int(width) || v >= int(height))
                 continue;
             const uint32_t candidate = uint32_t(v) * width + uint32_t(u);

@@ -121,7 +121,7 @@ gpu::Image* FrameStages::record(VkCommandBuffer commands, const View& view) {
     upToDate_.ask();
     written_.clear();
     if (!ranPasses_) {
-        colors_.reset(HistoryReset::NotLight);
+        forgetFrames();
         return nullptr;
     }
     gpu::Frame frame(stages_.gpu, commands, timers_.get(), views_ ? &written_ : nullptr);
@@ -136,7 +136,13 @@ void FrameStages::forget() {
     written_.clear();
     recorded_ = ranPasses_ = false;
     upToDate_.ask();
+    forgetFrames();
+}
+
+void FrameStages::forgetFrames() {
     colors_.reset(HistoryReset::NotLight);
+    if (lobeDenoise_)
+        lobeDenoise_->forgetFrames(HistoryReset::NotLight);
 }
 
 gpu::Image& FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {

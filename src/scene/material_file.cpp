@@ -89,7 +89,7 @@ private:
         }
         const MaterialKind kind = kindOf(scene_.materials[index], override);
         for (const auto& [name, value] : json.items()) {
-            const std::string where = key + "." + name;
+            const std::string where = fmt::format("{}.{}", key, name);
             if (name == "textures") {
                 GLINT_CHECK(readTextures(where, value, kind, override));
             } else if (name != "kind") {
@@ -162,7 +162,7 @@ private:
         if (!json.is_object())
             return fail(where, "must be an object: {\"baseColor\": \"file.png\"}");
         for (const auto& [name, value] : json.items()) {
-            const std::string place = where + "." + name;
+            const std::string place = fmt::format("{}.{}", where, name);
             GLINT_TRY(slot, findRow(place, name, kind, materialTextures(), {}));
             if (!value.is_null() && (!value.is_string() || value.get<std::string>().empty()))
                 return fail(place, "must be the path of an image, or null for no texture");

@@ -91,6 +91,7 @@ protected:
         settings.rays.accumulate = frame >= 4 && frame < 9;
         settings.screen.targetFormat = frame >= 6 ? TargetFormat::Rgba8 : TargetFormat::Rgba16f;
         settings.blur.strength = frame >= 7 ? 0.5f : 0;
+        settings.denoise.enabled = frame == 3 || frame >= 10;
         return settings;
     }
 
@@ -169,38 +170,41 @@ TEST_F(InFlightTest, WhatIsNeverSubmittedLeavesNoTrace) {
 }
 
 TEST_F(InFlightTest, ADroppedFrameCostsItsHistoryAndNoMore) {
-    const auto play = [&](std::vector<uint32_t> dropped) {
-        Host host = makeHost(settings(), 1);
-        std::vector<Texels> pictures;
-        for (uint32_t frame = 0; frame < 8; ++frame) {
+    Settings denoised = settings();
+    denoised.screen.colorSource = ColorSource::Current;
+    denoised.denoise.enabled = true;
+    for (const Settings& kept : {settings(), denoised}) {
+        const auto play = [&](std::vector<uint32_t> dropped) {
+            Host host = makeHost(kept, 1);
+            std::vector<Texels> pictures;
+            for (uint32_t frame = 0; frame < 8; ++frame) {
+                Snapshot picture(gpu(), kWidth, kHeight);
+                Recording recording = recordFrame(host, frame, picture);
+                const bool drop = std::ranges::find(dropped, frame) != dropped.end();
+                if (!drop) {
+                    recording.submit();
+                    recording.wait();
+                }
+                pictures.push_back(drop ? Texels() : picture.texels());
+            }
+            return pictures;
+        };
+        const std::vector<Texels> whole = play({});
+        const std::vector<Texels> missing = play({0, 4});
+        const auto alone = [&](uint32_t frame) { // a first frame, without a history
+            Host host = makeHost(kept, 1);
             Snapshot picture(gpu(), kWidth, kHeight);
             Recording recording = recordFrame(host, frame, picture);
-            const bool drop = std::ranges::find(dropped, frame) != dropped.end();
-            if (!drop) {
-                recording.submit();
-                recording.wait();
-            }
-            pictures.push_back(drop ? Texels() : picture.texels());
-        }
-        return pictures;
-    };
-    const std::vector<Texels> whole = play({});
-    const std::vector<Texels> missing = play({0, 4});
-    Settings plain = settings();
-    plain.screen.colorSource = ColorSource::Current;
-    const auto alone = [&](uint32_t frame) { // without a history
-        Host host = makeHost(plain, 1);
-        Snapshot picture(gpu(), kWidth, kHeight);
-        Recording recording = recordFrame(host, frame, picture);
-        recording.submit();
-        recording.wait();
-        return picture.texels();
-    };
-    EXPECT_EQ(whole[0], alone(0));
-    EXPECT_EQ(missing[1], alone(1));
-    EXPECT_EQ(missing[5], alone(5)) << "what it would have reflected was not drawn";
-    EXPECT_NE(whole[5], alone(5));
-    EXPECT_NE(missing[7], alone(7)) << "and then there is a history again";
+            recording.submit();
+            recording.wait();
+            return picture.texels();
+        };
+        EXPECT_EQ(whole[0], alone(0));
+        EXPECT_EQ(missing[1], alone(1));
+        EXPECT_EQ(missing[5], alone(5)) << "the frame before was not drawn";
+        EXPECT_NE(whole[5], alone(5));
+        EXPECT_NE(missing[7], alone(7)) << "and then there is a history again";
+    }
 }
 
 TEST_F(InFlightTest, SubmittedInAnotherOrder) {

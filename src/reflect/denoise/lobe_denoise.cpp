@@ -83,6 +83,7 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
 }
 
 gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+    recorded_ = true;
     gather(frame, inputs);
     const auto begin = [&](const gpu::Pipeline& pipeline) {
         gpu::Pass pass = frame.pass(pipeline);

@@ -25,7 +25,10 @@ public:
     static Result<std::unique_ptr<LobeDenoise>> create(StageContext& stages);
 
     /// Begins a frame, before its constants are resolved.
-    void begin(gpu::Frame& frame) { history_.begin(frame, stages_.settings().denoise.enabled); }
+    void begin(gpu::Frame& frame) {
+        history_.begin(frame, stages_.settings().denoise.enabled);
+        recorded_ = false;
+    }
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { history_.reset(reason); }
     /// `seconds`: since the previous frame.
@@ -35,7 +38,8 @@ public:
 
     /// Returns the joined, denoised answer.
     gpu::Image& record(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
-    void end(gpu::Frame& frame) { history_.end(frame); }
+    /// Ends the frame. One in which neither screen nor rays took part leaves no history.
+    void end(gpu::Frame& frame) { history_.end(frame, recorded_ ? HistoryReset::None : HistoryReset::NotLight); }
 
 private:
     explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
@@ -50,6 +54,7 @@ private:
     gpu::Image nearness_[2]; ///< R32F: 1 / metres to the ray's end; -1: no ray
     gpu::Image answer_;      ///< RGBA16F: radiance, weight
     History history_;
+    bool recorded_ = false; ///< in this frame
 };
 
 } // namespace glint::reflect
