@@ -1,4 +1,4 @@
-// A pixel's reflecting surface as the passes of the denoiser compare it. World space.
+// A pixel's reflecting surface as the passes of the denoiser compare it. View space.
 #ifndef GLINT_DENOISE_LOBE_SURFACE_GLSL
 #define GLINT_DENOISE_LOBE_SURFACE_GLSL
 

@@ -44,7 +44,6 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(colors_.remember());
     if (settings.rays.enabled || settings.denoise.enabled)
         GLINT_CHECK(tables_->makeNoise(stages_.gpu));
-    GLINT_CHECK(setDenoise(settings));
     if (settings.rays.enabled && !raysSource_) {
         GLINT_TRY(source, RaysSource::create(stages_));
         GLINT_CHECK(source->setSettings(settings));
@@ -58,6 +57,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(refraction_->make());
     if ((refraction_ && settings.refraction.enabled) || techniqueFor(settings.screen.march).usesPyramid)
         GLINT_CHECK(pyramid_->make());
+    GLINT_CHECK(setDenoise(settings));
     stages_.desc.settings = settings;
     recorded_ = false;
     written_.clear();

@@ -9,16 +9,6 @@ namespace {
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
 
-/// The same scene in light of one colour.
-SyntheticScene litBy(const SyntheticScene& scene, const glm::vec3& radiance) {
-    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
-        auto hit = scene(origin, direction);
-        if (hit && hit->f0.x == 0)
-            hit->radiance = radiance;
-        return hit;
-    };
-}
-
 const glm::vec3 kRed(1, 0, 0);
 const glm::vec3 kGreen(0, 1, 0);
 

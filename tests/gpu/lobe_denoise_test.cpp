@@ -26,15 +26,6 @@ SyntheticScene roughFloor(float perceptualRoughness) {
     };
 }
 
-SyntheticScene litBy(const SyntheticScene& scene, const glm::vec3& radiance) {
-    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
-        auto hit = scene(origin, direction);
-        if (hit && hit->f0.x == 0)
-            hit->radiance = radiance;
-        return hit;
-    };
-}
-
 class LobeDenoiseTest : public LibraryTest {
 protected:
     static Settings denoised() {

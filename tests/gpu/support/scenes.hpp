@@ -56,6 +56,16 @@ inline Stage floorAndWall() {
     return stage;
 }
 
+/// The same scene; what reflects nothing has this radiance.
+inline SyntheticScene litBy(const SyntheticScene& scene, const glm::vec3& radiance) {
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = scene(origin, direction);
+        if (hit && hit->f0.x == 0)
+            hit->radiance = radiance;
+        return hit;
+    };
+}
+
 /// The volume that fits floorAndWall: of its six faces only that wall is near.
 inline Probe wallVolume() {
     Probe probe;
