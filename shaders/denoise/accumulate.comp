@@ -24,7 +24,6 @@ DenoiseConstants settings = frame.settings.denoise;
 
 /// Angle by which packed normals may be off: sixteen bits a component.
 const float kNormalRounding = 1e-4;
-const float kFar = 1e4;
 
 /// What one place of the previous frame holds.
 struct Candidate {
@@ -113,7 +112,7 @@ float dominantFactor(float NoV, float perceptualRoughness) {
 }
 
 Candidate best(ivec2 px, LobeSurface here, float near, out float frames) {
-    float distance = near > 1.0 / kFar ? 1.0 / near : kFar;
+    float distance = endDistance(near);
     vec3 mirrored = reflect(-here.toEyeVS, here.normalVS);
     mat4 before = frame.constants.viewToPrevView;
     Was was;

@@ -22,10 +22,6 @@ layout(push_constant, scalar) uniform PushBlock {
     uint sources; // kJoin*
 };
 
-const uint kJoinScreen = 1u;
-const uint kJoinRays = 2u;
-const uint kJoinRaysFirst = 4u;
-
 struct Answer {
     vec4 radianceWeight;
     float nearness;

@@ -26,6 +26,13 @@ LobeSurface lobeSurfaceAt(ivec2 px) {
     return at;
 }
 
+/// Metres to where a ray ended whose nearness (1 / metres) is stored. Rays that end farther away than this limit count as
+/// parallel.
+float endDistance(float near) {
+    const float kFar = 1e4;
+    return near > 1.0 / kFar ? 1.0 / near : kFar;
+}
+
 bool isInFrame(ivec2 px) {
     return all(greaterThanEqual(px, ivec2(0))) && all(lessThan(px, ivec2(frame.constants.size)));
 }

@@ -17,9 +17,6 @@ layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
 layout(set = 0, binding = 6, r32f) uniform writeonly image2D reusedNearness;
 DenoiseConstants settings = frame.settings.denoise;
 
-/// Rays that end farther away than this count as parallel.
-const float kFar = 1e4;
-
 /// A pixel's ray and what it brought back.
 struct Lobe {
     LobeSurface at;
@@ -45,7 +42,7 @@ Lobe lobeAt(ivec2 px, LobeSurface at) {
     lobe.density = drawn.weight > 0.0 ? lobeDensity(lobe.wo, lobe.directionVS * lobe.fromLocal, lobe.alpha) : 0.0;
     lobe.answer = texelFetch(noisy, px, 0);
     lobe.near = texelFetch(nearness, px, 0).r;
-    lobe.distance = lobe.near > 1.0 / kFar ? 1.0 / lobe.near : kFar;
+    lobe.distance = endDistance(lobe.near);
     return lobe;
 }
 

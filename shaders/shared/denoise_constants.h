@@ -30,6 +30,11 @@ struct DenoiseConstants {
     uint historyTag;      // number of the one that it holds: written by the GPU
 };
 
+// Push constant of denoise/gather: which answers there are, and which of the two comes first.
+GLINT_CONSTANT(uint, kJoinScreen, 1);
+GLINT_CONSTANT(uint, kJoinRays, 2);
+GLINT_CONSTANT(uint, kJoinRaysFirst, 4);
+
 GLINT_SHARED_END
 
 #endif

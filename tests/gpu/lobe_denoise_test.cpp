@@ -130,7 +130,7 @@ TEST_F(LobeDenoiseTest, noiseFallsAtRest) {
     neighbours.reuse.samples = 8;
     EXPECT_LT(noise(neighbours, scene, 1), 0.6 * one);
     EXPECT_LT(noise(denoised(), scene, 16), 0.1 * one);
-    EXPECT_LT(noise(denoised(), scene, 1), 0.35 * one) << "a first frame is soft, not speckled";
+    EXPECT_LT(noise(denoised(), scene, 1), 0.35 * one) << "the first frame is smoothed";
 }
 
 TEST_F(LobeDenoiseTest, neighboursAndFilterKeepTheMean) {

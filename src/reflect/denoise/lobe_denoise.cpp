@@ -11,11 +11,6 @@ constexpr size_t kMean = 0;
 constexpr size_t kMeta = 1;
 constexpr size_t kPlace = 2;
 
-// denoise/gather.comp
-constexpr uint32_t kJoinScreen = 1;
-constexpr uint32_t kJoinRays = 2;
-constexpr uint32_t kJoinRaysFirst = 4;
-
 } // namespace
 
 Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
@@ -66,8 +61,9 @@ void LobeDenoise::copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset)
 
 void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
     gpu::Image& black = inputs.frame.standIns.black;
-    const uint32_t sources = (inputs.screenAnswer ? kJoinScreen : 0) | (inputs.raysAnswer ? kJoinRays : 0) |
-                             (inputs.raysFirst ? kJoinRaysFirst : 0);
+    const uint32_t sources = (inputs.screenAnswer ? shared::kJoinScreen : 0) |
+                             (inputs.raysAnswer ? shared::kJoinRays : 0) |
+                             (inputs.raysFirst ? shared::kJoinRaysFirst : 0);
     frame.pass(gather_)
         .read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
