@@ -153,6 +153,12 @@
     SETTING(float, lobeTrail, 0.4f, "[0.05, 2]", "of the lobe",                                                        \
         "How far a moving reflection may lag, as a fraction of the lobe's width; smaller: sharper, but noisier in motion", \
         "")                                                                                                            \
+    SETTING(Antilag, antilag, Antilag::Gradient, "", "",                                                               \
+        "What shortens the average where light changes: nothing, the difference between a short and the long average, or rays of the last frame traced again (needs a RayScene; without one: the difference)", \
+        "")                                                                                                            \
+    SETTING(int, fastFrames, 6, "[1, 30]", "",                                                                         \
+        "Frames in the short average, which denoise.antilag compares with the long one",                               \
+        "")                                                                                                            \
     SETTING(float, maxRadius, 16, "[0, 64]", "px",                                                                     \
         "Largest radius of the filter that smooths the noise that is left; 0: no filter",                              \
         "")                                                                                                            \

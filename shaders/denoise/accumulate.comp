@@ -17,6 +17,9 @@ layout(set = 0, binding = 5) uniform sampler2D motion;         // previous UV - 
 layout(set = 0, binding = 6) uniform sampler2D meanBefore;
 layout(set = 0, binding = 7) uniform sampler2D metaBefore;
 layout(set = 0, binding = 8) uniform usampler2D placeBefore;
+layout(set = 0, binding = 12) uniform sampler2D fastBefore;    // luminance: mean over few frames
+layout(set = 0, binding = 13) uniform sampler2D changed;       // of the previous frame's tiles: change.comp
+layout(set = 0, binding = 14, r16f) uniform writeonly image2D fast;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D mean;  // weight * radiance, weight
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D meta; // frames; luminance: mean, mean square; nearness
 layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place; // viewZ; normal, octahedral in view space
@@ -29,11 +32,12 @@ const float kNormalRounding = 1e-4;
 struct Candidate {
     vec4 mean;
     vec4 meta;
+    float fast;
     float share;    // of the four texels that show this surface, [0, 1]
     float residual; // angle between the normal there and the one that would mirror the ray's end to the eye
 };
 
-const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0);
+const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0);
 
 vec3 previousPosition(ivec2 px, float z) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
@@ -58,6 +62,19 @@ float residualAt(Was was, vec3 position, vec3 normal) {
     vec3 toEye = -viewDirection(frame.constants, position);
     vec3 H = normalizeOr(toEye + normalizeOr(was.end - position, normal), normal);
     return length(H - normal * dot(H, normal));
+}
+
+/// Shortens the history where light has changed, and takes the long mean to where the short one is.
+void forgetOldLight(vec2 at, inout Candidate found) {
+    const float kPower = 10.0; // with a tenth changed a third of the frames count
+    vec2 tiles = ceil(frame.constants.size / float(kSentinelTile)) * float(kSentinelTile);
+    vec3 change = textureLod(changed, at / tiles, 0.0).rgb;
+    found.meta.x *= pow(1.0 - change.r, kPower);
+    float lag = change.g;
+    float toShort = mix(1.0, change.b, lag);
+    found.mean.rgb *= toShort;
+    found.meta.yz *= vec2(toShort, square(toShort));
+    found.meta.x = mix(found.meta.x, min(found.meta.x, settings.fastFrames), lag);
 }
 
 Candidate lookUp(Was was, vec2 at) {
@@ -85,6 +102,7 @@ Candidate lookUp(Was was, vec2 at) {
             continue;
         found.mean += weight * texelFetch(meanBefore, texel, 0);
         found.meta += weight * texelFetch(metaBefore, texel, 0);
+        found.fast += weight * texelFetch(fastBefore, texel, 0).r;
         found.share += weight;
         positions += weight * position;
         normals += weight * normal;
@@ -93,6 +111,8 @@ Candidate lookUp(Was was, vec2 at) {
         return kNone;
     found.mean /= found.share;
     found.meta /= found.share;
+    found.fast /= found.share;
+    forgetOldLight(at, found);
     found.residual = residualAt(was, was.moved ? was.position : positions / found.share, normalize(normals));
     return found;
 }
@@ -152,11 +172,13 @@ void main() {
     if (near < 0.0) {
         imageStore(mean, px, vec4(0.0));
         imageStore(meta, px, vec4(0.0));
+        imageStore(fast, px, vec4(0.0));
         imageStore(place, px, uvec4(0u));
         return;
     }
     float brightness = luminance(answer.rgb);
     vec4 moments = vec4(1.0, brightness, square(brightness), near);
+    float fastMean = brightness;
     bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
     if (hasHistory && !isMirror(here.perceptualRoughness)) {
         float frames;
@@ -166,10 +188,12 @@ void main() {
             float share = 1.0 / (1.0 + frames);
             answer = mix(found.mean, answer, share);
             moments = vec4(frames + 1.0, mix(found.meta.yzw, moments.yzw, share));
+            fastMean = mix(found.fast, fastMean, 1.0 / (1.0 + min(frames, settings.fastFrames - 1.0)));
         }
     }
     const float kLargestHalf = 6.0e4;
     imageStore(mean, px, min(answer, vec4(kLargestHalf)));
     imageStore(meta, px, min(moments, vec4(kLargestHalf)));
+    imageStore(fast, px, vec4(min(fastMean, kLargestHalf)));
     imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
 }

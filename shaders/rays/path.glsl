@@ -5,10 +5,13 @@
 #define GLINT_RAYS_PATH_GLSL
 
 #include "rays/hit_lighting.glsl"
+#include "rays/lit_surface.glsl"
 #include "rays/pixel_rays.glsl"
 #include "rays/regularization.glsl"
-#include "rays/shown_surface.glsl"
 #include "rays/transparents.glsl"
+#ifndef GLINT_RAYS_TABLE_LIGHT // hits are lit from the host's table only
+#include "rays/shown_surface.glsl"
+#endif
 
 /// Paths with less throughput end: half of what an 8-bit image can show.
 const float kLeastThroughput = 1.0 / 512.0;
@@ -67,6 +70,7 @@ LitSurface surfaceAt(Hit hit, inout Path path) {
     HitSurface met =
         hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, path.ray.directionWS, path.cone.width);
     float spread = halfVectorSpread(path.spread, met.bend);
+#ifndef GLINT_RAYS_TABLE_LIGHT
     if (isOn(kRaysReuseLight)) {
         ivec2 px = pixelThatShows(met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.cone.width);
         if (px.x >= 0) {
@@ -77,6 +81,7 @@ LitSurface surfaceAt(Hit hit, inout Path path) {
             return shown;
         }
     }
+#endif
     return litSurface(met, -path.ray.directionWS, path.regularization, spread);
 }
 

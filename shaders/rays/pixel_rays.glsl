@@ -69,9 +69,9 @@ uint listedRay() {
            gl_LocalInvocationIndex;
 }
 
-PixelRays loadPixelRays(uint index) {
+PixelRays pixelRaysAt(ivec2 px) {
     PixelRays from;
-    from.px = ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16);
+    from.px = px;
     from.uv = (vec2(from.px) + 0.5) * frame.constants.invSize;
     Surface origin = unpackSurface(texelFetch(surface, from.px, 0).xy);
     float z = texelFetch(viewZ, from.px, 0).r;
@@ -86,6 +86,10 @@ PixelRays loadPixelRays(uint index) {
     from.originWS = positionWS + from.N * offset;
     from.cone = pixelCone(from.px, z);
     return from;
+}
+
+PixelRays loadPixelRays(uint index) {
+    return pixelRaysAt(ivec2(rays.pixels[index] & 0xffffu, rays.pixels[index] >> 16));
 }
 
 Direction samplePixel(PixelRays from, uint i) {

@@ -26,9 +26,13 @@ struct DenoiseConstants {
     float lobeTrail;      // fraction of the lobe's width
     float filterRadius;   // pixels
     float noiseTarget;    // fraction of the mean
+    float fastFrames;     // most frames in the short mean
+    uint comparesMeans;   // 1: the short mean shortens the long one
     uint historyExpected; // number of the recording that the history should hold; 0: there is none
     uint historyTag;      // number of the one that it holds: written by the GPU
 };
+
+GLINT_CONSTANT(uint, kSentinelTile, 5); // pixels on a side that share one sentinel (rays/sentinels_main.glsl)
 
 // Push constant of denoise/gather: which answers there are, and which of the two comes first.
 GLINT_CONSTANT(uint, kJoinScreen, 1);

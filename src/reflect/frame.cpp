@@ -13,7 +13,7 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     clear(frame);
     colors_.begin(frame, wantsHistory());
     if (lobeDenoise_)
-        lobeDenoise_->begin(frame);
+        lobeDenoise_->begin(frame, followsSentinels());
     prepare(frame, view);
     const bool reflects = hierarchy_->anySource() || settings.debug.outcome;
     if (reflects && settings.screen.enabled) {
@@ -207,10 +207,19 @@ bool FrameStages::wantsHistory() const {
 gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
     const Traced traced = trace_->traced();
     const bool screen = stages_.settings().screen.enabled;
-    return lobeDenoise_->record(frame, {inputs(), prepared(), screen ? &traced.target : nullptr, traced.rayRecord,
-                                        usesRays() ? &raysSource_->answer() : nullptr,
-                                        usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
-                                        hierarchy_->raysComeFirst()});
+    LobeDenoiseInputs lobes = {inputs(),
+                               prepared(),
+                               screen ? &traced.target : nullptr,
+                               traced.rayRecord,
+                               usesRays() ? &raysSource_->answer() : nullptr,
+                               usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
+                               hierarchy_->raysComeFirst(),
+                               {}};
+    if (followsSentinels())
+        lobes.followSentinels = [this](gpu::Frame& f, const SentinelImages& images) {
+            raysSource_->recordSentinels(f, inputs(), prepared(), images);
+        };
+    return lobeDenoise_->record(frame, lobes);
 }
 
 gpu::Image& FrameStages::rayRecord() {

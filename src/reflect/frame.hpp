@@ -104,6 +104,7 @@ private:
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
+    bool followsSentinels() const { return usesRays() && raysSource_->followsSentinels(); }
     bool denoisesLobes() const { return lobeDenoise_ && stages_.settings().denoise.enabled; }
     ProbesState* probes() const { return probesSource_ ? probesSource_->probes() : nullptr; }
 

@@ -73,10 +73,10 @@ Result<void> FrameStages::setDenoise(const Settings& settings) {
         return {};
     }
     hierarchy_->joinScreenAndRays([this](gpu::Frame& frame) { return &denoiseLobes(frame); });
-    if (lobeDenoise_)
-        return {};
-    GLINT_TRY(denoise, LobeDenoise::create(stages_));
-    lobeDenoise_ = std::move(denoise);
+    if (!lobeDenoise_) {
+        GLINT_TRY(denoise, LobeDenoise::create(stages_));
+        lobeDenoise_ = std::move(denoise);
+    }
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
     denoiseLobes(frame);
     return frame.firstError();
@@ -117,6 +117,8 @@ Result<void> FrameStages::giveScene() {
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
     raysSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs()),
                                 trace_->traced().rayRecord, false});
+    if (lobeDenoise_)
+        denoiseLobes(frame);
     return frame.firstError();
 }
 

@@ -68,6 +68,15 @@ struct PreviousFrame {
     gpu::Image& viewZ; ///< its viewZ
 };
 
+/// Images of the sentinels (rays/sentinels_main.glsl), a texel for each tile.
+struct SentinelImages {
+    gpu::Image& rayBefore;
+    gpu::Image& pathBefore;
+    gpu::Image& ray;
+    gpu::Image& path;
+    gpu::Image& change;
+};
+
 /// The answers of the sources that come before a source; `black` for all others.
 struct EarlierAnswers {
     uint32_t before; ///< bit s is set if source s (shared/hierarchy.h) comes before

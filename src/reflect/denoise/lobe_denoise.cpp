@@ -9,7 +9,14 @@ namespace {
 /// Indices of the images in the history.
 constexpr size_t kMean = 0;
 constexpr size_t kMeta = 1;
-constexpr size_t kPlace = 2;
+constexpr size_t kFast = 2;
+constexpr size_t kPlace = 3;
+constexpr size_t kSentinelRay = 4;
+constexpr size_t kSentinelPath = 5;
+
+uint32_t tiles(uint32_t pixels) {
+    return (pixels + shared::kSentinelTile - 1) / shared::kSentinelTile;
+}
 
 } // namespace
 
@@ -22,6 +29,7 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     };
     GLINT_CHECK(pass(denoise->gather_, "denoise/gather", sizeof(uint32_t)));
     GLINT_CHECK(pass(denoise->reuse_, "denoise/reuse", 0));
+    GLINT_CHECK(pass(denoise->change_, "denoise/change", 0));
     GLINT_CHECK(pass(denoise->accumulate_, "denoise/accumulate", 0));
     GLINT_CHECK(pass(denoise->filter_, "denoise/filter", 0));
     const uint32_t w = stages.width();
@@ -31,13 +39,34 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[1], {"glint/reused", kHalf, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_[0], {"glint/nearness", VK_FORMAT_R32_SFLOAT, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_[1], {"glint/reusedNearness", VK_FORMAT_R32_SFLOAT, w, h}));
+    const uint32_t tilesX = tiles(w);
+    const uint32_t tilesY = tiles(h);
+    GLINT_CHECK(makeImage(stages.gpu, denoise->changes_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->answer_, {"glint/lobeAnswer", kHalf, w, h}));
-    std::array<StageImage, 3> images;
+    std::array<StageImage, 6> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
+    images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, w, h};
+    images[kSentinelRay] = {"glint/sentinelRay", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
+    images[kSentinelPath] = {"glint/sentinelPath", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
     GLINT_CHECK(denoise->history_.make(images, true));
     return denoise;
+}
+
+void LobeDenoise::begin(gpu::Frame& frame, bool followsSentinels) {
+    if (followsSentinels != followsSentinels_)
+        history_.reset(HistoryReset::Asked); // a history without sentinels holds what older frames left there
+    followsSentinels_ = followsSentinels;
+    history_.begin(frame, stages_.settings().denoise.enabled);
+    recorded_ = false;
+}
+
+/// True if the means tell of changed light. With sentinels they add nothing: those are never later.
+bool LobeDenoise::comparesMeans() const {
+    const Antilag antilag = stages_.settings().denoise.antilag;
+    return antilag == Antilag::Mean || (antilag == Antilag::Gradient && !followsSentinels_);
 }
 
 shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
@@ -50,6 +79,8 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
             settings.denoise.lobeTrail,
             settings.denoise.maxRadius,
             settings.denoise.noiseTarget,
+            static_cast<float>(settings.denoise.fastFrames),
+            comparesMeans() ? 1u : 0u,
             history_.valid() ? history_.expectedTag() : 0,
             0};
 }
@@ -78,9 +109,27 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .dispatch(stages_.width(), stages_.height());
 }
 
+/// Returns what has changed since the previous frame, by tiles; black where nothing is to be found.
+gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+    if (stages_.settings().denoise.antilag == Antilag::Off)
+        return inputs.frame.standIns.black;
+    if (inputs.followSentinels)
+        inputs.followSentinels(frame, {history_.before(kSentinelRay), history_.before(kSentinelPath),
+                                       history_.now(kSentinelRay), history_.now(kSentinelPath), changes_});
+    frame.pass(change_)
+        .read("frame", inputs.frame.constants)
+        .read("change", inputs.followSentinels ? changes_ : inputs.frame.standIns.black, kTexels)
+        .read("metaBefore", history_.before(kMeta), kTexels)
+        .read("fastBefore", history_.before(kFast), kTexels)
+        .write("changed", changed_)
+        .dispatch(changed_.width(), changed_.height());
+    return changed_;
+}
+
 gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
     recorded_ = true;
     gather(frame, inputs);
+    gpu::Image& changed = findChange(frame, inputs);
     const auto begin = [&](const gpu::Pipeline& pipeline) {
         gpu::Pass pass = frame.pass(pipeline);
         pass.read("frame", inputs.frame.constants)
@@ -104,9 +153,12 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .read("motion", host.motion ? host.motion : inputs.frame.standIns.black, kTexels)
         .read("meanBefore", history_.before(kMean))
         .read("metaBefore", history_.before(kMeta))
+        .read("fastBefore", history_.before(kFast))
         .read("placeBefore", history_.before(kPlace))
+        .read("changed", changed)
         .write("mean", history_.now(kMean))
         .write("meta", history_.now(kMeta))
+        .write("fast", history_.now(kFast))
         .write("place", history_.now(kPlace))
         .dispatch(w, h);
     begin(filter_)

@@ -6,6 +6,8 @@
 #include "reflect/stages.hpp"
 #include "shared/denoise_constants.h"
 
+#include <functional>
+
 namespace glint::reflect {
 
 struct LobeDenoiseInputs {
@@ -16,6 +18,8 @@ struct LobeDenoiseInputs {
     gpu::Image* raysAnswer; ///< null: the source takes no part
     gpu::Image& raysRecord;
     bool raysFirst;
+    /// Records the pass that follows the sentinels (denoise.antilag gradient); empty: there are none.
+    std::function<void(gpu::Frame& frame, const SentinelImages& images)> followSentinels;
 };
 
 /// Created when settings first enable it.
@@ -24,11 +28,8 @@ public:
     /// Errors: OutOfMemory.
     static Result<std::unique_ptr<LobeDenoise>> create(StageContext& stages);
 
-    /// Begins a frame, before its constants are resolved.
-    void begin(gpu::Frame& frame) {
-        history_.begin(frame, stages_.settings().denoise.enabled);
-        recorded_ = false;
-    }
+    /// Begins a frame, before its constants are resolved. `followsSentinels`: it will be given sentinels.
+    void begin(gpu::Frame& frame, bool followsSentinels);
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { history_.reset(reason); }
     /// `seconds`: since the previous frame.
@@ -43,18 +44,24 @@ public:
 
 private:
     explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
+    bool comparesMeans() const;
     void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    gpu::Image& findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
 
     StageContext& stages_;
     gpu::Pipeline gather_;
     gpu::Pipeline reuse_;
+    gpu::Pipeline change_;
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
     gpu::Image signal_[2];   ///< RGBA16F: weight * radiance, weight; of one ray, then with those of neighbours
     gpu::Image nearness_[2]; ///< R32F: 1 / metres to the ray's end; -1: no ray
+    gpu::Image changes_;     ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
+    gpu::Image changed_;     ///< RGBA16F, a texel for each tile: denoise/change.comp
     gpu::Image answer_;      ///< RGBA16F: radiance, weight
     History history_;
-    bool recorded_ = false; ///< in this frame
+    bool recorded_ = false;         ///< in this frame
+    bool followsSentinels_ = false; ///< in this frame
 };
 
 } // namespace glint::reflect

@@ -49,6 +49,8 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
 }
 
 Result<void> RaysSource::setSettings(const Settings& settings) {
+    wantsSentinels_ = settings.denoise.enabled && settings.denoise.antilag == Antilag::Gradient;
+    GLINT_CHECK(makeSentinels());
     const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
     const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;
     if (width == sumsWidth_ && height == sumsHeight_) {
@@ -63,16 +65,29 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
     return {};
 }
 
+/// Creates the pipeline of sentinels once settings want it and there is a scene that lights hits.
+Result<void> RaysSource::makeSentinels() {
+    if (!wantsSentinels_ || !surfaces_ || followSentinels_)
+        return {};
+    const bool query = scene_->backend() == RayBackend::Query;
+    GLINT_TRY(follow, gpu::Pipeline::compute(
+                          stages_.gpu,
+                          {query ? "rays/sentinels_query" : "rays/sentinels_bvh", 0, {}, surfaces_->textureLayout()}));
+    followSentinels_ = std::move(follow);
+    return {};
+}
+
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
     GLINT_TRY(reflect, gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}, surfaces.textureLayout()}));
     stages_.retired.keep(std::move(reflect_));
+    stages_.retired.keep(std::move(followSentinels_));
     reflect_ = std::move(reflect);
     scene_ = &scene;
     surfaces_ = &surfaces;
     shade_ = {};
     sums_.reset(HistoryReset::Asked);
-    return {};
+    return makeSentinels();
 }
 
 Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
@@ -151,29 +166,49 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
     sums_.end(frame);
 }
 
-/// Traces rays and shades their hits with the host's table.
-void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
-    Inputs& host = inputs.frame.host;
-    const StandIns& standIns = inputs.frame.standIns;
-    gpu::Pass pass = frame.pass(reflect_);
-    pass.read("frame", inputs.frame.constants)
-        .read("viewZ", inputs.prepared.viewZ)
-        .read("surface", inputs.prepared.surface)
+/// Binds what a pass needs to light hits with the host's table.
+gpu::Pass& RaysSource::bindShading(gpu::Pass& pass, const FrameInputs& inputs, const Prepared& prepared) {
+    Inputs& host = inputs.host;
+    const StandIns& standIns = inputs.standIns;
+    pass.read("frame", inputs.constants)
+        .read("viewZ", prepared.viewZ)
+        .read("surface", prepared.surface)
         .read("rays", rays_.list)
-        .read("screenRecord", inputs.screenRecord)
-        .read("material", inputs.prepared.material, kTexels)
-        .read("litRadiance", host.litRadiance, kTexels)
-        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : standIns.black, kTexels)
         .read("environment", host.environment ? host.environment : standIns.blackCube)
         .read("environmentDiffuse", host.environmentDiffuse ? host.environmentDiffuse : standIns.blackCube)
         .read("dfg", standIns.dfg)
-        .read("blueNoise", standIns.blueNoise)
+        .read("blueNoise", standIns.blueNoise);
+    scene_->bind(pass);
+    return surfaces_->bind(pass);
+}
+
+/// Traces rays and shades their hits with the host's table.
+void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
+    Inputs& host = inputs.frame.host;
+    gpu::Pass pass = frame.pass(reflect_);
+    bindShading(pass, inputs.frame, inputs.prepared)
+        .read("screenRecord", inputs.screenRecord)
+        .read("material", inputs.prepared.material, kTexels)
+        .read("litRadiance", host.litRadiance, kTexels)
+        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .write("raysRecord", record_, 0, true)
         .readWrite("raysSum", sums_.now(0))
-        .readWrite("raysWeights", sums_.now(1));
-    scene_->bind(pass);
-    surfaces_->bind(pass).dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+        .readWrite("raysWeights", sums_.now(1))
+        .dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+}
+
+void RaysSource::recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
+                                 const SentinelImages& images) {
+    gpu::Pass pass = frame.pass(followSentinels_);
+    bindShading(pass, inputs, prepared)
+        .read("raysAnswer", radianceWeight_)
+        .read("sentinelRayBefore", images.rayBefore)
+        .read("sentinelPathBefore", images.pathBefore)
+        .write("sentinelRay", images.ray)
+        .write("sentinelPath", images.path)
+        .write("change", images.change)
+        .dispatch(images.change.width(), images.change.height(), 2);
 }
 
 void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {

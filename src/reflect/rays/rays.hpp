@@ -35,7 +35,8 @@ public:
     bool hasScene() const { return scene_ != nullptr; }
     RayBackend backend() const { return scene_->backend(); }
 
-    /// Allocates the history if the settings need it, and resets it. Errors: OutOfMemory.
+    /// Allocates the history if the settings need it, and resets it. Creates the pipeline of sentinels if the settings
+    /// need it. Errors: OutOfMemory.
     Result<void> setSettings(const Settings& settings);
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { sums_.reset(reason); }
@@ -43,6 +44,12 @@ public:
     /// `before`: the sources that are asked before this one.
     shared::RaysConstants constants(const Inputs& host, uint32_t before) const;
     void record(gpu::Frame& frame, const RaysInputs& inputs);
+
+    /// False for a host that shades hits itself.
+    bool followsSentinels() const { return surfaces_ && followSentinels_; }
+    /// Follows the previous frame's sentinels and starts this frame's. Call after `record`.
+    void recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
+                         const SentinelImages& images);
 
     /// Adds the outcomes and costs of this frame's rays to a shared::RayStatistics.
     void count(gpu::Frame& frame, gpu::Buffer& statistics);
@@ -54,10 +61,14 @@ private:
     explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
     void recordHits(gpu::Frame& frame, const RaysInputs& inputs);
+    Result<void> makeSentinels();
+    gpu::Pass& bindShading(gpu::Pass& pass, const FrameInputs& inputs, const Prepared& prepared);
 
     StageContext& stages_;
     gpu::Pipeline list_;
     gpu::Pipeline reflect_;
+    gpu::Pipeline followSentinels_;
+    bool wantsSentinels_ = false; ///< the settings do
     gpu::Pipeline traceHits_;
     gpu::Pipeline count_;
     rays::Scene* scene_ = nullptr;

@@ -1,0 +1,200 @@
+// Finds where reflected light changes. Each tile of pixels starts one sentinel a frame: a path whose radiance is kept, and
+// which the next frame follows once more, from the same start with the same random numbers, in its own scene. What
+// differs is change and not noise. Schied, Peters and Dachsbacher 2018, "Gradient Estimation for Real-Time Adaptive
+// Temporal Filtering". A sentinel that saw a change becomes the tile's witness, which later frames follow as well: a
+// small light that is off is found by no new path, but the paths that saw it go out see it come back.
+// docs/techniques/rough.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "rays/surface_table.glsl"
+
+#include "rays/back_end.glsl"
+#include "rays/rays_inputs.glsl"
+
+#define GLINT_RAYS_TABLE_LIGHT
+#include "lib/octahedral.glsl"
+#include "rays/path.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 6) uniform sampler2D raysAnswer;          // of this frame: radiance, weight
+layout(set = 0, binding = 7) uniform usampler2D sentinelRayBefore;  // loadSentinel
+layout(set = 0, binding = 8) uniform usampler2D sentinelPathBefore;
+layout(set = 0, binding = 9, rgba32ui) uniform writeonly uimage2D sentinelRay;
+layout(set = 0, binding = 11, rgba32ui) uniform writeonly uimage2D sentinelPath;
+/// Of the previous frame's tiles: how much radiance changed, and the larger of the two radiances. 0, 0: unknown.
+layout(set = 0, binding = 12, rg16f) uniform writeonly image2D change;
+
+/// A path's start, in the precision that it is kept in, and its radiance.
+struct Sentinel {
+    uvec4 ray;  // originWS as bits; direction, octahedral
+    uvec4 path; // radiance and the lobe's perceptual roughness, halves; the cone's width and spread, halves; state
+};
+
+// The state of a sentinel: whether it exists, frames since it saw a change, number of its random sequence.
+const uint kExists = 1u << 31;
+const uint kAgeShift = 16u;
+const uint kLongestAge = 255u;
+const uint kSequence = 0xffffu;
+
+const Sentinel kNoSentinel = Sentinel(uvec4(0u), uvec4(0u));
+
+// Slots of a tile in the images, side by side.
+const int kFresh = 0;
+const int kWitness = 1;
+
+bool exists(Sentinel sentinel) {
+    return (sentinel.path.w & kExists) != 0u;
+}
+
+uint ageOf(Sentinel sentinel) {
+    return (sentinel.path.w >> kAgeShift) & kLongestAge;
+}
+
+Sentinel aged(Sentinel sentinel, uint age) {
+    sentinel.path.w = (sentinel.path.w & (kExists | kSequence)) | (age << kAgeShift);
+    return sentinel;
+}
+
+vec3 radianceOf(Sentinel sentinel) {
+    return vec3(unpackHalf2x16(sentinel.path.x), unpackHalf2x16(sentinel.path.y).x);
+}
+
+/// Follows the sentinel's path in this frame's scene. Returns its radiance, in the precision that it is kept in.
+uvec2 follow(Sentinel sentinel, ivec2 tile) {
+    vec2 cone = unpackHalf2x16(sentinel.path.z);
+    float roughness = unpackHalf2x16(sentinel.path.y).y;
+    Path path = startPath(uintBitsToFloat(sentinel.ray.xyz), decodeOctahedral(unpackSnorm2x16(sentinel.ray.w)),
+                          Cone(cone.x, cone.y), roughness, regularizationOf(settings.regularization, 1.0));
+    followPath(0u, tile, sentinel.path.w & kSequence, path);
+    const float kLargestHalf = 6.0e4;
+    vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestHalf));
+    return uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, roughness)));
+}
+
+/// True if the sentinel starts in the tile or beside it, from a surface that stands where it stood. What the frame does
+/// not show counts as standing.
+bool standsNear(vec3 originWS, ivec2 tile) {
+    vec3 positionVS = (frame.constants.worldToView * vec4(originWS, 1.0)).xyz;
+    vec4 pixelH = frame.constants.viewToPixel * vec4(positionVS, 1.0);
+    if (pixelH.w <= 0.0)
+        return false;
+    ivec2 px = ivec2(floor(pixelH.xy / pixelH.w));
+    ivec2 apart = abs(px - (tile * int(kSentinelTile) + int(kSentinelTile) / 2));
+    if (max(apart.x, apart.y) > 2 * int(kSentinelTile))
+        return false;
+    if (any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, ivec2(frame.constants.size))))
+        return true;
+    const float kPlane = 0.005; // of viewZ
+    float z = texelFetch(viewZ, px, 0).r;
+    vec3 shownVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    return z < kBackgroundZ && abs(dot(normalVS, positionVS - shownVS)) < kPlane * z;
+}
+
+/// The sentinel that the previous frame left in the slot, if it can be followed again.
+Sentinel previousSentinel(ivec2 tile, int slot) {
+    DenoiseConstants history = frame.settings.denoise;
+    if (history.historyExpected == 0u || history.historyTag != history.historyExpected)
+        return kNoSentinel;
+    ivec2 at = ivec2(2 * tile.x + slot, tile.y);
+    Sentinel before = Sentinel(texelFetch(sentinelRayBefore, at, 0), texelFetch(sentinelPathBefore, at, 0));
+    return exists(before) && standsNear(uintBitsToFloat(before.ray.xyz), tile) ? before : kNoSentinel;
+}
+
+void keep(Sentinel sentinel, ivec2 tile, int slot) {
+    ivec2 at = ivec2(2 * tile.x + slot, tile.y);
+    imageStore(sentinelRay, at, sentinel.ray);
+    imageStore(sentinelPath, at, sentinel.path);
+}
+
+bool wantsSentinel(ivec2 px) {
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))) || texelFetch(viewZ, px, 0).r >= kBackgroundZ)
+        return false;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    return here.reflectivity > settings.threshold && here.perceptualRoughness <= settings.maxRoughness &&
+           !isMirror(here.perceptualRoughness);
+}
+
+/// The pixel of the tile that starts its sentinel: every other time the brightest, so that a light that goes out is not
+/// missed. x < 0: none.
+ivec2 startPixel(ivec2 tile) {
+    ivec2 corner = tile * int(kSentinelTile);
+    bool brightest = ((uint(tile.x + tile.y) + frame.constants.frameIndex) & 1u) == 0u;
+    uint first = uint(hashNoise(uvec2(tile), frame.constants.frameIndex, frame.constants.seed).z *
+                      float(kSentinelTile * kSentinelTile));
+    ivec2 found = ivec2(-1);
+    float most = -1.0;
+    for (uint i = 0u; i < kSentinelTile * kSentinelTile; ++i) {
+        uint at = (first + i) % (kSentinelTile * kSentinelTile);
+        ivec2 px = corner + ivec2(at % kSentinelTile, at / kSentinelTile);
+        if (!wantsSentinel(px))
+            continue;
+        if (!brightest)
+            return px;
+        vec4 answer = texelFetch(raysAnswer, px, 0);
+        float brightness = answer.a * maxComponent(answer.rgb);
+        if (brightness > most) {
+            most = brightness;
+            found = px;
+        }
+    }
+    return found;
+}
+
+Sentinel startSentinel(ivec2 tile) {
+    ivec2 px = startPixel(tile);
+    if (px.x < 0)
+        return kNoSentinel;
+    PixelRays from = pixelRaysAt(px);
+    Direction first = samplePixel(from, 0u);
+    if (first.weight <= 0.0)
+        return kNoSentinel;
+    Sentinel made;
+    made.ray = uvec4(floatBitsToUint(from.originWS), packSnorm2x16(encodeOctahedral(first.ws)));
+    made.path = uvec4(0u, packHalf2x16(vec2(0.0, from.perceptualRoughness)),
+                      packHalf2x16(vec2(from.cone.width, from.cone.spread)), kExists | (frame.constants.frameIndex & kSequence));
+    return made;
+}
+
+vec2 changeBetween(vec3 then, vec3 now) {
+    return vec2(maxComponent(abs(now - then)), max(maxComponent(now), maxComponent(then)));
+}
+
+void main() {
+    ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 tiles = (ivec2(frame.constants.size) + int(kSentinelTile) - 1) / int(kSentinelTile);
+    if (any(greaterThanEqual(tile, tiles)))
+        return;
+    const float kChanged = 0.1; // of its radiance: what makes a witness
+    vec2 sum = vec2(0.0);
+    Sentinel witness = kNoSentinel;
+    for (int i = 0; i < 3; ++i) { // a loop, so that the program holds one copy of all that follows a path
+        bool starts = i == 2;
+        Sentinel sentinel;
+        if (starts)
+            sentinel = startSentinel(tile);
+        else
+            sentinel = previousSentinel(tile, i == 0 ? kWitness : kFresh);
+        vec3 then = radianceOf(sentinel);
+        if (exists(sentinel))
+            sentinel.path.xy = follow(sentinel, tile);
+        if (starts) {
+            keep(sentinel, tile, kFresh);
+        } else if (exists(sentinel)) {
+            vec2 apart = changeBetween(then, radianceOf(sentinel));
+            // A witness is no random sample: the older, the rarer what it saw is among those that start here. (One over
+            // its age would be that share, but then small lights come back late: docs/measurements/motion.md.)
+            sum += i == 0 ? apart * inversesqrt(float(1u + ageOf(sentinel))) : apart;
+            bool changed = apart.x > kChanged * apart.y;
+            if (changed)
+                witness = aged(sentinel, 0u);
+            else if (i == 0 && ageOf(sentinel) < kLongestAge)
+                witness = aged(sentinel, ageOf(sentinel) + 1u);
+        }
+    }
+    keep(witness, tile, kWitness);
+    imageStore(change, tile, vec4(sum, 0.0, 0.0));
+}

@@ -1,0 +1,147 @@
+// denoise.antilag: how fast the mean over frames follows light that changes, and that it forgets nothing else.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/surface_scene.hpp"
+
+#include <functional>
+
+namespace glint::test {
+namespace {
+
+constexpr uint32_t kWidth = 60;
+constexpr uint32_t kHeight = 40;
+constexpr uint32_t kFrames = 24; ///< until the light changes
+
+/// A rough metal floor before a bright wall and a panel that is lit, or not.
+class AntilagTest : public LibraryTest {
+protected:
+    void SetUp() override {
+        LibraryTest::SetUp();
+        scene_.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.4f));
+        scene_.addQuad({-4, 0, -2}, {8, 0, 0}, {0, 4, 0}, emitting(glm::vec3(0.1f)));
+        scene_.addQuad({-3, 0.2, -1.9}, {6, 0, 0}, {0, 3, 0}, lit_);
+    }
+
+    Settings denoised(Antilag antilag) const {
+        Settings settings = plainSettings();
+        settings.denoise.fastFrames = fastFrames_;
+        settings.screen.enabled = false;
+        settings.rays.enabled = true;
+        settings.denoise.enabled = true;
+        settings.denoise.antilag = antilag;
+        settings.reflect.maxRoughness = settings.reflect.roughnessFadeStart = 1;
+        return settings;
+    }
+
+    /// What frames from `first` on show of the floor, in the mean; `panel` and `step` are the panel's material and the
+    /// camera's place by frame.
+    std::vector<double> play(Antilag antilag, const std::function<SurfaceMaterial(uint32_t)>& panel, uint32_t frames,
+                             uint32_t first, double step = 0) {
+        pictures_.clear();
+        SurfaceScene scene = scene_;
+        SurfaceScene::World world = scene.build(gpu(), library(), RayBackend::Bvh);
+        Reflections made = reflections(kWidth, kHeight, denoised(antilag));
+        must(made.setRays(world.rays, world.surfaces));
+        std::vector<double> means;
+        for (uint32_t frame = 0; frame < frames; ++frame) {
+            SyntheticCamera camera = {.position = {step * frame, 1, 4}, .target = {step * frame, 0.3, 0}};
+            const SyntheticGBuffer host =
+                SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene_), camera, kWidth, kHeight);
+            must(made.setInputs(host.gbuffer));
+            scene.materials.back() = panel(frame);
+            must(world.surfaces.setMaterials(scene.materials));
+            run([&](VkCommandBuffer commands) {
+                world.rays.record(commands);
+                world.surfaces.record(commands);
+            });
+            View view = camera.view(kWidth, kHeight);
+            view.frameIndex = frame;
+            pictures_.push_back(trace(made, view));
+            if (frame >= first)
+                means.push_back(meanOf(pictures_.back()));
+        }
+        return means;
+    }
+
+    static double meanOf(const Picture& picture) {
+        double sum = 0;
+        for (size_t i = 0; i < picture.pixels(); ++i)
+            sum += picture.reflection[i * 4];
+        EXPECT_GT(sum, 0);
+        return sum / static_cast<double>(picture.pixels());
+    }
+
+    /// The share of a change that shows in each frame from `kFrames` on, the first one after it.
+    std::vector<double> reaction(Antilag antilag, bool on) {
+        const auto panel = [&](uint32_t frame) { return (frame < kFrames) == on ? blackMatte() : lit_; };
+        const auto then = play(
+            antilag, [&](uint32_t) { return panel(0); }, kFrames, kFrames - 1);
+        const auto now = play(
+            antilag, [&](uint32_t) { return panel(kFrames); }, kFrames, kFrames - 1);
+        std::vector<double> shares;
+        for (const double mean : play(antilag, panel, kFrames + 8, kFrames))
+            shares.push_back((mean - then.back()) / (now.back() - then.back()));
+        return shares;
+    }
+
+    SurfaceMaterial lit_ = emitting(glm::vec3(2));
+    int fastFrames_ = 6;
+    SurfaceScene scene_;
+    std::vector<Picture> pictures_; ///< of the last play
+};
+
+TEST_F(AntilagTest, withoutItTheMeanLags) {
+    EXPECT_LT(reaction(Antilag::Off, false).back(), 0.4); // eight of 32 frames
+}
+
+TEST_F(AntilagTest, sentinelsSeeTheLightGoOutAndComeOn) {
+    for (const bool on : {false, true}) {
+        const std::vector<double> shares = reaction(Antilag::Gradient, on);
+        EXPECT_GT(shares[6], 0.9) << (on ? "on" : "off");
+        EXPECT_LT(shares[6], 1.1) << (on ? "on" : "off");
+    }
+}
+
+TEST_F(AntilagTest, meansTellLaterOfALargeChange) {
+    lit_ = emitting(glm::vec3(0.8f));
+    EXPECT_GT(reaction(Antilag::Mean, false).back(), reaction(Antilag::Off, false).back() + 0.2);
+}
+
+TEST_F(AntilagTest, aShorterMeanTellsSooner) {
+    lit_ = emitting(glm::vec3(0.8f));
+    fastFrames_ = 3;
+    const double sooner = reaction(Antilag::Mean, false)[4];
+    fastFrames_ = 12;
+    EXPECT_GT(sooner, reaction(Antilag::Mean, false)[4] + 0.1);
+}
+
+TEST_F(AntilagTest, constantLightIsNotForgotten) {
+    for (const double step : {0.0, 0.02}) {
+        const auto same = [&](uint32_t) { return lit_; };
+        play(Antilag::Off, same, 12, 0, step);
+        const std::vector<Picture> off = std::move(pictures_);
+        for (const Antilag antilag : {Antilag::Gradient, Antilag::Mean}) {
+            play(antilag, same, 12, 0, step);
+            for (size_t i = 0; i < off.size(); ++i)
+                EXPECT_EQ(pictures_[i].composite, off[i].composite) << i << ", step " << step;
+        }
+    }
+}
+
+/// A light that no new path finds is known to the paths that saw it go out.
+TEST_F(AntilagTest, aSmallLightComesBackAtOnce) {
+    scene_ = {};
+    scene_.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.4f));
+    scene_.addQuad({-4, 0, -2}, {8, 0, 0}, {0, 4, 0}, emitting(glm::vec3(0.1f)));
+    lit_ = emitting(glm::vec3(20));
+    scene_.addQuad({-0.1, 0.5, -1.9}, {0.2, 0, 0}, {0, 0.2, 0}, lit_);
+    const auto panel = [&](uint32_t frame) { return frame < kFrames || frame >= kFrames + 8 ? lit_ : blackMatte(); };
+    const auto lit = play(
+        Antilag::Gradient, [&](uint32_t) { return lit_; }, kFrames, kFrames - 1);
+    const auto dark = play(
+        Antilag::Gradient, [&](uint32_t) { return blackMatte(); }, kFrames, kFrames - 1);
+    const auto shown = play(Antilag::Gradient, panel, kFrames + 14, kFrames + 8);
+    EXPECT_GT((shown[3] - dark.back()) / (lit.back() - dark.back()), 0.6);
+}
+
+} // namespace
+} // namespace glint::test
