@@ -19,6 +19,7 @@ namespace {
 struct CompareOptions {
     RenderOptions scene;
     std::vector<std::string> configs;
+    int64_t frames = 5; ///< to time
     std::string reference;
     int referenceFrames = 0; ///< 0: chosen by makeReference
     std::string report;
@@ -52,8 +53,8 @@ Result<void> checkOutputs(const CompareOptions& options) {
     if (!options.report.empty() && std::filesystem::exists(options.report, ignored) &&
         !std::filesystem::is_directory(options.report, ignored))
         return invalidArgument("--report {}: this is a file, not a folder", printable(options.report));
-    if (options.scene.frames < 1 || options.scene.frames > 10000)
-        return invalidArgument("--frames {}: expected 1 to 10000", options.scene.frames);
+    if (options.frames < 1 || options.frames > 10000)
+        return invalidArgument("--frames {}: expected 1 to 10000", options.frames);
     if (options.referenceFrames < 0 || options.referenceFrames > 100000)
         return invalidArgument("--reference-frames {}: expected 1 to 100000", options.referenceFrames);
     return {};
@@ -69,8 +70,8 @@ Result<void> compare(const CompareOptions& options) {
     GLINT_TRY(configs, makeConfigs(options));
     GLINT_TRY(reference, makeReference(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(comparison, measure::compareConfigs(*context, configs, reference,
-                                                  static_cast<uint32_t>(options.scene.frames), showProgress));
+    GLINT_TRY(comparison, measure::compareConfigs(*context, configs, reference, static_cast<uint32_t>(options.frames),
+                                                  showProgress));
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());
@@ -85,7 +86,6 @@ Result<void> compare(const CompareOptions& options) {
 
 void addCompareCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<CompareOptions>();
-    options->scene.frames = 5;
     CLI::App* const command = program.add_subcommand("compare", "Measure several settings on a scene against truth");
     command->add_option("SCENE", options->scene.scene, sceneHelp())->required();
     command->add_option("--config", options->configs, kConfigHelp)->required()->allow_extra_args(false);
@@ -95,7 +95,7 @@ void addCompareCommand(CLI::App& program, Command& chosen) {
     addSourceOptions(*command, options->scene);
     command->add_option("--size", options->scene.size,
                         "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
-    command->add_option("--frames", options->scene.frames, "Frames to time for each config")->capture_default_str();
+    command->add_option("--frames", options->frames, "Frames to time for each config")->capture_default_str();
     command->add_option("--reference", options->reference,
                         "Hold the pictures against this config's: preset reference, say");
     command->add_option("--reference-frames", options->referenceFrames,

@@ -1,6 +1,7 @@
 #include "render_options.hpp"
 
 #include "base/text.hpp"
+#include "render/settled_frames.hpp"
 #include "render/views.hpp"
 #include "render_output.hpp"
 #include "scene/builtin.hpp"
@@ -124,7 +125,9 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
     addSceneOptions(command, options);
     addSourceOptions(command, options);
     command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
-    command.add_option("--frames", options.frames, "Frames to render; the last one counts")->capture_default_str();
+    command.add_option("--frames", options.frames,
+                       "Frames to render; the last one counts (default: until the picture has settled, as the settings "
+                       "ask; 1 without a history)");
     command.add_option("--preset", options.settings.preset, "Settings to start from: " + presetList());
     command.add_option("--settings", options.settings.file, "Settings file (JSON), stronger than the preset");
     command.add_option("--set", options.settings.assignments, "KEY=VALUE, strongest; may be repeated (glint settings)")
@@ -169,11 +172,12 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     if (!std::isfinite(options.time))
         return invalidArgument("--time {}: expected a number of seconds", options.time);
     job.time = options.time;
-    if (options.frames < 1 || options.frames > kMaxFrames)
-        return invalidArgument("--frames {}: expected 1 to {}", options.frames, kMaxFrames);
-    job.frames = static_cast<uint32_t>(options.frames);
+    if (options.frames && (*options.frames < 1 || *options.frames > kMaxFrames))
+        return invalidArgument("--frames {}: expected 1 to {}", *options.frames, kMaxFrames);
     GLINT_TRY(settings, render::loadSettings(settingsRequest(options)));
     job.settings = std::move(settings);
+    job.frames =
+        options.frames ? static_cast<uint32_t>(*options.frames) : render::settledFrames(job.settings.reflections);
     return job;
 }
 

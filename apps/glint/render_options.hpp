@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct RenderOptions {
     std::string planar = "none";
     std::string size;
     double time = 0;
-    int64_t frames = 1;
+    std::optional<int64_t> frames; ///< default: render::settledFrames
     uint32_t seed = 0;
     std::vector<std::string> views;
     std::string statsFile;

@@ -26,6 +26,7 @@ constexpr int64_t kMostSamples = 1 << 20;
 struct SequenceOptions {
     RenderOptions scene;
     std::vector<std::string> configs;
+    int64_t frames = 96;
     std::string path = "still";
     double speed = 2;
     int64_t stop = -1; ///< -1: never
@@ -61,8 +62,8 @@ Result<measure::SequencePath> sequencePath(const SequenceOptions& options) {
 }
 
 Result<void> checkNumbers(const SequenceOptions& options) {
-    if (options.scene.frames < 1 || options.scene.frames > kMostFrames)
-        return invalidArgument("--frames {}: expected 1 to {}", options.scene.frames, kMostFrames);
+    if (options.frames < 1 || options.frames > kMostFrames)
+        return invalidArgument("--frames {}: expected 1 to {}", options.frames, kMostFrames);
     if (!(options.fps >= 1 && options.fps <= 1000))
         return invalidArgument("--fps {}: expected 1 to 1000", options.fps);
     if (!(std::abs(options.speed) <= 1000))
@@ -72,9 +73,9 @@ Result<void> checkNumbers(const SequenceOptions& options) {
     if (options.referenceSamples < 0 || options.referenceSamples > kMostSamples)
         return invalidArgument("--reference-samples {}: expected 1 to {}, or 0 for no reference",
                                options.referenceSamples, kMostSamples);
-    if (options.warmUp < -1 || options.warmUp >= options.scene.frames)
+    if (options.warmUp < -1 || options.warmUp >= options.frames)
         return invalidArgument("--warm-up {}: expected 0 to {}, less than --frames", options.warmUp,
-                               options.scene.frames - 1);
+                               options.frames - 1);
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(checkFolder("--json", options.json));
     return {};
@@ -82,7 +83,7 @@ Result<void> checkNumbers(const SequenceOptions& options) {
 
 /// A quarter of the frames, at most 32.
 uint32_t warmUpFrames(const SequenceOptions& options) {
-    const int64_t frames = options.warmUp >= 0 ? options.warmUp : std::min<int64_t>(options.scene.frames / 4, 32);
+    const int64_t frames = options.warmUp >= 0 ? options.warmUp : std::min<int64_t>(options.frames / 4, 32);
     return static_cast<uint32_t>(frames);
 }
 
@@ -178,7 +179,7 @@ Result<void> runSequence(const SequenceOptions& options) {
     GLINT_TRY(path, sequencePath(options));
     measure::SequencePlan plan;
     plan.path = std::move(path);
-    plan.frames = static_cast<uint32_t>(options.scene.frames);
+    plan.frames = static_cast<uint32_t>(options.frames);
     plan.fps = options.fps;
     GLINT_TRY(configs, sequenceConfigs(options));
     plan.configs = std::move(configs);
@@ -213,7 +214,6 @@ Result<void> runSequence(const SequenceOptions& options) {
 
 void addSequenceCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<SequenceOptions>();
-    options->scene.frames = 96;
     CLI::App* const command = program.add_subcommand("sequence", "Render and measure moving pictures");
     command->add_option("SCENE", options->scene.scene, sceneHelp())->required();
     const std::vector<std::string> moves(scene::cameraMoves().begin(), scene::cameraMoves().end());
@@ -226,7 +226,7 @@ void addSequenceCommand(CLI::App& program, Command& chosen) {
                      "Pixels per frame by which a movement shifts what is at the centre of the scene")
         ->capture_default_str();
     command->add_option("--stop", options->stop, "The camera stands still from this frame on");
-    command->add_option("--frames", options->scene.frames, "Frames to render")->capture_default_str();
+    command->add_option("--frames", options->frames, "Frames to render")->capture_default_str();
     command->add_option("--fps", options->fps, "Frames per second of the scene's clock")->capture_default_str();
     CLI::Option* const config = command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false);
     addSceneOptions(*command, options->scene);

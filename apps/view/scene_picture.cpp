@@ -2,6 +2,7 @@
 
 #include "gpu/transfer.hpp"
 #include "orbit_camera.hpp"
+#include "render/settled_frames.hpp"
 
 namespace glint::view {
 namespace {
@@ -42,7 +43,7 @@ uint32_t ScenePicture::wanted() const {
     const Settings& settings = job_.settings.reflections;
     if (settings.rays.enabled && settings.rays.accumulate)
         return job_.frames > 1 ? job_.frames : kAccumulatedFrames;
-    return settings.screen.colorSource == ColorSource::Previous ? 2 : 1; // the first frame has no previous one
+    return render::settledFrames(settings);
 }
 
 Result<void> ScenePicture::setSettings(const render::ProgramSettings& settings) {
@@ -56,12 +57,19 @@ Result<void> ScenePicture::setSettings(const render::ProgramSettings& settings) 
     return {};
 }
 
+/// Call where camera or objects have moved: the denoiser's history goes on, and so must the noise.
+void ScenePicture::moved() {
+    frames_ = 0;
+    if (!job_.settings.reflections.denoise.enabled)
+        index_ = 0;
+}
+
 Result<void> ScenePicture::setCamera(const scene::Camera& camera) {
     if (sameCamera(camera, camera_))
         return {};
     GLINT_CHECK(session_.setCamera(camera));
     camera_ = camera;
-    changed();
+    moved();
     return {};
 }
 
@@ -70,7 +78,7 @@ Result<void> ScenePicture::setTime(double seconds) {
         return {};
     GLINT_CHECK(session_.setTime(seconds));
     job_.time = seconds;
-    changed();
+    moved();
     return {};
 }
 
@@ -100,7 +108,7 @@ Result<void> ScenePicture::remake() {
 }
 
 Result<void> ScenePicture::render() {
-    GLINT_TRY(times, session_.renderFrame(frames_));
+    GLINT_TRY(times, session_.renderFrame(index_++));
     times_ = std::move(times);
     ++frames_;
     ++version_;

@@ -60,7 +60,8 @@ private:
     Result<gpu::Image> makeImage() const;
     Result<void> makeImages();
     uint32_t wanted() const;
-    void changed() { frames_ = 0; }
+    void changed() { frames_ = index_ = 0; }
+    void moved();
 
     gpu::Context& context_;
     render::RenderJob job_;
@@ -75,6 +76,7 @@ private:
     uint32_t width_ = 0;
     uint32_t height_ = 0;
     uint32_t frames_ = 0;
+    uint32_t index_ = 0; ///< of the next frame: selects its noise
     uint64_t version_ = 0;
 };
 

@@ -109,10 +109,10 @@
     SETTING(bool, fresnel, true, "", "",                                                                               \
         "Increase reflectance toward grazing angles (Schlick); off: use F0 at every angle",                            \
         "babylon:useFresnel")                                                                                          \
-    SETTING(float, roughnessFadeStart, 0.2f, "[0, 1]", "perceptual roughness",                                         \
+    SETTING(float, roughnessFadeStart, 0.5f, "[0, 1]", "perceptual roughness",                                         \
         "Screen-space reflections have full weight up to this roughness and fade out above it",                        \
         "hdrp:smoothnessFadeStart=1-x")                                                                                \
-    SETTING(float, maxRoughness, 0.4f, "[0, 1]", "perceptual roughness",                                               \
+    SETTING(float, maxRoughness, 0.6f, "[0, 1]", "perceptual roughness",                                               \
         "No screen-space ray from this roughness on; at or below roughnessFadeStart: hard cutoff just above it",       \
         "hdrp:minSmoothness=1-x")
 
@@ -141,8 +141,8 @@
         "")
 
 #define GLINT_DENOISE_SETTINGS(SETTING)                                                                                \
-    SETTING(bool, enabled, false, "", "",                                                                              \
-        "Sample the lobe of rough surfaces with screen and rays together, and average over neighbours and frames",     \
+    SETTING(bool, enabled, true, "", "",                                                                               \
+        "Sample the lobe of rough surfaces with screen and rays together, and average over neighbours and frames; off: screen hits are mirror images, so lower reflect.maxRoughness to about 0.4", \
         "")                                                                                                            \
     SETTING(float, historySeconds, 0.5f, "[0, 4]", "s",                                                                \
         "Longest time over which frames are averaged; longer: less noise, but slower to follow changes of light",      \
@@ -230,7 +230,7 @@
         "Rays shade hits on smoother surfaces, also screen hits, since the frame's light there is view-dependent",     \
         "")                                                                                                            \
     SETTING(bool, accumulate, false, "", "",                                                                           \
-        "Average ray results since the view or a setting changed, or Reflections::restartAccumulation was called",     \
+        "Average ray results since the view or a setting changed, or Reflections::restartAccumulation was called; switches denoise off", \
         "")
 
 #define GLINT_PLANAR_SETTINGS(SETTING)                                                                                 \

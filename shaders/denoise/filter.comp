@@ -17,10 +17,11 @@ layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D answer; // radia
 DenoiseConstants settings = frame.settings.denoise;
 
 const uint kTaps = 16u;
+const uint kYoungTaps = 32u; // in the first frames, which look twice as far
+const float kEnough = 4.0;     // frames until the variance over frames says how noisy a pixel is
 
 /// Standard deviation of the mean, from the variance over frames; without enough frames, as large as the mean.
 float deviation(vec4 moments) {
-    const float kEnough = 4.0;
     float overFrames = sqrt(max(moments.z - square(moments.y), 0.0) / max(moments.x, 1.0));
     return max(overFrames, moments.y * saturate(1.0 - (moments.x - 1.0) / kEnough));
 }
@@ -39,15 +40,20 @@ void main() {
         vec4 moments = texelFetch(meta, px, 0);
         float noise = deviation(moments);
         float strength = saturate(noise / max(settings.noiseTarget * moments.y, 1e-6));
-        float widest = min(settings.filterRadius, 0.5 * lobePixels(here.perceptualRoughness, here.viewZ, moments.w));
+        // A first frame is one sample of the lobe: its neighbours' are all that there is.
+        float young = saturate(1.0 - (moments.x - 1.0) / kEnough);
+        float widest =
+            min(settings.filterRadius,
+                mix(0.5, 1.0, young) * lobePixels(here.perceptualRoughness, here.viewZ, moments.w));
+        uint taps = young > 0.0 ? kYoungTaps : kTaps;
         float radius = widest * strength;
         if (radius >= 0.5) {
             mat2 disc = lobeDisc(here, radius);
             float turn = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).y;
             float own = luminance(sum.rgb);
             float total = 1.0;
-            for (uint i = 0u; i < kTaps; ++i) {
-                vec2 at = vogelPoint(i, kTaps, turn);
+            for (uint i = 0u; i < taps; ++i) {
+                vec2 at = vogelPoint(i, taps, turn);
                 ivec2 tap = ivec2(floor(vec2(px) + 0.5 + disc * at));
                 if (tap == px || !hasRay(tap))
                     continue;

@@ -3,6 +3,7 @@
 #include "measure/floor_pass.hpp"
 #include "measure/job_hits.hpp"
 #include "render/run_job.hpp"
+#include "render/settled_frames.hpp"
 #include "render/views.hpp"
 
 namespace glint::measure {
@@ -83,6 +84,8 @@ private:
             GLINT_TRY(times, session_.renderFrame(index++, effect));
             figures.times.add(times);
         }
+        for (const uint32_t settled = render::settledFrames(figures.settings.reflections); index + 1 < settled;)
+            GLINT_CHECK(session_.renderFrame(index++, effect));
         GLINT_TRY(drawn, session_.renderFrame(index));
         figures.times.addDrawn(drawn);
         return {};

@@ -6,6 +6,7 @@
 #include "reflect/composite/ray_counts.hpp"
 #include "reflect/composite/views.hpp"
 #include "reflect/denoise/denoise.hpp"
+#include "reflect/denoise/denoises.hpp"
 #include "reflect/denoise/lobe_denoise.hpp"
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/history.hpp"
@@ -105,7 +106,7 @@ private:
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
     bool followsSentinels() const { return usesRays() && raysSource_->followsSentinels(); }
-    bool denoisesLobes() const { return lobeDenoise_ && stages_.settings().denoise.enabled; }
+    bool denoisesLobes() const { return lobeDenoise_ && denoises(stages_.settings()); }
     ProbesState* probes() const { return probesSource_ ? probesSource_->probes() : nullptr; }
 
     // Outputs of stages that other stages read.

@@ -42,7 +42,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(trace_->make(settings));
     if (settings.screen.colorSource == ColorSource::Previous)
         GLINT_CHECK(colors_.remember());
-    if (settings.rays.enabled || settings.denoise.enabled)
+    if (settings.rays.enabled || denoises(settings))
         GLINT_CHECK(tables_->makeNoise(stages_.gpu));
     if (settings.rays.enabled && !raysSource_) {
         GLINT_TRY(source, RaysSource::create(stages_));
@@ -68,7 +68,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
 Result<void> FrameStages::setDenoise(const Settings& settings) {
     if (lobeDenoise_)
         lobeDenoise_->forgetFrames(HistoryReset::Settings);
-    if (!settings.denoise.enabled) {
+    if (!denoises(settings)) {
         hierarchy_->joinScreenAndRays({});
         return {};
     }

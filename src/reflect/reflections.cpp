@@ -41,6 +41,12 @@ void Reflections::State::note() {
         notes.emplace_back("rays.enabled without a scene: the host has not called Reflections::setRays");
     if (settings.screen.enabled && settings.screen.march == March::Proxy && !frame->hasProbes())
         notes.emplace_back("screen.march proxy without probes: every ray is taken to end infinitely far away");
+    if (reflect::denoises(settings) && settings.screen.enabled)
+        for (const auto& [wanted, name] : {std::pair(settings.screen.resolutionScale != 1, "screen.resolutionScale"),
+                                           std::pair(settings.blur.strength > 0, "blur.strength"),
+                                           std::pair(settings.rough.factor > 0, "rough.factor")})
+            if (wanted)
+                notes.push_back(fmt::format("{} has no effect with denoise.enabled", name));
     if (!frame->host().isSet())
         return;
     const GBuffer& gbuffer = frame->host().gbuffer;

@@ -18,6 +18,7 @@ Settings inMirrors(Settings settings) {
     settings.rays.enabled = false;
     settings.screen.colorSource = ColorSource::Current;
     settings.debug.outcome = false;
+    settings.denoise.enabled = false; // a level's mirrors take turns: a history would be another mirror's
     settings.input.colorIsGamma = false;
     settings.output.colorIsGamma = false;
     return settings;

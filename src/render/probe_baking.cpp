@@ -332,7 +332,8 @@ private:
         ReflectionsDesc desc;
         desc.width = desc.height = pictureSize();
         desc.settings.screen.enabled = false;
-        desc.framesInFlight = 1; // the baking waits for every face
+        desc.settings.denoise.enabled = false; // each face is one frame
+        desc.framesInFlight = 1;               // the baking waits for every face
         GLINT_TRY(reflections, Reflections::create(library_, desc));
         GLINT_CHECK(reflections.setProbes(probes));
         for (uint32_t done = 1; done < options_.bounces; ++done) {

@@ -55,7 +55,7 @@ private:
         if (key == "time")
             return readNumber(value, options.time);
         if (key == "frames")
-            return value.is_number_unsigned() && (value.get_to(options.frames), true);
+            return value.is_number_unsigned() && (options.frames = value.get<int64_t>(), true);
         if (key == "seed")
             return value.is_number_unsigned() && (value.get_to(options.seed), true);
         if (key == "preset")
@@ -147,8 +147,8 @@ std::string commandOf(const ImageCase& imageCase) {
         add("--view", view);
     if (options.time != 0)
         command += fmt::format(" --time {}", options.time);
-    if (options.frames != 1)
-        command += fmt::format(" --frames {}", options.frames);
+    if (options.frames)
+        command += fmt::format(" --frames {}", *options.frames);
     if (options.seed != 0)
         command += fmt::format(" --seed {}", options.seed);
     return command + fmt::format(" -o {}.png", imageCase.name);

@@ -13,8 +13,12 @@
 
 namespace glint::test {
 
-/// The table's defaults with assignments on top: "screen.step=4", ...
+/// The table's defaults with assignments on top: "screen.step=4", ... One frame tells more without a history, so there
+/// is no denoising unless the assignments ask for it; and mirror images then end at the roughness where they are too
+/// sharp.
 inline render::ProgramSettings settingsOf(std::vector<std::string> assignments) {
+    const auto plain = {"denoise.enabled=false", "reflect.roughnessFadeStart=0.2", "reflect.maxRoughness=0.4"};
+    assignments.insert(assignments.begin(), plain.begin(), plain.end());
     return must(
         render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = std::move(assignments)}));
 }

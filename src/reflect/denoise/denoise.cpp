@@ -1,5 +1,7 @@
 #include "reflect/denoise/denoise.hpp"
 
+#include "reflect/denoise/denoises.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +9,7 @@ namespace glint::reflect {
 namespace {
 
 bool blurs(const Settings& settings) {
-    return settings.blur.strength > 0 && !settings.denoise.enabled;
+    return settings.blur.strength > 0 && !denoises(settings);
 }
 
 /// Returns the blurred images' side: `traced` / (blur.downsample + 1), rounded up.
@@ -92,7 +94,7 @@ Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal 
 // ---------------------------------------------------------------- creation
 
 uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
-    if (settings.denoise.enabled) // each pixel has a sample of its own lobe
+    if (denoises(settings)) // each pixel has a sample of its own lobe
         return pixels;
     // 1e-3 less before rounding up, as 0.1f is slightly above a tenth.
     const double wanted = pixels * static_cast<double>(settings.screen.resolutionScale) - 1e-3;

@@ -1,5 +1,7 @@
 #include "reflect/denoise/lobe_denoise.hpp"
 
+#include "reflect/denoise/denoises.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -59,7 +61,7 @@ void LobeDenoise::begin(gpu::Frame& frame, bool followsSentinels) {
     if (followsSentinels != followsSentinels_)
         history_.reset(HistoryReset::Asked); // a history without sentinels holds what older frames left there
     followsSentinels_ = followsSentinels;
-    history_.begin(frame, stages_.settings().denoise.enabled);
+    history_.begin(frame, denoises(stages_.settings()));
     recorded_ = false;
 }
 

@@ -1,6 +1,7 @@
 #include "reflect/rays/rays.hpp"
 
 #include "base/assert.hpp"
+#include "reflect/denoise/denoises.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/ray_hit.h"
 
@@ -49,7 +50,7 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
 }
 
 Result<void> RaysSource::setSettings(const Settings& settings) {
-    wantsSentinels_ = settings.denoise.enabled && settings.denoise.antilag == Antilag::Gradient;
+    wantsSentinels_ = denoises(settings) && settings.denoise.antilag == Antilag::Gradient;
     GLINT_CHECK(makeSentinels());
     const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
     const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;

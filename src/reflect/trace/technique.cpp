@@ -1,6 +1,7 @@
 #include "reflect/trace/technique.hpp"
 
 #include "base/assert.hpp"
+#include "reflect/denoise/denoises.hpp"
 #include "reflect/stage.hpp"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     if (hiz)
         constants.thicknessRelative += settings.hiz.depthBias;
     // With a blur, roughness sets its width instead: jitter would only add noise.
-    constants.roughnessFactor = settings.blur.strength > 0 || settings.denoise.enabled ? 0 : settings.rough.factor;
+    constants.roughnessFactor = settings.blur.strength > 0 || denoises(settings) ? 0 : settings.rough.factor;
     switch (settings.screen.march) {
     case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
     case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
@@ -102,7 +103,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     flag(settings.fade.iterations, shared::kFadeIterations);
     flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
     flag(settings.fade.backface, shared::kFadeBackface);
-    flag(settings.denoise.enabled, shared::kTraceLobe);
+    flag(denoises(settings), shared::kTraceLobe);
     flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
     return constants;
 }

@@ -1,0 +1,17 @@
+// How many frames of a still view it takes until further ones no longer change the picture much.
+#pragma once
+
+#include "glint/settings.hpp"
+
+#include <cstdint>
+
+namespace glint::render {
+
+/// Frames per second of our programs' clock (View::seconds).
+constexpr double kFramesPerSecond = 60;
+
+/// As many as the settings' history holds: denoise.historySeconds, or the previous frame's colours. rays.accumulate has
+/// no end, and counts as one.
+uint32_t settledFrames(const Settings& settings);
+
+} // namespace glint::render
