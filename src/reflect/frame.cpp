@@ -11,6 +11,8 @@ namespace glint::reflect {
 void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     const Settings& settings = stages_.settings();
     clear(frame);
+    if (view.cut)
+        forgetFrames(HistoryReset::View);
     colors_.begin(frame, wantsHistory());
     if (lobeDenoise_)
         lobeDenoise_->begin(frame, followsSentinels());
@@ -121,7 +123,7 @@ gpu::Image* FrameStages::record(VkCommandBuffer commands, const View& view) {
     upToDate_.ask();
     written_.clear();
     if (!ranPasses_) {
-        forgetFrames();
+        forgetFrames(HistoryReset::NotLight);
         return nullptr;
     }
     gpu::Frame frame(stages_.gpu, commands, timers_.get(), views_ ? &written_ : nullptr);
@@ -136,13 +138,13 @@ void FrameStages::forget() {
     written_.clear();
     recorded_ = ranPasses_ = false;
     upToDate_.ask();
-    forgetFrames();
+    forgetFrames(HistoryReset::NotLight);
 }
 
-void FrameStages::forgetFrames() {
-    colors_.reset(HistoryReset::NotLight);
+void FrameStages::forgetFrames(HistoryReset reason) {
+    colors_.reset(reason);
     if (lobeDenoise_)
-        lobeDenoise_->forgetFrames(HistoryReset::NotLight);
+        lobeDenoise_->forgetFrames(reason);
 }
 
 gpu::Image& FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {

@@ -99,7 +99,7 @@ private:
     void bringUpToDate(gpu::Frame& frame);
     void countRays(gpu::Frame& frame);
     /// The next frame has no history: this one was not light.
-    void forgetFrames();
+    void forgetFrames(HistoryReset reason);
     void recordLayer(gpu::Frame& frame, LayerImages& layer);
 
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }

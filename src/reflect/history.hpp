@@ -15,7 +15,7 @@ enum class HistoryReset : uint8_t {
     Off,  ///< the settings disable it
     First,
     Settings, ///< the settings changed
-    View,     ///< the camera moved, or its projection changed
+    View,     ///< the camera moved, its projection changed, or the host said so (View::cut)
     Asked,    ///< Reflections::restartAccumulation, or another scene
     NotLight, ///< the previous frame was not radiance: nothing was drawn, or debug colours
 };

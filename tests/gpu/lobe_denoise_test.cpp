@@ -254,6 +254,29 @@ TEST_F(LobeDenoiseTest, settingsStartAnewAndSwitchOff) {
     EXPECT_EQ(play(made, scene, 1, 0, 0).composite, first.composite);
 }
 
+TEST_F(LobeDenoiseTest, aCutHasNoHistory) {
+    for (const ColorSource colors : {ColorSource::Current, ColorSource::Previous}) {
+        Settings settings = denoised();
+        settings.screen.colorSource = colors;
+        const SyntheticCamera camera = cameraAt(0);
+        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), roughFloor(0.3f), camera, kWidth, kHeight);
+        const auto last = [&](std::vector<uint32_t> frames, bool cut) {
+            Reflections made = reflections(kWidth, kHeight, settings);
+            must(made.setInputs(host.gbuffer));
+            Picture picture;
+            for (const uint32_t frame : frames) {
+                View view = camera.view(kWidth, kHeight);
+                view.frameIndex = frame;
+                view.cut = cut && frame == frames.back();
+                picture = trace(made, view);
+            }
+            return picture.composite;
+        };
+        EXPECT_EQ(last({0, 1, 2, 3}, true), last({3}, false));
+        EXPECT_NE(last({0, 1, 2, 3}, false), last({3}, false));
+    }
+}
+
 TEST_F(LobeDenoiseTest, everySettingActs) {
     const auto acts = [&](const SyntheticScene& scene, const char* key, const char* value) {
         Settings settings = denoised();
