@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
     gbuffer.conventions.clipYDown = true;
     gbuffer.conventions.normalSpace = glint::NormalSpace::View;
     gbuffer.conventions.normalEncoding = glint::NormalEncoding::Unorm;
-    gbuffer.conventions.smoothness = true;
+    gbuffer.conventions.roughness = glint::RoughnessKind::Smoothness; // in alpha, as by default
     if (auto set = reflections->setInputs(gbuffer); !set)
         fail(set.error().message);
 

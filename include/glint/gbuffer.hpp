@@ -29,7 +29,7 @@ struct HostImage {
 
 enum class DepthKind : uint8_t {
     Device,      ///< device depth as rasterized with View::viewToClip; the matrix tells reversed and infinite depth
-    LinearViewZ, ///< metres along the view axis, positive; 0: background
+    LinearViewZ, ///< linear along the view axis: stored * Conventions::linearDepthScale is metres; 0: background
 };
 enum class NormalSpace : uint8_t { World, View };
 enum class NormalEncoding : uint8_t {
@@ -40,14 +40,32 @@ enum class NormalEncoding : uint8_t {
 };
 enum class Handedness : uint8_t { Right, Left }; ///< of view space: the camera looks down -Z (Right) or +Z (Left)
 
-/// Contents of GBuffer::material.
+/// The host's material model. GBuffer::roughness, metallic and specular state where its scalars are stored.
 enum class MaterialKind : uint8_t {
-    F0Roughness,        ///< F0 in rgb, linear; roughness in one channel
-    MetallicRoughness,  ///< metallic and roughness in one channel each, with GBuffer::baseColor: glTF's model
-    SpecularGlossiness, ///< specular colour (F0) in rgb, linear; glossiness, 1 - perceptual roughness, in one channel
-    /// Specular colour (F0) in rgb, linear; roughness is 0, so all reflections are sharp. Without an image the
-    /// specular colour is (1, 1, 1), a perfect mirror.
+    F0Roughness,        ///< F0 in the rgb of GBuffer::material, linear; roughness
+    MetallicRoughness,  ///< GBuffer::baseColor, roughness, metallic, and optionally specular: glTF's model
+    SpecularGlossiness, ///< F0 in the rgb of GBuffer::material, linear; GBuffer::roughness holds glossiness
+    /// F0 in the rgb of GBuffer::material, linear; roughness is 0, so all reflections are sharp. Without an image F0 is
+    /// (1, 1, 1), a perfect mirror.
     Standard,
+};
+
+/// What the value of GBuffer::roughness means.
+enum class RoughnessKind : uint8_t {
+    Perceptual, ///< perceptual roughness, the value that artists set
+    Alpha,      ///< alpha of the GGX distribution: the square of perceptual roughness
+    Smoothness, ///< 1 - perceptual roughness
+};
+
+/// Where a scalar of the material is stored: value = texel[channel] * scale + bias. Values below 0 count as 0, values
+/// above 1 as 1, except for specular.
+struct MaterialChannel {
+    /// The image that holds the channel; absent: GBuffer::material. May be an image that the G-buffer states already,
+    /// like normal or baseColor: state the same HostImage again.
+    HostImage image;
+    uint32_t channel = 0; ///< [0, 3]; the format must have it
+    float scale = 1;      ///< 0: every pixel has the value `bias`, and no image is read
+    float bias = 0;
 };
 
 /// Conventions of the host's images and matrices. Defaults are Glint's own conventions.
@@ -58,10 +76,11 @@ struct Conventions {
     Handedness handedness = Handedness::Right;
     NormalSpace normalSpace = NormalSpace::World;
     NormalEncoding normalEncoding = NormalEncoding::Octahedral;
-    bool smoothness = false;       ///< the roughness channel holds 1 - perceptualRoughness
-    uint32_t roughnessChannel = 3; ///< channel of `material`, [0, 3], for roughness or glossiness
     MaterialKind material = MaterialKind::F0Roughness;
-    uint32_t metallicChannel = 2; ///< channel of `material`, [0, 3]; MaterialKind::MetallicRoughness only
+    RoughnessKind roughness = RoughnessKind::Perceptual;
+    /// Factor on stored linear depth that gives positive metres: -1 for the z of a right-handed view space, 0.01 for
+    /// centimetres, the far distance for depth in [0, 1]. DepthKind::LinearViewZ only.
+    float linearDepthScale = 1;
     /// Factor on stored motion, x and y, which gives previous UV - current UV: {-1, -1} for the opposite sign,
     /// {0.5f, -0.5f} for clip space with +Y up, {1 / width, 1 / height} for pixels. Motion must be non-jittered.
     float motionScale[2] = {1, 1};
@@ -75,13 +94,23 @@ struct Conventions {
 /// The host's images of one frame. Requires the same size for all images except backDepth, VK_IMAGE_USAGE_SAMPLED_BIT
 /// and a 2D view in a format that shaders read as float. Depth formats (D32, D24, D16, with or without stencil) are
 /// allowed for depth and backDepth only. A host that draws with several samples per pixel provides depth, normal,
-/// material and baseColor unresolved, with all samples: their means would describe surfaces that do not exist. It
-/// provides the other images resolved, with one sample per pixel.
+/// material, baseColor and the images of roughness, metallic and specular unresolved, with all samples: their means
+/// would describe surfaces that do not exist. It provides the other images resolved, with one sample per pixel.
 struct GBuffer {
     HostImage depth;
-    HostImage normal;    ///< shading normals; sharp mirrors need 16 bits per channel, 8 bits show stair-steps
-    HostImage material;  ///< contents as Conventions::material states; optional only with MaterialKind::Standard
-    HostImage baseColor; ///< linear base colour in rgb; MaterialKind::MetallicRoughness only
+    HostImage normal; ///< shading normals; sharp mirrors need 16 bits per channel, 8 bits show stair-steps
+    /// F0 in rgb, or with MaterialKind::MetallicRoughness no colour; and the scalars below that name no other image.
+    /// Optional if none does, and with MaterialKind::Standard.
+    HostImage material;
+    HostImage baseColor;                        ///< linear base colour in rgb; MaterialKind::MetallicRoughness only
+    MaterialChannel roughness = {.channel = 3}; ///< as Conventions::roughness states; glossiness: SpecularGlossiness
+    MaterialChannel metallic = {.channel = 2};  ///< MaterialKind::MetallicRoughness only
+    /// Specular of the dielectric part, whose F0 is 0.08 * value: 0.5 is glTF's 4 %. A host that stores F0 itself sets
+    /// scale 12.5. MaterialKind::MetallicRoughness only.
+    MaterialChannel specular = {.scale = 0, .bias = 0.5f};
+    /// Ambient occlusion: 1 is unoccluded. Darkens reflections from probes and the environment, whose visibility no ray
+    /// has tested; the answers of rays are exact. One sample per pixel.
+    MaterialChannel occlusion = {.scale = 0, .bias = 1};
     /// The host's lit image, linear and scene-referred (sRGB-encoded with input.colorIsGamma). Hits take their colour
     /// from it.
     HostImage litRadiance;

@@ -16,9 +16,26 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 4) uniform samplerCube environment;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D reflected; // sum of weight * radiance; total weight
 layout(set = 0, binding = 7, rg32ui) uniform writeonly uimage2D weights;   // lib/source_weights.glsl
+layout(set = 0, binding = 8) uniform sampler2D occlusion;                  // ambient, of the host
 HierarchyConstants settings = frame.settings.hierarchy;
 
 #include "hierarchy/environment_radiance.glsl"
+
+/// Fraction of the mirror lobe that ambient occlusion leaves open; 1 without occlusion. Lagarde, de Rousiers 2014,
+/// "Moving Frostbite to Physically Based Rendering", section 4.10.2: a fit, exact at occlusion 1 (open) and at
+/// occlusion 0 with grazing view.
+float specularOcclusion(ivec2 px, float z) {
+    HostChannel stored = frame.constants.occlusion;
+    float open = stored.bias;
+    if (stored.scale != 0.0)
+        open += texelFetch(occlusion, px, 0)[stored.channel] * stored.scale;
+    open = clamp(sanitize(open), 0.0, 1.0);
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    vec3 positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+    float NoV = clamp(dot(here.normalVS, -viewDirection(frame.constants, positionVS)), 0.0, 1.0);
+    float alpha = here.perceptualRoughness * here.perceptualRoughness;
+    return clamp(pow(NoV + open, exp2(-16.0 * alpha - 1.0)) - 1.0 + open, 0.0, 1.0);
+}
 
 /// The sky answers every direction.
 vec4 skyAnswer(ivec2 px, float z) {
@@ -42,6 +59,9 @@ void main() {
         if ((settings.sources & (1u << source)) == 0u)
             continue;
         vec4 answer = source == kSourceSky ? skyAnswer(px, z) : loadAnswer(source, settings.sources, px);
+        bool untested = source == kSourceSky || source == kSourceProbes; // no ray has tested what hides the direction
+        if (untested && (frame.constants.flags & kInputOcclusion) != 0u)
+            answer.rgb *= specularOcclusion(px, z);
         shares[source] = take(walk, answer);
         logSource(px, i, source, shares[source], answer.rgb);
     }

@@ -27,8 +27,10 @@ vec2 pixelExtent(FrameConstants frame, vec4 uvToView, float viewZ) {
 
 /// Device depth as the host stores it -> metres along the view axis; kBackgroundZ where the host drew no surface.
 float viewZFromDepth(FrameConstants frame, float depth) {
-    if ((frame.flags & kInputLinearDepth) != 0u)
-        return depth > 0.0 && depth < kBackgroundZ ? depth : kBackgroundZ;
+    if ((frame.flags & kInputLinearDepth) != 0u) {
+        float z = depth * frame.depthScale;
+        return z > 0.0 && z < kBackgroundZ ? z : kBackgroundZ;
+    }
     bool reversed = (frame.flags & kInputReversedDepth) != 0u;
     if (reversed ? depth <= frame.farDepth : depth >= frame.farDepth)
         return kBackgroundZ;

@@ -48,29 +48,41 @@ vec3 hostNormalVS(FrameConstants frame, vec3 stored) {
     return squaredLength > 1e-12 && squaredLength < 1e12 ? decoded * inversesqrt(squaredLength) : vec3(0.0, 0.0, 1.0);
 }
 
-/// `stored`: a texel of the material image; `baseColor`: a texel of the base colour image, where the material kind has
-/// one.
-vec3 hostF0(FrameConstants frame, vec4 stored, vec3 baseColor) {
-    vec3 f0 = stored.rgb;
-    if (frame.materialKind == kHostMaterialMetallicRoughness) // glTF 2.0, B.2: dielectrics reflect 4 %
-        f0 = mix(vec3(0.04), sanitize(baseColor), clamp(sanitize(stored[frame.metallicChannel]), 0.0, 1.0));
+/// The host's material at one texel, its scalars scaled and biased (HostChannel) but not yet clamped.
+struct HostMaterial {
+    vec3 f0;        // of the material image
+    vec3 baseColor; // of the base colour image, where the material kind has one
+    float roughness;
+    float metallic;
+    float specular;
+};
+
+/// F0 of dielectrics at full specular, as Burley 2012, "Physically-Based Shading at Disney", and most engines since
+/// have it. The default specular of 0.5 is the 4 % of glTF 2.0, B.2.
+const float kDielectricF0 = 0.08;
+
+vec3 hostF0(FrameConstants frame, HostMaterial material) {
+    vec3 f0 = material.f0;
+    if (frame.materialKind == kHostMaterialMetallicRoughness)
+        f0 = mix(vec3(kDielectricF0 * sanitize(material.specular)), sanitize(material.baseColor),
+                 clamp(sanitize(material.metallic), 0.0, 1.0));
     else if ((frame.flags & kInputMaterial) == 0u)
         f0 = vec3(1.0);
     return clamp(sanitize(f0), 0.0, 1.0);
 }
 
-float hostRoughness(FrameConstants frame, vec4 stored) {
+float hostRoughness(FrameConstants frame, float value) {
     if (frame.materialKind == kHostMaterialStandard)
         return 0.0;
-    float roughness = stored[frame.roughnessChannel];
     if ((frame.flags & kInputSmoothness) != 0u)
-        roughness = 1.0 - roughness;
-    return clamp(sanitize(roughness), 0.0, 1.0);
+        value = 1.0 - value;
+    value = clamp(sanitize(value), 0.0, 1.0);
+    return (frame.flags & kInputAlpha) != 0u ? sqrt(value) : value;
 }
 
-HostSurface hostSurface(FrameConstants frame, float depth, vec3 normal, vec4 material, vec3 baseColor) {
-    return HostSurface(hostViewZ(frame, depth), hostNormalVS(frame, normal), hostF0(frame, material, baseColor),
-                       hostRoughness(frame, material));
+HostSurface hostSurface(FrameConstants frame, float depth, vec3 normal, HostMaterial material) {
+    return HostSurface(hostViewZ(frame, depth), hostNormalVS(frame, normal), hostF0(frame, material),
+                       hostRoughness(frame, material.roughness));
 }
 
 #endif

@@ -25,10 +25,32 @@ layout(set = 0, binding = 5, r32f) uniform writeonly image2D viewZ;
 layout(set = 0, binding = 6, rg32ui) uniform writeonly uimage2D surface;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D resolvedMaterial;
 layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D edge;
+// The images that hold the material's scalars; often one and the same.
+layout(set = 0, binding = 9) uniform sampler2DMS roughness;
+layout(set = 0, binding = 10) uniform sampler2DMS metallic;
+layout(set = 0, binding = 11) uniform sampler2DMS specular;
+
+float loadChannel(sampler2DMS image, ivec2 px, int index, HostChannel channel) {
+    return channel.scale == 0.0 ? channel.bias
+                                : texelFetch(image, px, index)[channel.channel] * channel.scale + channel.bias;
+}
+
+HostMaterial loadMaterial(ivec2 px, int index) {
+    HostMaterial here =
+        HostMaterial(vec3(0.0), vec3(0.0), loadChannel(roughness, px, index, frame.constants.roughness), 0.0, 0.0);
+    if (frame.constants.materialKind == kHostMaterialMetallicRoughness) {
+        here.baseColor = texelFetch(baseColor, px, index).rgb;
+        here.metallic = loadChannel(metallic, px, index, frame.constants.metallic);
+        here.specular = loadChannel(specular, px, index, frame.constants.specular);
+    } else {
+        here.f0 = texelFetch(material, px, index).rgb;
+    }
+    return here;
+}
 
 HostSurface loadSample(ivec2 px, int index) {
     return hostSurface(frame.constants, texelFetch(depth, px, index).r, texelFetch(normal, px, index).xyz,
-                       texelFetch(material, px, index), texelFetch(baseColor, px, index).rgb);
+                       loadMaterial(px, index));
 }
 
 /// Change of the surface's plane away from the eye over one pixel, metres.

@@ -7,6 +7,13 @@
 
 GLINT_SHARED_BEGIN
 
+/// Where a host stores a scalar of its material: value = texel[channel] * scale + bias; scale 0: no image is read.
+struct HostChannel {
+    uint channel;
+    float scale;
+    float bias;
+};
+
 struct FrameConstants {
     float4x4 viewToPixel;        // homogeneous: (x, y, *, w) / w are pixels from the top left
     float4x4 worldToView;        // rigid
@@ -21,30 +28,32 @@ struct FrameConstants {
     float2 invSize;
     float depthScale;
     float depthOffset;
-    float farDepth;        // device depth of the background
-    float nearZ;           // metres: no surface is nearer
-    uint flags;            // kInput*
-    uint roughnessChannel; // of the material image
+    float farDepth; // device depth of the background
+    float nearZ;    // metres: no surface is nearer
+    uint flags;     // kInput*
     float environmentStrength;
     float environmentMips; // number of mips that roughness 0..1 spans
     uint frameIndex;
     uint seed;
-    float2 traceSize;     // pixels of the traced image that this frame traces, from the top left
-    float2 traceScale;    // size / traceSize: full-resolution pixels a traced pixel, >= 1
-    float2 motionScale;   // stored motion times this = previous UV - current UV
-    uint metallicChannel; // of the material image
-    uint materialKind;    // kHostMaterial*, MaterialKind of glint/gbuffer.hpp
+    float2 traceSize;   // pixels of the traced image that this frame traces, from the top left
+    float2 traceScale;  // size / traceSize: full-resolution pixels a traced pixel, >= 1
+    float2 motionScale; // stored motion times this = previous UV - current UV
+    uint materialKind;  // kHostMaterial*, MaterialKind of glint/gbuffer.hpp
+    HostChannel roughness;
+    HostChannel metallic;
+    HostChannel specular; // of dielectrics: F0 = 0.08 * value
+    HostChannel occlusion;
     uint historyExpected; // number of the frame that the history should hold
     uint historyTag;      // number of the frame that it holds: written by the GPU
 };
 
 GLINT_CONSTANT(uint, kInputOrthographic, 1);
-GLINT_CONSTANT(uint, kInputLinearDepth, 2);   // depth is viewZ in metres already, 0 is background
+GLINT_CONSTANT(uint, kInputLinearDepth, 2);   // depth * depthScale is viewZ in metres, 0 is background
 GLINT_CONSTANT(uint, kInputReversedDepth, 4); // the background is at depth's small end
 GLINT_CONSTANT(uint, kInputNormalView, 8);    // normals are in the host's view space
 GLINT_CONSTANT(uint, kInputNormalOctahedral, 16);
 GLINT_CONSTANT(uint, kInputNormalUnorm, 32);  // stored as n * 0.5 + 0.5
-GLINT_CONSTANT(uint, kInputSmoothness, 64);   // the roughness channel holds 1 - perceptualRoughness
+GLINT_CONSTANT(uint, kInputSmoothness, 64);   // the roughness channel holds 1 - perceptual roughness
 GLINT_CONSTANT(uint, kInputLeftHanded, 128);  // the host's view space looks down +Z
 GLINT_CONSTANT(uint, kInputEnvironment, 256); // an environment cube is bound
 GLINT_CONSTANT(uint, kInputFallback, 512);    // a fallbackSpecular image is bound
@@ -62,6 +71,9 @@ GLINT_CONSTANT(uint, kInputResolved, 262144); // read the material as prepare re
 
 // Hits exclude highlights: litRadiance's alpha is the mean of its linear channels without highlights.
 GLINT_CONSTANT(uint, kInputHighlights, 524288);
+
+GLINT_CONSTANT(uint, kInputAlpha, 1048576);     // the roughness channel holds alpha, perceptual roughness squared
+GLINT_CONSTANT(uint, kInputOcclusion, 2097152); // the host states ambient occlusion
 
 GLINT_CONSTANT(uint, kHostMaterialF0Roughness, 0);
 GLINT_CONSTANT(uint, kHostMaterialMetallicRoughness, 1);

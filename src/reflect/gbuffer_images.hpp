@@ -1,4 +1,5 @@
-// The images of a host's G-buffer: one table for whoever checks, borrows or returns them.
+// The images of a host's G-buffer, and the scalars of its material: one table of each for whoever checks, borrows or
+// returns them.
 #pragma once
 
 #include "reflect/host.hpp"
@@ -12,7 +13,7 @@ struct GBufferImage {
     const char* name;
     HostImage GBuffer::*host;
     gpu::Image Inputs::*borrowed;
-    bool (*required)(const Conventions& conventions);
+    bool (*required)(const GBuffer& gbuffer);
     ImageRole role;
     bool ofSurfaces; ///< as many samples a pixel as `depth`; all others have one
     bool ownSize;    ///< any size; all others have the frame's
@@ -20,17 +21,21 @@ struct GBufferImage {
 
 namespace needed {
 
-inline bool always(const Conventions&) {
+inline bool always(const GBuffer&) {
     return true;
 }
-inline bool never(const Conventions&) {
+inline bool never(const GBuffer&) {
     return false;
 }
-inline bool byMaterials(const Conventions& conventions) {
-    return conventions.material != MaterialKind::Standard;
+inline bool byRoughness(const GBuffer& gbuffer) {
+    return gbuffer.conventions.material != MaterialKind::Standard;
 }
-inline bool byMetals(const Conventions& conventions) {
-    return conventions.material == MaterialKind::MetallicRoughness;
+inline bool byMetals(const GBuffer& gbuffer) {
+    return gbuffer.conventions.material == MaterialKind::MetallicRoughness;
+}
+/// The colour of the material; scalars that are stored in the image ask for it themselves.
+inline bool byColors(const GBuffer& gbuffer) {
+    return byRoughness(gbuffer) && !byMetals(gbuffer);
 }
 
 } // namespace needed
@@ -38,7 +43,7 @@ inline bool byMetals(const Conventions& conventions) {
 constexpr std::array<GBufferImage, 8> kGBufferImages = {{
     {"depth", &GBuffer::depth, &Inputs::depth, needed::always, ImageRole::Depth, true, false},
     {"normal", &GBuffer::normal, &Inputs::normal, needed::always, ImageRole::Color, true, false},
-    {"material", &GBuffer::material, &Inputs::material, needed::byMaterials, ImageRole::Color, true, false},
+    {"material", &GBuffer::material, &Inputs::material, needed::byColors, ImageRole::Color, true, false},
     {"baseColor", &GBuffer::baseColor, &Inputs::baseColor, needed::byMetals, ImageRole::Color, true, false},
     {"litRadiance", &GBuffer::litRadiance, &Inputs::litRadiance, needed::always, ImageRole::Color, false, false},
     {"fallbackSpecular", &GBuffer::fallbackSpecular, &Inputs::fallbackSpecular, needed::never, ImageRole::Color, false,
@@ -46,5 +51,33 @@ constexpr std::array<GBufferImage, 8> kGBufferImages = {{
     {"backDepth", &GBuffer::backDepth, &Inputs::backDepth, needed::never, ImageRole::Depth, false, true},
     {"motion", &GBuffer::motion, &Inputs::motion, needed::never, ImageRole::Color, false, false},
 }};
+
+/// A scalar of the material: GBuffer states the image that holds it.
+struct MaterialScalar {
+    const char* name;
+    MaterialChannel GBuffer::*stated;
+    gpu::Image Inputs::*own; ///< borrowed, unless another image of the G-buffer holds the scalar
+    bool (*used)(const GBuffer& gbuffer);
+    bool ofSurfaces; ///< as many samples a pixel as `depth`; all others have one
+
+    /// True if the scalar is read from an image.
+    bool isRead(const GBuffer& gbuffer) const { return used(gbuffer) && (gbuffer.*stated).scale != 0; }
+    const HostImage& image(const GBuffer& gbuffer) const {
+        const HostImage& image = (gbuffer.*stated).image;
+        return image ? image : gbuffer.material;
+    }
+};
+
+constexpr std::array<MaterialScalar, Inputs::kScalars> kMaterialScalars = {{
+    {"roughness", &GBuffer::roughness, &Inputs::roughness, needed::byRoughness, true},
+    {"metallic", &GBuffer::metallic, &Inputs::metallic, needed::byMetals, true},
+    {"specular", &GBuffer::specular, &Inputs::specular, needed::byMetals, true},
+    {"occlusion", &GBuffer::occlusion, &Inputs::occlusion, needed::always, false},
+}};
+
+/// True if both are one image, seen through one view.
+inline bool isSameImage(const HostImage& a, const HostImage& b) {
+    return a.image == b.image && a.view == b.view;
+}
 
 } // namespace glint::reflect

@@ -4,6 +4,8 @@
 #include "glint/reflections.hpp"
 #include "reflect/host_image.hpp"
 
+#include <array>
+
 namespace glint::reflect {
 
 /// The host's images, borrowed.
@@ -18,6 +20,19 @@ struct Inputs {
     gpu::Image motion;             ///< may be absent
     gpu::Image environment;        ///< cube; may be absent
     gpu::Image environmentDiffuse; ///< cube; may be absent
+    // Images of the material's scalars; absent where an image above holds the scalar, or no image does.
+    gpu::Image roughness;
+    gpu::Image metallic;
+    gpu::Image specular;
+    gpu::Image occlusion;
+
+    /// A scalar's number: its place in kMaterialScalars (gbuffer_images.hpp).
+    static constexpr size_t kScalars = 4;
+    enum Scalar : uint8_t { Roughness, Metallic, Specular, Occlusion };
+    /// The image that holds each scalar; null: it is read from no image.
+    std::array<gpu::Image Inputs::*, kScalars> scalars = {};
+    /// The image that holds the scalar, otherwise `absent`, which is then not read.
+    gpu::Image& scalar(Scalar which, gpu::Image& absent) { return scalars[which] ? this->*scalars[which] : absent; }
 };
 
 class Host {
@@ -41,6 +56,8 @@ public:
     bool resolvesMaterial() const { return hasManySamples() || conventions().material != MaterialKind::F0Roughness; }
 
 private:
+    gpu::Image Inputs::*holderOf(size_t scalar) const;
+
     bool set_ = false;
 };
 

@@ -73,32 +73,115 @@ Result<void> checkSize(const HostImage& image, const GBufferImage& known, const 
     return {};
 }
 
-/// `surfaces`: samples a pixel of the images of surfaces.
-Result<void> checkGBufferImage(const gpu::Context& context, const GBuffer& gbuffer, const GBufferImage& known,
-                               uint32_t surfaces, const ReflectionsDesc& desc) {
-    const HostImage& image = gbuffer.*known.host;
-    if (!image && !known.required(gbuffer.conventions))
-        return {};
-    if (!image.image || !image.view)
-        return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", known.name);
+Result<void> checkHostImage(const gpu::Context& context, const HostImage& image, const GBufferImage& known,
+                            uint32_t surfaces, const ReflectionsDesc& desc) {
     GLINT_CHECK(checkSize(image, known, desc));
     GLINT_CHECK(checkImage(context, image, fmt::format("the G-buffer's `{}`", known.name), known.role));
     const uint32_t wanted = known.ofSurfaces ? surfaces : 1;
     if (image.samples != wanted)
         return invalidArgument(
-            "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material and "
-            "baseColor have the same number, all others 1",
+            "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material, baseColor, "
+            "roughness, metallic and specular have the same number, all others 1",
             known.name, image.samples, wanted);
     return {};
 }
 
+/// `surfaces`: samples a pixel of the images of surfaces.
+Result<void> checkGBufferImage(const gpu::Context& context, const GBuffer& gbuffer, const GBufferImage& known,
+                               uint32_t surfaces, const ReflectionsDesc& desc) {
+    const HostImage& image = gbuffer.*known.host;
+    if (!image && !known.required(gbuffer))
+        return {};
+    if (!image.image || !image.view)
+        return invalidArgument("the G-buffer's `{}` is missing: hand over an image and its view", known.name);
+    return checkHostImage(context, image, known, surfaces, desc);
+}
+
+/// Number of channels of a format that shaders read as floats; 4 for packed and compressed formats that may have fewer.
+uint32_t channelsOf(VkFormat format) {
+    switch (format) {
+    case VK_FORMAT_R8_UNORM:
+    case VK_FORMAT_R8_SNORM:
+    case VK_FORMAT_R8_SRGB:
+    case VK_FORMAT_R16_UNORM:
+    case VK_FORMAT_R16_SNORM:
+    case VK_FORMAT_R16_SFLOAT:
+    case VK_FORMAT_R32_SFLOAT: return 1;
+    case VK_FORMAT_R8G8_UNORM:
+    case VK_FORMAT_R8G8_SNORM:
+    case VK_FORMAT_R8G8_SRGB:
+    case VK_FORMAT_R16G16_UNORM:
+    case VK_FORMAT_R16G16_SNORM:
+    case VK_FORMAT_R16G16_SFLOAT:
+    case VK_FORMAT_R32G32_SFLOAT: return 2;
+    case VK_FORMAT_R8G8B8_UNORM:
+    case VK_FORMAT_B8G8R8_UNORM:
+    case VK_FORMAT_R16G16B16_SFLOAT:
+    case VK_FORMAT_R32G32B32_SFLOAT:
+    case VK_FORMAT_R5G6B5_UNORM_PACK16:
+    case VK_FORMAT_B5G6R5_UNORM_PACK16:
+    case VK_FORMAT_B10G11R11_UFLOAT_PACK32:
+    case VK_FORMAT_E5B9G9R9_UFLOAT_PACK32: return 3;
+    default: return 4;
+    }
+}
+
+/// The image was stated before, in the G-buffer or for another scalar: both statements must agree.
+Result<void> checkStatedAlike(const HostImage& image, const char* scalar, const HostImage& before, const char* name) {
+    if (isSameImage(image, before) &&
+        (image.layout != before.layout || image.format != before.format || image.samples != before.samples))
+        return invalidArgument("the G-buffer's `{}` is in the image of `{}`, but states another layout, format or "
+                               "number of samples: state the same HostImage",
+                               scalar, name);
+    return {};
+}
+
+Result<void> checkScalar(const gpu::Context& context, const GBuffer& gbuffer, const MaterialScalar& scalar,
+                         uint32_t surfaces, const ReflectionsDesc& desc) {
+    const MaterialChannel& stated = gbuffer.*scalar.stated;
+    if (stated.channel > 3)
+        return invalidArgument("the G-buffer's `{}` is in channel {}: an image has channels 0 to 3", scalar.name,
+                               stated.channel);
+    if (!std::isfinite(stated.scale) || !std::isfinite(stated.bias))
+        return invalidArgument("the G-buffer's `{}` has scale {} and bias {}: both must be finite", scalar.name,
+                               stated.scale, stated.bias);
+    if (!scalar.used(gbuffer) && stated.image)
+        return invalidArgument("the G-buffer's `{}` has an image, but the material kind has no {}: state the kind that "
+                               "has, or no image",
+                               scalar.name, scalar.name);
+    if (!scalar.isRead(gbuffer))
+        return {};
+    const HostImage& image = scalar.image(gbuffer);
+    if (!image.image || !image.view)
+        return invalidArgument("the G-buffer's `{}` is missing: hand over its image and view, or `material`, or state "
+                               "a constant by scale 0",
+                               scalar.name);
+    const GBufferImage known = {scalar.name, nullptr, nullptr, nullptr, ImageRole::Color, scalar.ofSurfaces, false};
+    GLINT_CHECK(checkHostImage(context, image, known, surfaces, desc));
+    if (stated.channel >= channelsOf(image.format))
+        return invalidArgument("the G-buffer's `{}` is in channel {}, but the format of its image (VkFormat {}) has "
+                               "{} channels",
+                               scalar.name, stated.channel, static_cast<int>(image.format), channelsOf(image.format));
+    for (const GBufferImage& other : kGBufferImages)
+        GLINT_CHECK(checkStatedAlike(image, scalar.name, gbuffer.*other.host, other.name));
+    for (const MaterialScalar& other : kMaterialScalars)
+        if (other.isRead(gbuffer))
+            GLINT_CHECK(checkStatedAlike(image, scalar.name, other.image(gbuffer), other.name));
+    return {};
+}
+
 Result<void> checkConventions(const Conventions& conventions) {
-    if (conventions.roughnessChannel > 3)
-        return invalidArgument("roughnessChannel is {}: an image has channels 0 to 3", conventions.roughnessChannel);
-    if (conventions.metallicChannel > 3)
-        return invalidArgument("metallicChannel is {}: an image has channels 0 to 3", conventions.metallicChannel);
     if (!std::isfinite(conventions.motionScale[0]) || !std::isfinite(conventions.motionScale[1]))
         return invalidArgument("motionScale must be finite");
+    if (!std::isfinite(conventions.linearDepthScale) || conventions.linearDepthScale == 0)
+        return invalidArgument("linearDepthScale is {}: it must be finite and not 0", conventions.linearDepthScale);
+    if (conventions.depth == DepthKind::Device && conventions.linearDepthScale != 1)
+        return invalidArgument("linearDepthScale is {}, but depth is device depth: state DepthKind::LinearViewZ, or "
+                               "leave it at 1",
+                               conventions.linearDepthScale);
+    if (conventions.roughness == RoughnessKind::Alpha && conventions.material == MaterialKind::SpecularGlossiness)
+        return invalidArgument("RoughnessKind::Alpha with MaterialKind::SpecularGlossiness, whose glossiness is 1 - "
+                               "perceptual roughness: state MaterialKind::F0Roughness for alpha");
     return {};
 }
 
@@ -199,6 +282,8 @@ Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, co
     for (const GBufferImage& known : kGBufferImages)
         GLINT_CHECK(checkGBufferImage(context, gbuffer, known, samples, desc));
     GLINT_CHECK(checkConventions(gbuffer.conventions));
+    for (const MaterialScalar& scalar : kMaterialScalars)
+        GLINT_CHECK(checkScalar(context, gbuffer, scalar, samples, desc));
     return checkEnvironment(context, environment);
 }
 

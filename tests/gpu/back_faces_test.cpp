@@ -81,6 +81,7 @@ protected:
         shared::FrameConstants constants = {};
         constants.size = in.size;
         constants.invSize = 1.0f / constants.size;
+        constants.depthScale = 1;
         constants.flags = shared::kInputLinearDepth | (in.coverage.empty() ? 0 : shared::kInputResolved);
         gpu::Buffer frameConstants =
             must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{reflect::FrameBlockValues{constants, {}}},

@@ -94,11 +94,11 @@ TEST_F(ErrorsTest, missingOrWrongImagesAreNamed) {
     fallback.fallbackSpecular.height = 1;
     EXPECT_THAT(inputsError(made, fallback), HasSubstr("`fallbackSpecular`"));
     GBuffer channel = right.gbuffer;
-    channel.conventions.roughnessChannel = 4;
-    EXPECT_THAT(inputsError(made, channel), HasSubstr("roughnessChannel is 4"));
+    channel.roughness.channel = 4;
+    EXPECT_THAT(inputsError(made, channel), HasSubstr("`roughness` is in channel 4"));
     channel = right.gbuffer;
-    channel.conventions.metallicChannel = 4;
-    EXPECT_THAT(inputsError(made, channel), HasSubstr("metallicChannel is 4"));
+    channel.metallic.channel = 4;
+    EXPECT_THAT(inputsError(made, channel), HasSubstr("`metallic` is in channel 4"));
     GBuffer metallic = right.gbuffer;
     metallic.conventions.material = MaterialKind::MetallicRoughness;
     EXPECT_THAT(inputsError(made, metallic), AllOf(HasSubstr("`baseColor`"), HasSubstr("missing")));

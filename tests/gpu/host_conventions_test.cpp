@@ -18,6 +18,8 @@ struct Style {
     bool orthographic = false;
     bool jittered = false;
     Conventions conventions;
+    uint32_t roughnessChannel = 3;
+    bool smooth() const { return conventions.roughness == RoughnessKind::Smoothness; }
 };
 
 std::vector<Style> everyStyle() {
@@ -50,17 +52,20 @@ std::vector<Style> everyStyle() {
         });
     for (uint32_t channel : {2u, 3u}) // another channel than alpha holds a part of F0 as well: scene() fits smoothness
         add("smoothness" + std::to_string(channel), [&](Style& style) {
-            style.conventions.roughnessChannel = channel;
-            style.conventions.smoothness = true;
+            style.roughnessChannel = channel;
+            style.conventions.roughness = RoughnessKind::Smoothness;
         });
     for (const bool left : {false, true})
         for (const bool orthographic : {false, true})
             add("linearDepth", [&](Style& style) {
                 style.conventions.depth = DepthKind::LinearViewZ;
+                // The z of the view space that the host has, in metres and in centimetres.
+                style.conventions.linearDepthScale = (left ? 1.0f : -1.0f) * (orthographic ? 0.01f : 1.0f);
                 style.conventions.handedness = left ? Handedness::Left : Handedness::Right;
                 style.orthographic = orthographic;
                 style.infinite = !orthographic;
             });
+    add("positiveLinearDepth", [](Style& style) { style.conventions.depth = DepthKind::LinearViewZ; });
     add("allAtOnce", [](Style& style) {
         style.reversed = false;
         style.infinite = false;
@@ -70,8 +75,9 @@ std::vector<Style> everyStyle() {
                              Handedness::Left,
                              NormalSpace::View,
                              NormalEncoding::OctahedralUnorm,
-                             true,
-                             2};
+                             MaterialKind::F0Roughness,
+                             RoughnessKind::Smoothness};
+        style.roughnessChannel = 2;
     });
     return styles;
 }
@@ -159,7 +165,7 @@ SyntheticGBuffer write(gpu::Context& context, const Style& style, const Syntheti
         if (!pixels[i])
             stored = style.reversed ? 0 : 1;
         if (c.depth == DepthKind::LinearViewZ)
-            stored = pixels[i] ? viewZ : 0;
+            stored = pixels[i] ? viewZ / static_cast<double>(c.linearDepthScale) : 0;
         depth.push_back(static_cast<float>(stored));
 
         glm::dvec3 n = surface.normalWS;
@@ -178,8 +184,8 @@ SyntheticGBuffer write(gpu::Context& context, const Style& style, const Syntheti
         normal.push_back(encoded);
 
         glm::vec4 m(surface.f0, 0.77f);
-        m[static_cast<int>(c.roughnessChannel)] =
-            c.smoothness ? 1 - surface.perceptualRoughness : surface.perceptualRoughness;
+        m[static_cast<int>(style.roughnessChannel)] =
+            style.smooth() ? 1 - surface.perceptualRoughness : surface.perceptualRoughness;
         material.push_back(m);
         lit.emplace_back(surface.radiance, 1.0f);
     }
@@ -194,6 +200,7 @@ SyntheticGBuffer write(gpu::Context& context, const Style& style, const Syntheti
     out.gbuffer.material = asHostImage(out.material);
     out.gbuffer.litRadiance = asHostImage(out.litRadiance);
     out.gbuffer.conventions = c;
+    out.gbuffer.roughness.channel = style.roughnessChannel;
     return out;
 }
 
@@ -254,7 +261,7 @@ TEST_F(HostConventionsTest, aWrongStatementIsSeen) {
     const auto differs = [&](auto lie, const View& view) {
         const SyntheticGBuffer host = write(gpu(), right, camera);
         GBuffer gbuffer = host.gbuffer;
-        lie(gbuffer.conventions);
+        lie(gbuffer);
         must(made.setInputs(gbuffer));
         const Picture picture = LibraryTest::trace(made, view);
         size_t different = 0;
@@ -265,16 +272,18 @@ TEST_F(HostConventionsTest, aWrongStatementIsSeen) {
         return different > picture.pixels() / 20;
     };
     const View view = viewOf(right, camera);
-    EXPECT_FALSE(differs([](Conventions&) {}, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.depth = DepthKind::LinearViewZ; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.depthMinusOneToOne = true; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.clipYDown = true; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.handedness = Handedness::Left; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.normalSpace = NormalSpace::View; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.normalEncoding = NormalEncoding::Signed; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.normalEncoding = NormalEncoding::OctahedralUnorm; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.smoothness = true; }, view));
-    EXPECT_TRUE(differs([](Conventions& c) { c.roughnessChannel = 0; }, view));
+    const auto differsBy = [&](auto lie) { return differs([&](GBuffer& g) { lie(g.conventions); }, view); };
+    EXPECT_FALSE(differsBy([](Conventions&) {}));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.depth = DepthKind::LinearViewZ; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.depthMinusOneToOne = true; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.clipYDown = true; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.handedness = Handedness::Left; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.normalSpace = NormalSpace::View; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.normalEncoding = NormalEncoding::Signed; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.normalEncoding = NormalEncoding::OctahedralUnorm; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.roughness = RoughnessKind::Smoothness; }));
+    EXPECT_TRUE(differsBy([](Conventions& c) { c.roughness = RoughnessKind::Alpha; }));
+    EXPECT_TRUE(differs([](GBuffer& g) { g.roughness.channel = 0; }, view));
 }
 
 } // namespace

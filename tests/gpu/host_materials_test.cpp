@@ -77,14 +77,14 @@ TEST_F(HostMaterialsTest, everyKindGivesThePictureOfItsF0AndRoughness) {
     expectSame(show([](const Texel& t) { return glm::vec4(9, t.roughness, t.metallic, 9); },
                     [](GBuffer& g) { // glTF's own channels
                         g.conventions.material = MaterialKind::MetallicRoughness;
-                        g.conventions.roughnessChannel = 1;
+                        g.roughness.channel = 1;
                     }),
                expected);
     expectSame(show([](const Texel& t) { return glm::vec4(t.metallic, 9, 9, 1 - t.roughness); },
                     [](GBuffer& g) {
                         g.conventions.material = MaterialKind::MetallicRoughness;
-                        g.conventions.metallicChannel = 0;
-                        g.conventions.smoothness = true;
+                        g.metallic.channel = 0;
+                        g.conventions.roughness = RoughnessKind::Smoothness;
                     }),
                expected);
     expectSame(show([](const Texel& t) { return glm::vec4(t.f0(), 1 - t.roughness); },

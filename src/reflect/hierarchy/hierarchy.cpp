@@ -96,6 +96,7 @@ gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipelin
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("environment", host.environment ? host.environment : inputs.frame.standIns.blackCube)
+        .read("occlusion", host.scalar(Inputs::Occlusion, inputs.frame.standIns.black), kTexels)
         .write("reflected", reflected_)
         .write("weights", weights_);
     answersOf(takingPart(), inputs).bind(pass);

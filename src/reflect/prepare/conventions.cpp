@@ -61,7 +61,8 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
     const double w33 = hostViewToClip[3].w;
     frame.depthToViewZ =
         glm::vec4(dvec4(-w33 * hostZSign, z32 * hostZSign, w23, -z22)); // viewZ = (y + x ndc) / (w + z ndc)
-    frame.depthScale = conventions.depthMinusOneToOne ? 2 : 1;
+    const bool linear = conventions.depth == DepthKind::LinearViewZ;
+    frame.depthScale = linear ? conventions.linearDepthScale : (conventions.depthMinusOneToOne ? 2.0f : 1.0f);
     frame.depthOffset = conventions.depthMinusOneToOne ? -1 : 0;
 
     const bool reversed = ndcDepth(hostViewToClip, hostZSign, 1) > ndcDepth(hostViewToClip, hostZSign, 2);
@@ -72,18 +73,17 @@ shared::FrameConstants makeFrameConstants(const View& view, const Conventions& c
 
     frame.flags =
         (orthographic ? shared::kInputOrthographic : 0) | (reversed ? shared::kInputReversedDepth : 0) |
-        (leftHanded ? shared::kInputLeftHanded : 0) |
-        (conventions.depth == DepthKind::LinearViewZ ? shared::kInputLinearDepth : 0) |
+        (leftHanded ? shared::kInputLeftHanded : 0) | (linear ? shared::kInputLinearDepth : 0) |
         (conventions.normalSpace == NormalSpace::View ? shared::kInputNormalView : 0) |
-        (conventions.smoothness || conventions.material == MaterialKind::SpecularGlossiness ? shared::kInputSmoothness
-                                                                                            : 0);
+        (conventions.roughness == RoughnessKind::Alpha ? shared::kInputAlpha : 0) |
+        (conventions.roughness == RoughnessKind::Smoothness || conventions.material == MaterialKind::SpecularGlossiness
+             ? shared::kInputSmoothness
+             : 0);
     const NormalEncoding encoding = conventions.normalEncoding;
     if (encoding == NormalEncoding::Octahedral || encoding == NormalEncoding::OctahedralUnorm)
         frame.flags |= shared::kInputNormalOctahedral;
     if (encoding == NormalEncoding::Unorm || encoding == NormalEncoding::OctahedralUnorm)
         frame.flags |= shared::kInputNormalUnorm;
-    frame.roughnessChannel = std::min(conventions.roughnessChannel, 3u);
-    frame.metallicChannel = std::min(conventions.metallicChannel, 3u);
     frame.materialKind = static_cast<uint32_t>(conventions.material);
     frame.frameIndex = view.frameIndex;
     frame.seed = view.seed;

@@ -23,6 +23,14 @@ void FrameBlock::begin(const View& view, const Host& host) {
     const shared::FrameConstants now =
         makeFrameConstants(view, host.conventions(), stages_->width(), stages_->height());
     values_.constants = now;
+    const GBuffer& gbuffer = host.gbuffer;
+    const auto channel = [](const MaterialChannel& stated) {
+        return shared::HostChannel{stated.channel, stated.scale, stated.bias};
+    };
+    values_.constants.roughness = channel(gbuffer.roughness);
+    values_.constants.metallic = channel(gbuffer.metallic);
+    values_.constants.specular = channel(gbuffer.specular);
+    values_.constants.occlusion = channel(gbuffer.occlusion);
     sameProjection_ = ((now.flags ^ before_.flags) & shared::kInputOrthographic) == 0;
     sameView_ = now.worldToView == before_.worldToView && now.viewToPixel == before_.viewToPixel;
 }
@@ -39,6 +47,7 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::Setti
     flag(static_cast<bool>(images.material), shared::kInputMaterial);
     flag(host.resolvesMaterial(), shared::kInputResolved);
     flag(static_cast<bool>(images.motion), shared::kInputMotion);
+    flag(host.gbuffer.occlusion.scale != 0 || host.gbuffer.occlusion.bias != 1, shared::kInputOcclusion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
     flag(previous.valid(), shared::kInputHistory);
     const bool now = settings.screen.colorSource == ColorSource::Current; // the previous image lacks them

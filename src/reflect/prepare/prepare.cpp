@@ -89,6 +89,9 @@ void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::I
         .read("normal", host.normal, kTexels)
         .read("material", material, kTexels)
         .read("baseColor", host.baseColor ? host.baseColor : material, kTexels)
+        .read("roughness", host.scalar(Inputs::Roughness, material), kTexels)
+        .read("metallic", host.scalar(Inputs::Metallic, material), kTexels)
+        .read("specular", host.scalar(Inputs::Specular, material), kTexels)
         .write("viewZ", viewZ)
         .write("surface", surface_)
         .write("resolvedMaterial", resolvedMaterial_);

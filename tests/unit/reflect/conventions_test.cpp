@@ -240,12 +240,12 @@ TEST(Conventions, theRestIsPassedOn) {
     conventions.depth = DepthKind::LinearViewZ;
     conventions.normalSpace = NormalSpace::View;
     conventions.normalEncoding = NormalEncoding::OctahedralUnorm;
-    conventions.smoothness = true;
-    conventions.roughnessChannel = 1;
+    conventions.roughness = RoughnessKind::Smoothness;
+    conventions.linearDepthScale = -0.5f;
     const shared::FrameConstants frame = makeFrameConstants(host.view(), conventions, kWidth, kHeight);
     EXPECT_EQ(frame.flags, shared::kInputLinearDepth | shared::kInputReversedDepth | shared::kInputNormalView |
                                shared::kInputNormalOctahedral | shared::kInputNormalUnorm | shared::kInputSmoothness);
-    EXPECT_EQ(frame.roughnessChannel, 1u);
+    EXPECT_EQ(frame.depthScale, -0.5f);
     EXPECT_EQ(frame.frameIndex, 5u);
     EXPECT_EQ(frame.seed, 77u);
     EXPECT_EQ(frame.size, glm::vec2(kWidth, kHeight));
