@@ -495,6 +495,7 @@ protected:
                                                                               &probesImage, &screenImage, &screenImage})
                 .read("answersRaysRecord", recordImage)
                 .read("environment", environment.cube)
+                .read("occlusion", screenImage) // none is stated
                 .write("reflected", reflected)
                 .write("weights", weights)
                 .dispatch(kWidth, kHeight);
