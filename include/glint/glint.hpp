@@ -6,6 +6,7 @@
 #include "glint/error.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/outputs.hpp"
 #include "glint/planar.hpp"
 #include "glint/probes.hpp"
 #include "glint/ray_hits.hpp"

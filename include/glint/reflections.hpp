@@ -5,6 +5,7 @@
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"
+#include "glint/outputs.hpp"
 #include "glint/planar.hpp"
 #include "glint/probes.hpp"
 #include "glint/ray_hits.hpp"
@@ -104,6 +105,12 @@ public:
     /// or view type that cannot be read; OutOfMemory.
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment = {});
 
+    /// Sets the host's images that `record` writes to; without an image in `outputs`, it writes to an image of Glint's.
+    /// Call it again when any of them changes. The next frame has no previous image to take colours from.
+    /// Errors: InvalidArgument names the image that is missing, has a wrong size, format or usage, has no layout, or is
+    /// an image of the G-buffer; or says that screen.colorSource previous needs `composite`.
+    Result<void> setOutputs(const Outputs& outputs);
+
     /// Sets the geometry and the surfaces of the source `rays`, and creates its pipelines. Both objects must outlive
     /// the frames that use them. When objects move, the host records both (RayScene::record, SurfaceTable::record)
     /// before the frame that shows the change.
@@ -134,10 +141,13 @@ public:
     /// Records the frame's passes. Never submits or waits, allocates no memory of any kind and creates no Vulkan
     /// object. Call it outside a render pass, after setInputs.
     ///
-    /// Returns the image with reflections (RGBA16F, ready for sampling), valid until the next call. With every source
-    /// off no pass runs, and the returned image is litRadiance itself, bit for bit. With screen.colorSource previous
-    /// the next frame reads the returned image again, so its reflections show what the host draws over the image. Leave
-    /// the image in its layout.
+    /// Returns the image with reflections (RGBA16F). It is the same image and view in every frame, so descriptors of it
+    /// may be written once, and its content is valid until the next call. With screen.colorSource previous the next
+    /// frame reads it again, so its reflections show what the host draws over the image. Leave the image in its layout.
+    ///
+    /// With images of setOutputs, the results are in these, in their layouts; returned is `composite`, or `reflection`
+    /// if that is alone. Without them the image is Glint's and ready for sampling; with every source off no pass runs
+    /// then, and the returned image is litRadiance itself, bit for bit.
     ///
     /// Invalid calls are: no inputs, no command buffer, a view with a non-finite number or a matrix without an inverse.
     /// An invalid call records nothing, adds one note (notes()) and returns litRadiance, or no image before setInputs.

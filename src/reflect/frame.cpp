@@ -13,7 +13,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     clear(frame);
     if (view.cut)
         forgetFrames(HistoryReset::View);
-    colors_.begin(frame, wantsHistory());
+    if (colors_.begin(frame, wantsHistory()))
+        outputs_.remember(frame);
     if (lobeDenoise_)
         lobeDenoise_->begin(frame, followsSentinels());
     prepare(frame, view);
@@ -33,11 +34,12 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     if (reflects)
         hierarchy_->recordSources(frame, hierarchyInputs());
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
-    composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), colors_.now(kComposite));
+    if (hasComposite())
+        composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), composite());
     if (counts_ && tracesRays())
         countRays(frame);
     if (expectsLayers())
-        refraction_->begin(frame, colors_.now(kComposite));
+        refraction_->begin(frame, composite());
     colors_.end(frame, settings.debug.outcome ? HistoryReset::NotLight : HistoryReset::None);
     if (lobeDenoise_)
         lobeDenoise_->end(frame);
@@ -107,31 +109,32 @@ void FrameStages::countRays(gpu::Frame& frame) {
 }
 
 void FrameStages::recordLayer(gpu::Frame& frame, LayerImages& layer) {
-    refraction_->record(frame, layer, {inputs(), prepared(), pyramid_->pyramid(), probes()}, colors_.now(kComposite));
+    refraction_->record(frame, layer, {inputs(), prepared(), pyramid_->pyramid(), probes()}, composite());
 }
 
 // ---------------------------------------------------------------- recordings
 
-gpu::Image* FrameStages::record(VkCommandBuffer commands, const View& view) {
+HostImage FrameStages::record(VkCommandBuffer commands, const View& view) {
     host_.lend();
+    outputs_.lend();
     frameNumber_ = view.frameNumber > 0 ? view.frameNumber : frameNumber_ + 1;
     stages_.progress.begin(frameNumber_);
     stages_.retired.begin(frameNumber_, stages_.desc.framesInFlight);
     lastView_ = view;
     recorded_ = true;
-    ranPasses_ = hierarchy_->anySource() || stages_.settings().debug.outcome || expectsLayers();
+    ranPasses_ = hierarchy_->anySource() || stages_.settings().debug.outcome || expectsLayers() || outputs_.areHosts();
     upToDate_.ask();
     written_.clear();
     if (!ranPasses_) {
         forgetFrames(HistoryReset::NotLight);
-        return nullptr;
+        return host_.gbuffer.litRadiance;
     }
     gpu::Frame frame(stages_.gpu, commands, timers_.get(), views_ ? &written_ : nullptr);
     recordFrame(frame, view);
-    frame.hand(colors_.now(kComposite), kHandedOut);
+    outputs_.handOut(frame);
     host_.giveBack(frame);
     stages_.progress.end(frame);
-    return &colors_.now(kComposite);
+    return outputs_.result();
 }
 
 void FrameStages::forget() {
@@ -147,23 +150,24 @@ void FrameStages::forgetFrames(HistoryReset reason) {
         lobeDenoise_->forgetFrames(reason);
 }
 
-gpu::Image& FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {
+HostImage FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {
     host_.lendEnvironment();
     for (const LayerImage& image : kLayerImages)
         lend(layer_.*image.borrowed, layer.*image.host, image.name);
     gpu::Frame frame = gpu::Frame::more(stages_.gpu, commands, timers_.get());
-    gpu::Image& composite = colors_.now(kComposite);
-    frame.find(composite, layout); // the host may have drawn over it
+    outputs_.lend();
+    frame.find(composite(), layout); // the host may have drawn over it
     recordLayer(frame, layer_);
-    frame.hand(composite, kHandedOut);
+    outputs_.handOut(frame);
     for (const LayerImage& image : kLayerImages)
         giveBack(frame, layer_.*image.borrowed, layer.*image.host);
     giveBack(frame, host_.images.environment, host_.environment.cube);
-    return composite;
+    return outputs_.result();
 }
 
 gpu::Image& FrameStages::recordView(VkCommandBuffer commands, uint32_t view) {
     host_.lend();
+    outputs_.lend();
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
     bringUpToDate(frame);
@@ -172,28 +176,32 @@ gpu::Image& FrameStages::recordView(VkCommandBuffer commands, uint32_t view) {
         frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), layers ? refraction_.get() : nullptr},
         view);
     frame.hand(image, kHandedOut);
+    outputs_.giveBack(frame);
     host_.giveBack(frame);
     stages_.progress.end(frame);
     return image;
 }
 
 gpu::Image& FrameStages::recordWritten(VkCommandBuffer commands, size_t image) {
+    outputs_.lend();
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
     gpu::Image& shown = views_->show(frame, *written_[image].image);
     frame.hand(shown, kHandedOut);
+    outputs_.giveBack(frame);
     stages_.progress.end(frame);
     return shown;
 }
 
 void FrameStages::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y) {
     host_.lend();
+    outputs_.lend();
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
     bringUpToDate(frame);
     inspector_->record(frame, inspectorInputs(), x, y);
     if (ranPasses_)
-        frame.hand(colors_.now(kComposite), kHandedOut);
+        outputs_.handOut(frame);
     host_.giveBack(frame);
     stages_.progress.end(frame);
 }
@@ -231,7 +239,7 @@ gpu::Image& FrameStages::rayRecord() {
 TraceInputs FrameStages::traceInputs() {
     TraceInputs trace = {inputs(), prepared(), trace_->rays(), pyramid_->pyramid(), {}, probes()};
     if (colors_.valid())
-        trace.previous.emplace(colors_.before(kComposite), colors_.before(kViewZ));
+        trace.previous.emplace(outputs_.previous(), colors_.before(kViewZ));
     return trace;
 }
 
@@ -241,7 +249,7 @@ HierarchyInputs FrameStages::hierarchyInputs() {
 
 InspectorInputs FrameStages::inspectorInputs() {
     return {traceInputs(), trace_->target(), hierarchyInputs(),
-            *hierarchy_,   rayRecord(),      ranPasses_ ? colors_.now(kComposite) : host_.images.litRadiance};
+            *hierarchy_,   rayRecord(),      ranPasses_ && hasComposite() ? composite() : host_.images.litRadiance};
 }
 
 // ---------------------------------------------------------------- results

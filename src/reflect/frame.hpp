@@ -11,6 +11,7 @@
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/history.hpp"
 #include "reflect/inspect/inspector.hpp"
+#include "reflect/outputs.hpp"
 #include "reflect/planar/planar_source.hpp"
 #include "reflect/prepare/depth_pyramid.hpp"
 #include "reflect/prepare/frame_block.hpp"
@@ -30,10 +31,12 @@ public:
     const ReflectionsDesc& desc() const { return stages_.desc; } ///< with the settings in force
     gpu::Context& context() const { return stages_.gpu; }
     const Host& host() const { return host_; }
+    const Outputs& outputs() const { return outputs_.stated(); }
 
     // Inputs from the host. Errors of all: OutOfMemory, Unsupported; on error the previous values stay in force.
     Result<void> setSettings(const Settings& settings);
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment);
+    Result<void> setOutputs(const Outputs& outputs);
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     Result<void> setRays(rays::Scene& scene, ShadeHits shade);
     Result<void> setPlanar(PlanarState& planar);
@@ -50,12 +53,12 @@ public:
     bool hasProbes() const { return probesSource_ && probesSource_->hasProbes(); }
 
     // Recordings. Glint's images are returned ready for sampling, the host's in the layout that the host declared.
-    /// Records a frame. Returns null if there is nothing to do; then litRadiance is the result.
-    gpu::Image* record(VkCommandBuffer commands, const View& view);
+    /// Records a frame. Returns its image, or litRadiance if there is nothing to do.
+    HostImage record(VkCommandBuffer commands, const View& view);
     /// Records no frame and resets all histories.
     void forget();
     /// Records a transparent layer over the last frame's image, which the host left in `layout`.
-    gpu::Image& recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout);
+    HostImage recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout);
     gpu::Image& recordView(VkCommandBuffer commands, uint32_t view);
     /// An image that a pass of the last frame wrote: its place in `written`.
     gpu::Image& recordWritten(VkCommandBuffer commands, size_t image);
@@ -68,9 +71,12 @@ public:
     /// True if layers can follow: there is a composite image, and images that their rays intersect. False for debug
     /// colours, which are not radiance.
     bool expectsLayers() const {
-        return refraction_ && stages_.settings().refraction.enabled && !stages_.settings().debug.outcome;
+        return refraction_ && stages_.settings().refraction.enabled && !stages_.settings().debug.outcome &&
+               hasComposite();
     }
-    gpu::Image& composite() { return colors_.now(kComposite); }
+    /// False if the host composites the reflections itself.
+    bool hasComposite() const { return outputs_.hasComposite(); }
+    gpu::Image& composite() { return outputs_.composite(); }
 
     RayInspection inspection() const { return inspector_->read(*hierarchy_); }
     std::vector<gpu::PassTime> passTimes() const;
@@ -78,13 +84,13 @@ public:
 
 private:
     /// Indices of the images in colors_.
-    static constexpr size_t kComposite = 0;
-    static constexpr size_t kViewZ = 1;
+    static constexpr size_t kViewZ = 0;
 
     FrameStages(gpu::Context& context, const ReflectionsDesc& desc)
-        : stages_{context, desc, {}, {}}, colors_(stages_, History::Kind::Turns) {}
+        : stages_{context, desc, {}, {}}, outputs_(stages_), colors_(stages_, History::Kind::Turns) {}
     Result<void> createStages();
-    Result<void> createColors();
+    Result<void> createDepths();
+    Result<void> rememberColors();
     std::vector<Source> makeSources();
     Result<void> rehearse();
     Result<void> giveScene();
@@ -119,7 +125,8 @@ private:
 
     StageContext stages_;
     Host host_;
-    History colors_; ///< the image with reflections, RGBA16F, and viewZ; hits fetch their radiance from them
+    OutputImages outputs_;
+    History colors_; ///< viewZ; hits fetch their radiance by it, from OutputImages::previous
     std::optional<Tables> tables_;
     std::optional<FrameBlock> block_;
     std::unique_ptr<Prepare> prepare_;

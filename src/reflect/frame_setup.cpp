@@ -41,7 +41,7 @@ std::vector<Source> FrameStages::makeSources() {
 Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(trace_->make(settings));
     if (settings.screen.colorSource == ColorSource::Previous)
-        GLINT_CHECK(colors_.remember());
+        GLINT_CHECK(rememberColors());
     if (settings.rays.enabled || denoises(settings))
         GLINT_CHECK(tables_->makeNoise(stages_.gpu));
     if (settings.rays.enabled && !raysSource_) {
@@ -62,6 +62,11 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     recorded_ = false;
     written_.clear();
     return prepare_->setInputs(host_.gbuffer);
+}
+
+Result<void> FrameStages::rememberColors() {
+    GLINT_CHECK(outputs_.makePrevious());
+    return colors_.remember();
 }
 
 /// Creates the denoiser once settings need it, and starts its history anew.
@@ -85,6 +90,15 @@ Result<void> FrameStages::setDenoise(const Settings& settings) {
 Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
     host_.set(gbuffer, environment);
     return prepare_->setInputs(gbuffer);
+}
+
+Result<void> FrameStages::setOutputs(const Outputs& outputs) {
+    GLINT_CHECK(outputs_.set(outputs));
+    hierarchy_->setTarget(outputs_.reflection());
+    colors_.reset(HistoryReset::Settings);
+    recorded_ = false;
+    written_.clear();
+    return {};
 }
 
 void FrameStages::restartAccumulation() {
@@ -170,7 +184,8 @@ Result<void> FrameStages::createStages() {
         return {};
     };
     GLINT_CHECK(keep(stages_.progress, gpu::Progress::create(stages_.gpu, "glint/progress", desc.framesInFlight)));
-    GLINT_CHECK(createColors());
+    GLINT_CHECK(outputs_.set({}));
+    GLINT_CHECK(createDepths());
     GLINT_CHECK(keep(tables_, Tables::create(stages_.gpu)));
     GLINT_CHECK(keep(block_, FrameBlock::create(stages_)));
     GLINT_CHECK(keep(prepare_, Prepare::create(stages_)));
@@ -193,12 +208,9 @@ Result<void> FrameStages::createStages() {
     return {};
 }
 
-Result<void> FrameStages::createColors() {
-    const uint32_t w = stages_.width();
-    const uint32_t h = stages_.height();
-    std::array<StageImage, 2> images;
-    images[kComposite] = {"glint/composite", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kShown};
-    images[kViewZ] = {"glint/viewZ", VK_FORMAT_R32_SFLOAT, w, h};
+Result<void> FrameStages::createDepths() {
+    const std::array<StageImage, 1> images = {
+        {{"glint/viewZ", VK_FORMAT_R32_SFLOAT, stages_.width(), stages_.height()}}};
     return colors_.make(images, false);
 }
 
@@ -212,11 +224,11 @@ Result<void> FrameStages::rehearse() {
     trace_->rehearse(frame, traceInputs(), prepare_->backFaceGroups());
     denoise_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
-    composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), colors_.now(kComposite));
+    composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), composite());
     if (counts_)
         countRays(frame);
     if (refraction_) {
-        refraction_->begin(frame, colors_.now(kComposite));
+        refraction_->begin(frame, composite());
         LayerImages layer;
         recordLayer(frame, layer);
     }

@@ -287,6 +287,74 @@ Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, co
     return checkEnvironment(context, environment);
 }
 
+namespace {
+
+Result<void> checkOutput(const gpu::Context& context, const HostImage& image, const char* name,
+                         const ReflectionsDesc& desc) {
+    if (!image)
+        return {};
+    if (!image.view)
+        return invalidArgument("the output `{}` has no view", name);
+    if (image.width != desc.width || image.height != desc.height)
+        return invalidArgument("the output `{}` is {}x{}, but these reflections were made for {}x{}", name, image.width,
+                               image.height, desc.width, desc.height);
+    GLINT_CHECK(checkImage(context, image, fmt::format("the output `{}`", name), ImageRole::Color));
+    if (image.format != VK_FORMAT_R16G16B16A16_SFLOAT)
+        return invalidArgument("the output `{}` has VkFormat {}, but must have VK_FORMAT_R16G16B16A16_SFLOAT ({})",
+                               name, static_cast<int>(image.format), static_cast<int>(VK_FORMAT_R16G16B16A16_SFLOAT));
+    constexpr VkImageUsageFlags kUsage =
+        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    if (image.usage != 0 && (image.usage & kUsage) != kUsage)
+        return invalidArgument("the output `{}` was created with usage {:#x}: shaders write and read it, and it is "
+                               "copied, so it needs STORAGE, SAMPLED and TRANSFER_SRC ({:#x})",
+                               name, image.usage, kUsage);
+    if (image.samples != 1)
+        return invalidArgument("the output `{}` has {} samples a pixel, but must have 1", name, image.samples);
+    if (image.mips > 1)
+        return invalidArgument("the output `{}` has a view of {} mips, but is written through a view of one", name,
+                               image.mips);
+    return {};
+}
+
+} // namespace
+
+Result<void> checkApart(const Outputs& outputs, const GBuffer& gbuffer) {
+    for (const auto& [image, name] :
+         {std::pair(&outputs.composite, "composite"), std::pair(&outputs.reflection, "reflection")}) {
+        if (!*image)
+            continue;
+        const auto check = [&](const HostImage& input, const char* inputName) -> Result<void> {
+            if (input.image == image->image)
+                return invalidArgument("the output `{}` is the image of the G-buffer's `{}`, which is read while it is "
+                                       "written: hand over another",
+                                       name, inputName);
+            return {};
+        };
+        for (const GBufferImage& known : kGBufferImages)
+            GLINT_CHECK(check(gbuffer.*known.host, known.name));
+        for (const MaterialScalar& scalar : kMaterialScalars)
+            GLINT_CHECK(check((gbuffer.*scalar.stated).image, scalar.name));
+    }
+    return {};
+}
+
+Result<void> checkOutputs(const gpu::Context& context, const Outputs& outputs, const GBuffer& gbuffer,
+                          const ReflectionsDesc& desc) {
+    GLINT_CHECK(checkOutput(context, outputs.composite, "composite", desc));
+    GLINT_CHECK(checkOutput(context, outputs.reflection, "reflection", desc));
+    if (outputs.composite && outputs.composite.image == outputs.reflection.image)
+        return invalidArgument("the outputs `composite` and `reflection` are one image: hand over two");
+    GLINT_CHECK(checkOutputSettings(outputs, desc.settings));
+    return checkApart(outputs, gbuffer);
+}
+
+Result<void> checkOutputSettings(const Outputs& outputs, const Settings& settings) {
+    if (outputs.reflection && !outputs.composite && settings.screen.colorSource == ColorSource::Previous)
+        return invalidArgument("screen.colorSource previous reads the previous frame's image with reflections, but the "
+                               "outputs have `reflection` alone: hand over `composite` too, or set current");
+    return {};
+}
+
 Result<void> checkLayer(const gpu::Context& context, const TransparentLayer& layer, const ReflectionsDesc& desc) {
     for (const auto& [name, host, borrowed, optional] : kLayerImages) {
         const HostImage& image = layer.*host;

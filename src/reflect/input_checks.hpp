@@ -53,6 +53,17 @@ Result<void> checkView(const View& view);
 Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, const EnvironmentMap& environment,
                          const ReflectionsDesc& desc);
 
+/// Checks the argument of Reflections::setOutputs; `gbuffer`: the inputs in force. Errors: InvalidArgument names the
+/// image.
+Result<void> checkOutputs(const gpu::Context& context, const Outputs& outputs, const GBuffer& gbuffer,
+                          const ReflectionsDesc& desc);
+
+/// Checks that no image is both input and output. Errors: InvalidArgument names the images.
+Result<void> checkApart(const Outputs& outputs, const GBuffer& gbuffer);
+
+/// Checks that the outputs have what the settings read again. Errors: InvalidArgument names the setting.
+Result<void> checkOutputSettings(const Outputs& outputs, const Settings& settings);
+
 /// Checks the arguments of Reflections::recordLayer. Errors: InvalidArgument names the image.
 Result<void> checkLayer(const gpu::Context& context, const TransparentLayer& layer, const ReflectionsDesc& desc);
 

@@ -99,6 +99,7 @@ Result<void> Reflections::setSettings(const Settings& settings) {
     GLINT_CHECK(validate(settings));
     if (const rays::Scene* scene = state_->frame->rayScene())
         GLINT_CHECK(reflect::checkBackend(settings, scene->backend()));
+    GLINT_CHECK(reflect::checkOutputSettings(state_->frame->outputs(), settings));
     GLINT_CHECK(state_->frame->setSettings(settings));
     state_->note();
     return {};
@@ -107,9 +108,16 @@ Result<void> Reflections::setSettings(const Settings& settings) {
 Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
     reflect::FrameStages& frame = *state_->frame;
     GLINT_CHECK(reflect::checkInputs(frame.context(), gbuffer, environment, frame.desc()));
+    GLINT_CHECK(reflect::checkApart(frame.outputs(), gbuffer));
     GLINT_CHECK(frame.setInputs(gbuffer, environment));
     state_->note();
     return {};
+}
+
+Result<void> Reflections::setOutputs(const Outputs& outputs) {
+    reflect::FrameStages& frame = *state_->frame;
+    GLINT_CHECK(reflect::checkOutputs(frame.context(), outputs, frame.host().gbuffer, frame.desc()));
+    return frame.setOutputs(outputs);
 }
 
 Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
@@ -148,8 +156,7 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
         state_->refuse(possible.error());
         return frame.host().gbuffer.litRadiance;
     }
-    const gpu::Image* const picture = frame.record(commands, view);
-    return picture ? handOut(*picture) : frame.host().gbuffer.litRadiance;
+    return frame.record(commands, view);
 }
 
 Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer,
@@ -165,12 +172,14 @@ Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const Trans
     GLINT_CHECK(reflect::checkLayer(frame.context(), layer, frame.desc()));
     if (!frame.expectsLayers())
         return picture;
+    if (!frame.hasComposite())
+        return invalidArgument("the outputs have `reflection` alone: a layer needs the image with reflections");
     if (picture.image != frame.composite().handle())
         return invalidArgument("a layer's picture is not the one that record returned");
     if (reflect::isInNoLayout(picture))
         return invalidArgument("a layer's picture is in no layout (VkImageLayout {}): state the one that it is in",
                                static_cast<int>(picture.layout));
-    return handOut(frame.recordLayer(commands, layer, picture.layout));
+    return frame.recordLayer(commands, layer, picture.layout);
 }
 
 Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_view name) {

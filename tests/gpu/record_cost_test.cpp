@@ -81,8 +81,19 @@ TEST_F(RecordCostTest, AllocatesNothing) {
     must(reflections.setRays(world.rays, world.surfaces));
     must(reflections.setProbes(probes));
     must(reflections.setPlanar(mirrors));
+    constexpr VkImageUsageFlags kOutput =
+        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    gpu::Image output = must(gpu::Image::create(*context_, {"test/output", VK_FORMAT_R16G16B16A16_SFLOAT, kWidth,
+                                                            kHeight, 1, 1, gpu::ImageShape::Flat, kOutput}));
+    must(context_->submitAndWait([&](VkCommandBuffer commands) {
+        gpu::Frame(*context_, commands)
+            .hand(output, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
+                           VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    }));
     uint64_t most = 0;
     for (uint32_t frame = 0; frame < 18; ++frame) {
+        if (frame == 6)
+            must(reflections.setOutputs({.composite = asHostImage(output)}));
         View view = camera_.view(kWidth, kHeight);
         view.frameIndex = frame;
         if (frame == 12) { // instead of blur and upsampling

@@ -97,7 +97,7 @@ gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipelin
         .read("surface", inputs.prepared.surface)
         .read("environment", host.environment ? host.environment : inputs.frame.standIns.blackCube)
         .read("occlusion", host.scalar(Inputs::Occlusion, inputs.frame.standIns.black), kTexels)
-        .write("reflected", reflected_)
+        .write("reflected", reflected().reflected)
         .write("weights", weights_);
     answersOf(takingPart(), inputs).bind(pass);
     return pass;

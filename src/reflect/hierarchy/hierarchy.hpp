@@ -62,7 +62,9 @@ public:
 
     /// The answers that a source is rehearsed with: no earlier source has answered.
     EarlierAnswers noAnswersBefore(const HierarchyInputs& inputs) const;
-    Reflected reflected() { return {reflected_, weights_}; }
+    Reflected reflected() { return {target_ ? *target_ : reflected_, weights_}; }
+    /// `combine` writes its answer into this image of the host's; null: into one of Glint's.
+    void setTarget(gpu::Image* target) { target_ = target; }
     /// Returns the source's answer if it exists, otherwise a black image.
     gpu::Image& answerOf(uint32_t source, const HierarchyInputs& inputs) const;
 
@@ -80,6 +82,7 @@ private:
     gpu::Image* joined_ = nullptr; ///< of this frame, once it is recorded
     gpu::Pipeline combine_;
     gpu::Image reflected_;
+    gpu::Image* target_ = nullptr;
     gpu::Image weights_;
 };
 
