@@ -96,6 +96,12 @@ public:
     Reflections(Reflections&&) noexcept;
     Reflections& operator=(Reflections&&) noexcept;
 
+    /// Replaces all images by images of this size. Pipelines, settings and what setRays, setPlanar and setProbes set
+    /// are kept. Call setInputs, and setOutputs for images of the host, before the next `record`, which has no history.
+    /// For a size that changes often use View::width and height instead. Replaced images are freed as the class states.
+    /// Errors: InvalidArgument (size), OutOfMemory; then the old size stays in force.
+    Result<void> resize(uint32_t width, uint32_t height);
+
     /// Applies new settings, and creates the images that they need for the first time.
     /// Errors: InvalidArgument names the setting; OutOfMemory. After an error the old settings stay in force.
     Result<void> setSettings(const Settings& settings);
@@ -149,8 +155,13 @@ public:
     /// if that is alone. Without them the image is Glint's and ready for sampling; with every source off no pass runs
     /// then, and the returned image is litRadiance itself, bit for bit.
     ///
-    /// Invalid calls are: no inputs, no command buffer, a view with a non-finite number or a matrix without an inverse.
-    /// An invalid call records nothing, adds one note (notes()) and returns litRadiance, or no image before setInputs.
+    /// With View::width and height smaller than the images, only that part of them is read, and only that part of the
+    /// results is written. Histories continue when it changes: the previous frame's extent is known. Motion is in UV of
+    /// the extent in use, before and now.
+    ///
+    /// Invalid calls are: no inputs, no command buffer, a view with a non-finite number, a matrix without an inverse,
+    /// or an extent larger than the images. An invalid call records nothing, adds one note (notes()) and returns
+    /// litRadiance, or no image before setInputs.
     HostImage record(VkCommandBuffer commands, const View& view);
 
     /// Records a transparent layer over the image of the last recorded frame, in place. Requires
@@ -163,7 +174,8 @@ public:
     /// Glint draws no layers and returns `picture`: the host then draws transparent surfaces itself.
     ///
     /// Cost: up to three marches and 34 fetches from the image per layer pixel, and the mips of the image.
-    /// Errors: InvalidArgument names the image that is missing or has a wrong size, or says that no frame was recorded.
+    /// Errors: InvalidArgument names the image that is missing or has a wrong size, or says that no frame was recorded,
+    /// or that the frame used only a part of its images.
     Result<HostImage> recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, const HostImage& picture);
 
     /// Records a debug view of the last recorded frame into an RGBA32F image. Requires ReflectionsDesc::views. Values

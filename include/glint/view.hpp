@@ -24,6 +24,10 @@ struct View {
     /// (ReflectionsDesc::framesInFlight). 0: each call of Reflections::record counts as one frame. Set it if a frame
     /// has several views.
     uint64_t frameNumber = 0;
+    /// Extent in use: the pixels that the host drew, from the top left of every image of the frame (backDepth: the same
+    /// fraction of its size). It may change with every frame, for dynamic resolution. 0: the whole images.
+    uint32_t width = 0;
+    uint32_t height = 0;
 };
 
 } // namespace glint

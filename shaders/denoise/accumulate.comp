@@ -40,7 +40,7 @@ struct Candidate {
 const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0);
 
 vec3 previousPosition(ivec2 px, float z) {
-    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.prevInvSize;
     float scale = isOrthographic(frame.constants) ? 1.0 : z;
     return vec3((uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw) * scale, -z);
 }
@@ -67,8 +67,9 @@ float residualAt(Was was, vec3 position, vec3 normal) {
 /// Shortens the history where light has changed, and takes the long mean to where the short one is.
 void forgetOldLight(vec2 at, inout Candidate found) {
     const float kPower = 10.0; // with a tenth changed a third of the frames count
-    vec2 tiles = ceil(frame.constants.size / float(kSentinelTile)) * float(kSentinelTile);
-    vec3 change = textureLod(changed, at / tiles, 0.0).rgb;
+    const float kTile = float(kSentinelTile);
+    vec2 last = (ceil(frame.constants.prevSize / kTile) - 0.5) * kTile; // no tile lies beyond
+    vec3 change = textureLod(changed, min(at, last) / (vec2(textureSize(changed, 0)) * kTile), 0.0).rgb;
     found.meta.x *= pow(1.0 - change.r, kPower);
     float lag = change.g;
     float toShort = mix(1.0, change.b, lag);
@@ -88,7 +89,7 @@ Candidate lookUp(Was was, vec2 at) {
         vec2 shares = mix(1.0 - share, share, vec2(offset));
         float weight = shares.x * shares.y;
         ivec2 texel = ivec2(corner) + offset;
-        if (weight < 1e-3 || !isInFrame(texel))
+        if (weight < 1e-3 || !wasInFrame(texel))
             continue;
         uvec2 packed = texelFetch(placeBefore, texel, 0).xy;
         float z = uintBitsToFloat(packed.x);
@@ -143,7 +144,7 @@ Candidate best(ivec2 px, LobeSurface here, float near, out float frames) {
     vec2 surfacePX = previousPixel(was.position);
     if ((frame.constants.flags & kInputMotion) != 0u) {
         vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-        vec2 movedPX = (uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale) * frame.constants.size;
+        vec2 movedPX = (uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale) * frame.constants.prevSize;
         const float kMovedPX = 1.5;
         was.moved = length(movedPX - surfacePX) > kMovedPX;
         surfacePX = was.moved ? movedPX : surfacePX;

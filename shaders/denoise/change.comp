@@ -20,7 +20,9 @@ layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D changed;
 /// Share of the light that sentinels saw change around the tile.
 float changeAround(ivec2 tile) {
     const int kReach = 3;
-    ivec2 size = textureSize(change, 0);
+    // Those that the frame wrote; without sentinels a black texel.
+    ivec2 size = min(textureSize(change, 0),
+                     (ivec2(frame.constants.size) + int(kSentinelTile) - 1) / int(kSentinelTile));
     vec2 sum = vec2(0.0);
     for (int y = -kReach; y <= kReach; ++y) {
         for (int x = -kReach; x <= kReach; ++x) {
@@ -45,7 +47,7 @@ vec2 lagAround(ivec2 tile) {
     for (int y = -kReach; y <= kReach; ++y) {
         for (int x = -kReach; x <= kReach; ++x) {
             ivec2 px = tile * int(kSentinelTile) + int(kSentinelTile) / 2 + ivec2(x, y) * kStep;
-            if (any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, ivec2(frame.constants.size))))
+            if (any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, ivec2(frame.constants.prevSize))))
                 continue;
             vec4 moments = texelFetch(metaBefore, px, 0);
             if (moments.x < frame.settings.denoise.fastFrames + 2.0)
@@ -68,7 +70,7 @@ vec2 lagAround(ivec2 tile) {
 
 void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(tile * int(kSentinelTile), ivec2(frame.constants.size))))
+    if (any(greaterThanEqual(tile * int(kSentinelTile), ivec2(frame.constants.prevSize))))
         return;
     vec2 lag = frame.settings.denoise.comparesMeans != 0u ? lagAround(tile) : vec2(0.0, 1.0);
     imageStore(changed, tile, vec4(changeAround(tile), lag, 0.0));

@@ -37,6 +37,11 @@ bool isInFrame(ivec2 px) {
     return all(greaterThanEqual(px, ivec2(0))) && all(lessThan(px, ivec2(frame.constants.size)));
 }
 
+/// True if the previous frame has a pixel there.
+bool wasInFrame(ivec2 px) {
+    return all(greaterThanEqual(px, ivec2(0))) && all(lessThan(px, ivec2(frame.constants.prevSize)));
+}
+
 /// True where `other` shows the surface of `here`: near its plane (a fraction of viewZ), with a similar normal and
 /// roughness.
 bool isSameSurface(LobeSurface here, LobeSurface other) {

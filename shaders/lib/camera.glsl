@@ -19,10 +19,14 @@ vec3 viewDirection(FrameConstants frame, vec3 positionVS) {
     return isOrthographic(frame) ? vec3(0.0, 0.0, -1.0) : normalize(positionVS);
 }
 
-/// Width and height of a pixel across the line of sight at `viewZ`, metres. `uvToView` is this frame's or the previous
-/// frame's.
+/// Width and height of a pixel across the line of sight at `viewZ`, metres.
 vec2 pixelExtent(FrameConstants frame, vec4 uvToView, float viewZ) {
     return abs(uvToView.xy) * frame.invSize * (isOrthographic(frame) ? 1.0 : viewZ);
+}
+
+/// As pixelExtent, of the previous frame's pixels.
+vec2 prevPixelExtent(FrameConstants frame, float viewZ) {
+    return abs(frame.prevUvToView.xy) * frame.prevInvSize * (isOrthographic(frame) ? 1.0 : viewZ);
 }
 
 /// Device depth as the host stores it -> metres along the view axis; kBackgroundZ where the host drew no surface.

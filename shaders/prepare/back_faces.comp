@@ -37,6 +37,12 @@ bool showsOneObject(ivec2 px, float frontZ) {
     return coverage + second.coverage > 0.999 && abs(second.viewZ - frontZ) <= kStep * frontZ;
 }
 
+/// The part of the host's image that this frame uses: the same fraction as of the frame's images, rounded up.
+ivec2 backExtent() {
+    ivec2 whole = textureSize(viewZ, 0);
+    return (textureSize(backDepth, 0) * ivec2(frame.constants.size) + whole - 1) / whole;
+}
+
 const float kSilent = -1.0;
 
 /// viewZ of the back of a surface at `z`, as the host's image has it at `texel`: kBackgroundZ if that surface is open,
@@ -45,7 +51,7 @@ float backAt(ivec2 texel, float z) {
     // The pixels that touch the point where the back face was drawn: one, or up to four where the point lies on their
     // borders.
     const float kTouches = 0.49;
-    vec2 pointPX = (vec2(texel) + 0.5) / vec2(textureSize(backDepth, 0)) * frame.constants.size;
+    vec2 pointPX = (vec2(texel) + 0.5) / vec2(backExtent()) * frame.constants.size;
     ivec2 last = ivec2(frame.constants.size) - 1;
     ivec2 low = clamp(ivec2(floor(pointPX - kTouches)), ivec2(0), last);
     ivec2 high = clamp(ivec2(floor(pointPX + kTouches)), ivec2(0), last);
@@ -64,7 +70,7 @@ float backAt(ivec2 texel, float z) {
 }
 
 float backOfPixel(ivec2 px, float z) {
-    ivec2 size = textureSize(backDepth, 0);
+    ivec2 size = backExtent();
     ivec2 own = min(ivec2((vec2(px) + 0.5) * frame.constants.invSize * vec2(size)), size - 1);
     float back = backAt(own, z);
     if (back != kSilent)
@@ -82,7 +88,7 @@ float backOfPixel(ivec2 px, float z) {
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(px, imageSize(backViewZ))))
+    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
     float z = texelFetch(viewZ, px, 0).r;
     float back = z < kBackgroundZ ? backOfPixel(px, z) : kBackgroundZ;

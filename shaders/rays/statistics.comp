@@ -3,6 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "frame/frame_block.glsl"
 #include "lib/ray_record.glsl"
 #include "shared/rays_constants.h"
 
@@ -36,7 +37,7 @@ void main() {
         groupPixels = groupRays = groupFromScreen = groupReplaced = groupReused = 0u;
     barrier();
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    if (all(lessThan(px, textureSize(raysRecord, 0)))) {
+    if (all(lessThan(px, ivec2(frame.constants.size)))) {
         uvec4 stored = texelFetch(raysRecord, px, 0);
         RayRecord ray = unpackRayRecord(stored.xy);
         bool fromScreen = (stored.z & kRaysStartOnScreen) != 0u;

@@ -24,8 +24,10 @@ struct FrameConstants {
     float4 uvToView;             // positionVS.xy = (uv * xy + zw) * (perspective ? viewZ : 1)
     float4 prevUvToView;         // as uvToView, of the previous frame
     float4 depthToViewZ;         // viewZ = (ndc * x + y) / (ndc * z + w), ndc = depth * depthScale + depthOffset
-    float2 size;                 // pixels
+    float2 size;                 // pixels in use, from the top left of the frame's images
     float2 invSize;
+    float2 prevSize; // as size, of the previous frame
+    float2 prevInvSize;
     float depthScale;
     float depthOffset;
     float farDepth; // device depth of the background

@@ -42,7 +42,7 @@ Before placeBefore(ivec2 px, float z) {
     before.moved = false;
     if ((frame.constants.flags & kInputMotion) != 0u) {
         vec2 movedUV = uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale;
-        vec2 movedPX = movedUV * frame.constants.size;
+        vec2 movedPX = movedUV * frame.constants.prevSize;
         before.moved = distance(movedPX, before.px) > kMovedPX;
         if (before.moved)
             before.px = movedPX;
@@ -50,9 +50,9 @@ Before placeBefore(ivec2 px, float z) {
     return before;
 }
 
-/// How far off a plane through a point at `viewZ` a pixel of the same plane may lie, metres.
-float samePlaceSlack(vec4 uvToView, float viewZ) {
-    return kSamePlace * viewZ + 0.25 * pixelExtent(frame.constants, uvToView, viewZ).y;
+/// How far off a plane through a point at `viewZ` a pixel of the same plane may lie, metres. `pixel`: its extent there.
+float samePlaceSlack(vec2 pixel, float viewZ) {
+    return kSamePlace * viewZ + 0.25 * pixel.y;
 }
 
 /// True if the previous frame's texel shows the surface of `before`.
@@ -63,11 +63,11 @@ bool showedIt(Before before, ivec2 texel) {
     float expectedZ = -before.positionVS.z;
     if (before.moved)
         return abs(z - expectedZ) <= kSameDepth * expectedZ;
-    vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
+    vec2 uv = (vec2(texel) + 0.5) * frame.constants.prevInvSize;
     vec2 sideways = uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw;
     float spread = isOrthographic(frame.constants) ? 1.0 : z;
     vec3 between = vec3(sideways * spread, -z) - before.positionVS;
-    return abs(dot(before.normalVS, between)) <= samePlaceSlack(frame.constants.prevUvToView, expectedZ);
+    return abs(dot(before.normalVS, between)) <= samePlaceSlack(prevPixelExtent(frame.constants, expectedZ), expectedZ);
 }
 
 /// Bilinear over those of the four texels that showed the same surface, so no colour bleeds in from occluders. False if
@@ -78,7 +78,7 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     if (z >= kBackgroundZ)
         return false;
     Before before = placeBefore(px, z);
-    bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.size));
+    bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.prevSize));
     if (!onScreen)
         return false;
     const float kNoShare = 1.0 / 64.0; // at rest, rounding leaves a small weight on the neighbours
@@ -91,7 +91,7 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
         vec2 shares = mix(1.0 - share, share, vec2(offset));
         float weight = shares.x * shares.y;
         ivec2 texel = ivec2(corner) + offset;
-        bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(frame.constants.size)));
+        bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(frame.constants.prevSize)));
         if (weight < kNoShare || !inside || !showedIt(before, texel))
             continue;
         radiance += weight * linearColor(texelFetch(prevColor, texel, 0).rgb, encoded);
@@ -144,7 +144,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     ++lookups;
     vec3 texelVS = viewPosition(frame.constants, (vec2(at) + 0.5) * frame.constants.invSize, z);
     const float kLike = 0.9; // 25 degrees
-    float offPlane = samePlaceSlack(frame.constants.uvToView, z);
+    float offPlane = samePlaceSlack(pixelExtent(frame.constants, frame.constants.uvToView, z), z);
     vec2 corner = floor(px - 0.5);
     vec2 share = px - 0.5 - corner;
     vec4 sum = vec4(0.0);

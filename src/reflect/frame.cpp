@@ -104,7 +104,7 @@ void FrameStages::countRays(gpu::Frame& frame) {
     const Traced traced = trace_->traced();
     counts_->record(frame, inputs(), rayRecord(), traced.width, traced.height, [&](gpu::Buffer& counts) {
         if (usesRays())
-            raysSource_->count(frame, counts);
+            raysSource_->count(frame, inputs(), counts);
     });
 }
 
@@ -121,6 +121,7 @@ HostImage FrameStages::record(VkCommandBuffer commands, const View& view) {
     stages_.progress.begin(frameNumber_);
     stages_.retired.begin(frameNumber_, stages_.desc.framesInFlight);
     lastView_ = view;
+    stages_.extent = {view.width > 0 ? view.width : stages_.width(), view.height > 0 ? view.height : stages_.height()};
     recorded_ = true;
     ranPasses_ = hierarchy_->anySource() || stages_.settings().debug.outcome || expectsLayers() || outputs_.areHosts();
     upToDate_.ask();

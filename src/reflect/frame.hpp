@@ -32,11 +32,15 @@ public:
     gpu::Context& context() const { return stages_.gpu; }
     const Host& host() const { return host_; }
     const Outputs& outputs() const { return outputs_.stated(); }
+    glm::uvec2 extent() const { return stages_.extent; }  ///< of the last recorded frame
+    uint64_t frameNumber() const { return frameNumber_; } ///< the host's, of the last recorded frame
 
     // Inputs from the host. Errors of all: OutOfMemory, Unsupported; on error the previous values stay in force.
     Result<void> setSettings(const Settings& settings);
     Result<void> setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment);
     Result<void> setOutputs(const Outputs& outputs);
+    /// Takes over the scene, mirrors and probes of frames of another size, and the count of frames.
+    Result<void> takeSources(FrameStages& old);
     Result<void> setRays(rays::Scene& scene, SurfaceTableState& surfaces);
     Result<void> setRays(rays::Scene& scene, ShadeHits shade);
     Result<void> setPlanar(PlanarState& planar);
@@ -87,7 +91,8 @@ private:
     static constexpr size_t kViewZ = 0;
 
     FrameStages(gpu::Context& context, const ReflectionsDesc& desc)
-        : stages_{context, desc, {}, {}}, outputs_(stages_), colors_(stages_, History::Kind::Turns) {}
+        : stages_{context, desc, {}, {}, {desc.width, desc.height}}, outputs_(stages_),
+          colors_(stages_, History::Kind::Turns) {}
     Result<void> createStages();
     Result<void> createDepths();
     Result<void> rememberColors();

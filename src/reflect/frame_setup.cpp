@@ -101,6 +101,19 @@ Result<void> FrameStages::setOutputs(const Outputs& outputs) {
     return {};
 }
 
+Result<void> FrameStages::takeSources(FrameStages& old) {
+    frameNumber_ = old.frameNumber_;
+    if (old.rayScene_ && old.raySurfaces_)
+        GLINT_CHECK(setRays(*old.rayScene_, *old.raySurfaces_));
+    else if (old.rayScene_)
+        GLINT_CHECK(setRays(*old.rayScene_, old.shadeHits_));
+    if (old.planarSource_ && old.planarSource_->planar())
+        GLINT_CHECK(setPlanar(*old.planarSource_->planar()));
+    if (ProbesState* const probes = old.probes())
+        GLINT_CHECK(setProbes(*probes));
+    return {};
+}
+
 void FrameStages::restartAccumulation() {
     if (raysSource_)
         raysSource_->forgetFrames(HistoryReset::Asked);

@@ -18,12 +18,21 @@ std::string nameOf(const gpu::WrittenImage& image) {
     return fmt::format("{}:{}", *image.pass, image.binding);
 }
 
+Result<void> checkFrameSize(uint32_t width, uint32_t height) {
+    if (width < 1 || height < 1 || width > reflect::kMaxSize || height > reflect::kMaxSize)
+        return invalidArgument("reflections of {}x{} pixels: each side must be 1 to {}", width, height,
+                               reflect::kMaxSize);
+    return {};
+}
+
 } // namespace
 
 struct Reflections::State : gpu::KeepsContext {
     explicit State(gpu::Context& context) : KeepsContext(context) {}
 
     std::unique_ptr<reflect::FrameStages> frame;
+    /// Of other sizes; frames in flight may still use them.
+    std::vector<std::unique_ptr<reflect::FrameStages>> outgoing;
     std::vector<std::string> notes;
     bool refused = false; ///< `notes` says why record did nothing
 
@@ -67,6 +76,12 @@ Result<void> Reflections::State::checkRecord(VkCommandBuffer commands, const Vie
             "record without a command buffer: nothing is recorded, litRadiance is returned as it is");
     if (const Result<void> checked = reflect::checkView(view); !checked)
         return invalidArgument("{}: nothing is recorded, litRadiance is returned as it is", checked.error().message);
+    const ReflectionsDesc& desc = frame->desc();
+    if (view.width > desc.width || view.height > desc.height)
+        return invalidArgument(
+            "View uses {}x{} pixels of images of {}x{}: nothing is recorded, litRadiance is returned "
+            "as it is",
+            view.width, view.height, desc.width, desc.height);
     return {};
 }
 
@@ -85,14 +100,25 @@ Reflections& Reflections::operator=(Reflections&&) noexcept = default;
 Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc& desc) {
     if (desc.framesInFlight < 1 || desc.framesInFlight > 16)
         return invalidArgument("framesInFlight is {}: 1 to 16", desc.framesInFlight);
-    if (desc.width < 1 || desc.height < 1 || desc.width > reflect::kMaxSize || desc.height > reflect::kMaxSize)
-        return invalidArgument("reflections of {}x{} pixels: each side must be 1 to {}", desc.width, desc.height,
-                               reflect::kMaxSize);
+    GLINT_CHECK(checkFrameSize(desc.width, desc.height));
     GLINT_CHECK(validate(desc.settings));
     auto state = std::make_unique<State>(context.gpu());
     GLINT_TRY(frame, reflect::FrameStages::create(context.gpu(), desc));
     state->frame = std::move(frame);
     return Reflections(std::move(state));
+}
+
+Result<void> Reflections::resize(uint32_t width, uint32_t height) {
+    GLINT_CHECK(checkFrameSize(width, height));
+    ReflectionsDesc desc = state_->frame->desc();
+    desc.width = width;
+    desc.height = height;
+    GLINT_TRY(frame, reflect::FrameStages::create(state_->frame->context(), desc));
+    GLINT_CHECK(frame->takeSources(*state_->frame));
+    state_->outgoing.push_back(std::move(state_->frame));
+    state_->frame = std::move(frame);
+    state_->note();
+    return {};
 }
 
 Result<void> Reflections::setSettings(const Settings& settings) {
@@ -156,7 +182,11 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
         state_->refuse(possible.error());
         return frame.host().gbuffer.litRadiance;
     }
-    return frame.record(commands, view);
+    const HostImage result = frame.record(commands, view);
+    std::erase_if(state_->outgoing, [&](const auto& old) {
+        return old->frameNumber() + frame.desc().framesInFlight <= frame.frameNumber();
+    });
+    return result;
 }
 
 Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer,
@@ -169,6 +199,10 @@ Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const Trans
         return invalidArgument("nothing was recorded with these settings: record a frame, then its layers");
     if (!commands)
         return invalidArgument("recordLayer without a command buffer");
+    if (frame.extent() != glm::uvec2(frame.desc().width, frame.desc().height))
+        return invalidArgument("the frame used {}x{} pixels of its images: layers need all {}x{}, View::width and "
+                               "height 0",
+                               frame.extent().x, frame.extent().y, frame.desc().width, frame.desc().height);
     GLINT_CHECK(reflect::checkLayer(frame.context(), layer, frame.desc()));
     if (!frame.expectsLayers())
         return picture;
@@ -210,9 +244,9 @@ Result<void> Reflections::recordInspection(VkCommandBuffer commands, uint32_t x,
         return invalidArgument("nothing was recorded with these settings: record a frame, then inspect it");
     if (!commands)
         return invalidArgument("recordInspection without a command buffer");
-    if (x >= frame.desc().width || y >= frame.desc().height)
-        return invalidArgument("pixel {},{} lies outside the picture of {}x{}", x, y, frame.desc().width,
-                               frame.desc().height);
+    if (x >= frame.extent().x || y >= frame.extent().y)
+        return invalidArgument("pixel {},{} lies outside the picture of {}x{}", x, y, frame.extent().x,
+                               frame.extent().y);
     frame.recordInspection(commands, x, y);
     return {};
 }

@@ -8,6 +8,8 @@
 #include "gpu/progress.hpp"
 #include "gpu/retired.hpp"
 
+#include <glm/glm.hpp>
+
 namespace glint::reflect {
 
 /// Shared by all stages of one Reflections; outlives them.
@@ -16,8 +18,11 @@ struct StageContext {
     ReflectionsDesc desc; ///< with the settings in force
     gpu::Progress progress;
     gpu::Retired retired; ///< replaced objects that may be in flight
+    /// Pixels of the frame's images that the recorded frame uses, from the top left (View::width, height): what passes
+    /// are dispatched over. Images are made for `width` x `height`.
+    glm::uvec2 extent;
 
-    uint32_t width() const { return desc.width; } ///< size of the frame in pixels
+    uint32_t width() const { return desc.width; } ///< size of the frame's images in pixels
     uint32_t height() const { return desc.height; }
     const Settings& settings() const { return desc.settings; }
 };

@@ -96,6 +96,8 @@ TEST_F(RecordCostTest, AllocatesNothing) {
             must(reflections.setOutputs({.composite = asHostImage(output)}));
         View view = camera_.view(kWidth, kHeight);
         view.frameIndex = frame;
+        view.width = frame % 2 ? kWidth / 2 + frame : 0; // another extent each frame
+        view.height = frame % 2 ? kHeight / 2 + frame : 0;
         if (frame == 12) { // instead of blur and upsampling
             desc.settings.denoise.enabled = true;
             must(reflections.setSettings(desc.settings));

@@ -31,7 +31,7 @@ void Composite::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepa
         .read("rayRecord", rayRecord)
         .read("dfg", inputs.standIns.dfg)
         .write("composite", composite)
-        .dispatch(stages_->width(), stages_->height());
+        .dispatch(stages_->extent.x, stages_->extent.y);
 }
 
 } // namespace glint::reflect

@@ -54,7 +54,7 @@ gpu::Image& Views::record(gpu::Frame& frame, const ViewInputs& inputs, uint32_t 
         .read("refractionWeights", inputs.refraction ? inputs.refraction->weights() : black)
         .write("view", image_)
         .push(view)
-        .dispatch(stages_.width(), stages_.height());
+        .dispatch(stages_.extent.x, stages_.extent.y);
     return image_;
 }
 

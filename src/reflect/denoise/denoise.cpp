@@ -54,7 +54,7 @@ void Denoise::add(Denoiser denoiser) {
 Signal Denoise::blur(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
     const uint32_t w = blurredPixels(stages_.settings(), source.width);
     const uint32_t h = blurredPixels(stages_.settings(), source.height);
-    const bool whole = w == stages_.width() && h == stages_.height(); // then the second pass writes the answer
+    const bool whole = glm::uvec2(w, h) == stages_.extent; // then the second pass writes the answer
     const Signal last = {whole ? &whole_ : &blurred_[1], w, h};
     recordBlur(frame, inputs, false, source, {&blurred_[0], w, h});
     recordBlur(frame, inputs, true, {&blurred_[0], w, h}, last);
@@ -87,8 +87,8 @@ Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal 
         .read("source", *source.image)
         .write("radianceWeight", whole_)
         .push(source.size())
-        .dispatch(stages_.width(), stages_.height());
-    return {&whole_, stages_.width(), stages_.height()};
+        .dispatch(stages_.extent.x, stages_.extent.y);
+    return {&whole_, stages_.extent.x, stages_.extent.y};
 }
 
 // ---------------------------------------------------------------- creation
@@ -117,7 +117,7 @@ Result<std::unique_ptr<Denoise>> Denoise::create(StageContext& stages) {
          }},
         {"upsample",
          [self](const Settings&, const Signal& signal) {
-             return signal.width < self->stages_.width() || signal.height < self->stages_.height();
+             return signal.width < self->stages_.extent.x || signal.height < self->stages_.extent.y;
          },
          [self](gpu::Frame& frame, const DenoiseInputs& inputs, Signal signal) {
              return self->upsample(frame, inputs, signal);

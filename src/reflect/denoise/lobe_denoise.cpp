@@ -108,7 +108,7 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .write("noisy", signal_[0])
         .write("nearness", nearness_[0])
         .push(sources)
-        .dispatch(stages_.width(), stages_.height());
+        .dispatch(stages_.extent.x, stages_.extent.y);
 }
 
 /// Returns what has changed since the previous frame, by tiles; black where nothing is to be found.
@@ -139,8 +139,8 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
             .read("surface", inputs.prepared.surface);
         return pass;
     };
-    const uint32_t w = stages_.width();
-    const uint32_t h = stages_.height();
+    const uint32_t w = stages_.extent.x;
+    const uint32_t h = stages_.extent.y;
     begin(reuse_)
         .read("blueNoise", inputs.frame.standIns.blueNoise)
         .read("noisy", signal_[0])

@@ -85,7 +85,7 @@ void Hierarchy::recordSources(gpu::Frame& frame, const HierarchyInputs& inputs) 
 }
 
 Reflected Hierarchy::combine(gpu::Frame& frame, const HierarchyInputs& inputs) {
-    combinePass(frame, combine_, inputs).dispatch(stages_.width(), stages_.height());
+    combinePass(frame, combine_, inputs).dispatch(stages_.extent.x, stages_.extent.y);
     return reflected();
 }
 

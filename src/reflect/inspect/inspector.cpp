@@ -158,7 +158,7 @@ void Inspector::record(gpu::Frame& frame, const InspectorInputs& inputs, uint32_
                      inputs.target);
     inputs.sources.combinePass(frame, combine_, inputs.hierarchy)
         .readWrite("rayLog", log_)
-        .dispatch(stages_.width(), stages_.height());
+        .dispatch(stages_.extent.x, stages_.extent.y);
     frame.copyBuffer(log_, readback_);
 }
 

@@ -43,7 +43,7 @@ void PlanarSource::record(gpu::Frame& frame, const PlanarInputs& inputs) {
         .write("planarAnswer", answer_)
         .table(planar_->pictures());
     inputs.earlier.bind(pass);
-    pass.push(static_cast<uint32_t>(records.size())).dispatch(answer_.width(), answer_.height());
+    pass.push(static_cast<uint32_t>(records.size())).dispatch(stages_.extent.x, stages_.extent.y);
 }
 
 } // namespace glint::reflect

@@ -25,6 +25,7 @@ public:
     /// `planar` must outlive the frames. Creates the pipeline for it. Errors: OutOfMemory.
     Result<void> setPlanar(PlanarState& planar);
     bool hasMirrors() const { return planar_ && planar_->count() > 0; }
+    PlanarState* planar() const { return planar_; }
 
     /// `before`: the sources that are asked before this one.
     static shared::PlanarConstants constants(const Settings& settings, uint32_t before);

@@ -21,8 +21,6 @@ Result<void> DepthPyramid::make() {
         return {};
     const uint32_t width = stages_.width();
     const uint32_t height = stages_.height();
-    levels_ = std::clamp(static_cast<uint32_t>(std::bit_width(std::max(width, height) - 1)), 1u,
-                         shared::kMaxPyramidLevels - 1);
     const auto half = [](uint32_t size, uint32_t times) { return (size + (1u << times) - 1) >> times; };
     const size_t tiles = size_t{half(width, shared::kPyramidTileLevel)} * half(height, shared::kPyramidTileLevel);
     const size_t above = tiles; // at least the cells of the next level
@@ -34,7 +32,13 @@ Result<void> DepthPyramid::make() {
     // Level 1, beside it a column of all others: lib/pyramid.glsl.
     return makeImage(stages_.gpu, cells_,
                      {"glint/pyramid", VK_FORMAT_R32G32B32A32_UINT, half(width, 1) + half(width, 2),
-                      half(height, 1) + levels_, kCleared});
+                      half(height, 1) + levelsOf({width, height}), kCleared});
+}
+
+/// Index of the coarsest level.
+uint32_t DepthPyramid::levelsOf(glm::uvec2 size) {
+    return std::clamp(static_cast<uint32_t>(std::bit_width(std::max(size.x, size.y) - 1)), 1u,
+                      shared::kMaxPyramidLevels - 1);
 }
 
 void DepthPyramid::clear(gpu::Frame& frame) {
@@ -48,7 +52,7 @@ void DepthPyramid::clear(gpu::Frame& frame) {
 void DepthPyramid::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared, Rays* rays) {
     const Settings& settings = stages_.settings();
     const shared::TraceConstants trace = traceConstants(settings, prepared.backFacesKnown && settings.screen.enabled);
-    shared::PyramidConstants constants = {trace.thickness, trace.thicknessRelative, trace.flags, levels_};
+    shared::PyramidConstants constants = {trace.thickness, trace.thicknessRelative, trace.flags, pyramid().levels};
     if (!rays)
         constants.thicknessRelative = std::max(constants.thicknessRelative, settings.refraction.hizDepthBias);
     gpu::Pass pass = frame.pass(pass_);
@@ -63,8 +67,8 @@ void DepthPyramid::record(gpu::Frame& frame, const FrameInputs& inputs, const Pr
     if (rays)
         pass.dispatchIndirect(rays->list, offsetof(shared::RayListHeader, pyramidGroups));
     else
-        pass.dispatch((stages_.width() + kPixelsAThread - 1) / kPixelsAThread,
-                      (stages_.height() + kPixelsAThread - 1) / kPixelsAThread);
+        pass.dispatch((stages_.extent.x + kPixelsAThread - 1) / kPixelsAThread,
+                      (stages_.extent.y + kPixelsAThread - 1) / kPixelsAThread);
 }
 
 } // namespace glint::reflect

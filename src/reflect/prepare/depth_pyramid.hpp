@@ -18,17 +18,18 @@ public:
     /// and its cells also store what is behind them with refraction.hizDepthBias.
     void record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared, Rays* rays);
 
-    Pyramid pyramid() { return {cells_, levels_}; }
+    /// With the levels that the frame's extent has.
+    Pyramid pyramid() { return {cells_, cells_ ? levelsOf(stages_.extent) : 0}; }
 
 private:
     explicit DepthPyramid(StageContext& stages) : stages_(stages) {}
+    static uint32_t levelsOf(glm::uvec2 size);
 
     StageContext& stages_;
     gpu::Pipeline pass_;
     gpu::Image cells_;
     gpu::Buffer tiles_;
     gpu::Standing blank_; ///< cells_ are initialized, and the counter in tiles_ starts at 0
-    uint32_t levels_ = 0;
 };
 
 } // namespace glint::reflect

@@ -21,7 +21,7 @@ Result<FrameBlock> FrameBlock::create(StageContext& stages) {
 void FrameBlock::begin(const View& view, const Host& host) {
     before_ = values_.constants;
     const shared::FrameConstants now =
-        makeFrameConstants(view, host.conventions(), stages_->width(), stages_->height());
+        makeFrameConstants(view, host.conventions(), stages_->extent.x, stages_->extent.y);
     values_.constants = now;
     const GBuffer& gbuffer = host.gbuffer;
     const auto channel = [](const MaterialChannel& stated) {
@@ -62,6 +62,8 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::Setti
     constants.viewToPrevView = glm::mat4(glm::dmat4(before_.worldToView) * glm::dmat4(constants.viewToWorld));
     constants.prevViewToPixel = before_.viewToPixel;
     constants.prevUvToView = before_.uvToView;
+    constants.prevSize = before_.size;
+    constants.prevInvSize = before_.invSize;
     const EnvironmentMap& environment = host.environment;
     constants.environmentStrength = environment.strength;
     constants.environmentMips = static_cast<float>(std::max(environment.mips, 1u));

@@ -97,7 +97,7 @@ void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::I
         .write("resolvedMaterial", resolvedMaterial_);
     if (manySamples)
         pass.write("edge", edge_);
-    pass.dispatch(stages_.width(), stages_.height());
+    pass.dispatch(stages_.extent.x, stages_.extent.y);
 }
 
 void Prepare::recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays) {
@@ -124,7 +124,8 @@ Prepared Prepare::prepared(Host& host, gpu::Image& viewZ) {
 
 glm::uvec2 Prepare::backFaceGroups() const {
     const uint32_t* local = backFacesPass_.localSize();
-    return {(backViewZ_.width() + local[0] - 1) / local[0], (backViewZ_.height() + local[1] - 1) / local[1]};
+    const glm::uvec2 pixels = backFacesKnown_ ? stages_.extent : glm::uvec2(1); // otherwise the pass does not run
+    return {(pixels.x + local[0] - 1) / local[0], (pixels.y + local[1] - 1) / local[1]};
 }
 
 } // namespace glint::reflect

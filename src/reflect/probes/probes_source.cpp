@@ -30,7 +30,7 @@ void ProbesSource::record(gpu::Frame& frame, const ProbesInputs& inputs) {
         .read("surface", inputs.prepared.surface)
         .write("probesRadianceWeight", answer_);
     inputs.earlier.bind(pass);
-    probes_->bind(pass).dispatch(answer_.width(), answer_.height());
+    probes_->bind(pass).dispatch(stages_.extent.x, stages_.extent.y);
 }
 
 } // namespace glint::reflect

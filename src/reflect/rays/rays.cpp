@@ -157,8 +157,8 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("screenRecord", inputs.screenRecord)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_);
-    lister_.bind(inputs.earlier.bind(list)).dispatch(radianceWeight_.width(), radianceWeight_.height());
-    lister_.list(frame, rays_, radianceWeight_.width(), radianceWeight_.height(), {});
+    lister_.bind(inputs.earlier.bind(list)).dispatch(stages_.extent.x, stages_.extent.y);
+    lister_.list(frame, rays_, stages_.extent.x, stages_.extent.y, {});
 
     if (surfaces_)
         recordShaded(frame, inputs);
@@ -212,11 +212,12 @@ void RaysSource::recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, c
         .dispatch(images.change.width(), images.change.height(), 2);
 }
 
-void RaysSource::count(gpu::Frame& frame, gpu::Buffer& statistics) {
+void RaysSource::count(gpu::Frame& frame, const FrameInputs& inputs, gpu::Buffer& statistics) {
     frame.pass(count_)
+        .read("frame", inputs.constants)
         .read("raysRecord", record_)
         .readWrite("statistics", statistics)
-        .dispatch(record_.width(), record_.height());
+        .dispatch(stages_.extent.x, stages_.extent.y);
 }
 
 /// Traces rays; the host shades their hits into the answer.

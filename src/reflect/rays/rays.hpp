@@ -52,7 +52,7 @@ public:
                          const SentinelImages& images);
 
     /// Adds the outcomes and costs of this frame's rays to a shared::RayStatistics.
-    void count(gpu::Frame& frame, gpu::Buffer& statistics);
+    void count(gpu::Frame& frame, const FrameInputs& inputs, gpu::Buffer& statistics);
 
     gpu::Image& answer() { return radianceWeight_; }
     gpu::Image& rayRecord() { return record_; }

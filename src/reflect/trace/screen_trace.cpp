@@ -55,8 +55,8 @@ void ScreenTrace::begin(bool whole) {
     if (eightBits != eightBits_)
         untraced_.ask();
     eightBits_ = eightBits;
-    width_ = whole ? stages_.width() : tracedPixels(stages_.settings(), stages_.width());
-    height_ = whole ? stages_.height() : tracedPixels(stages_.settings(), stages_.height());
+    width_ = whole ? stages_.extent.x : tracedPixels(stages_.settings(), stages_.extent.x);
+    height_ = whole ? stages_.extent.y : tracedPixels(stages_.settings(), stages_.extent.y);
 }
 
 void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups) {
@@ -71,8 +71,7 @@ void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const P
     gpu::Pass pass = frame.pass(classify_);
     pass.read("frame", inputs.constants).read("viewZ", prepared.viewZ).read("surface", prepared.surface);
     lister_.bind(writeTraced(pass, target(), false)).dispatch(width_, height_);
-    const glm::uvec2 pyramidGroups =
-        (glm::uvec2(stages_.width(), stages_.height()) + shared::kPyramidTile - 1u) / shared::kPyramidTile;
+    const glm::uvec2 pyramidGroups = (stages_.extent + shared::kPyramidTile - 1u) / shared::kPyramidTile;
     lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups});
 }
 
