@@ -202,6 +202,9 @@
     SETTING(RayLobe, lobe, RayLobe::Ggx, "", "",                                                                       \
         "Ray directions: ggx (spread by roughness), mirror, or mirrorIfOne (mirror if rays.samples is 1, else ggx)",   \
         "")                                                                                                            \
+    SETTING(bool, sampleLights, false, "", "",                                                                         \
+        "Rough surfaces also send rays to emissive triangles and bright parts of the environment: less noise",         \
+        "")                                                                                                            \
     SETTING(float, regularization, 0.5f, "[0, 4]", "",                                                                 \
         "After a rough bounce, minimum hit roughness is this times path spread; falls with samples; 0: fireflies",     \
         "")                                                                                                            \

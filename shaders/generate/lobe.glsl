@@ -11,6 +11,9 @@
 /// Below this roughness a lobe is narrower than a pixel.
 const float kMirrorRoughness = 0.001;
 
+/// Directions nearer to the surface than this cosine count as below it.
+const float kLeastLobeCosine = 1e-4;
+
 struct Direction {
     vec3 ws;      // unit
     float weight; // fraction of the light from there that leaves the facets; 0: below the surface
@@ -63,20 +66,30 @@ float lobeResponse(vec3 wo, vec3 wi, float alpha) {
     return wi.z <= 0.0 ? 0.0 : lobeDensity(wo, wi, alpha) * visibleGGXWeight(wo.z, wi.z, alpha);
 }
 
+/// A rough lobe in its own axes, z along the normal.
+struct LobeFrame {
+    mat3 axes;
+    vec3 wo; // unit, towards the viewer
+    float alpha;
+};
+
+LobeFrame makeLobeFrame(vec3 N, vec3 V, float perceptualRoughness) {
+    mat3 axes = orthonormalBasis(N);
+    vec3 wo = V * axes;
+    wo.z = max(wo.z, 1e-3); // a bent normal may face away
+    return LobeFrame(axes, normalize(wo), square(perceptualRoughness));
+}
+
 /// Draws a direction that reflects to `V`. `perceptualRoughness` 0: the mirror direction.
 Direction sampleLobe(vec3 N, vec3 V, float perceptualRoughness, vec2 noise) {
     if (perceptualRoughness == 0.0)
         return Direction(reflect(-V, N), 1.0);
-    float alpha = square(perceptualRoughness);
-    mat3 frameOfN = orthonormalBasis(N);
-    vec3 wo = V * frameOfN;
-    wo.z = max(wo.z, 1e-3); // a bent normal may face away
-    wo = normalize(wo);
-    vec3 wm = sampleGGXVisibleCap(wo, noise, alpha);
-    vec3 wi = reflect(-wo, wm);
-    if (wi.z <= 1e-4)
+    LobeFrame lobe = makeLobeFrame(N, V, perceptualRoughness);
+    vec3 wm = sampleGGXVisibleCap(lobe.wo, noise, lobe.alpha);
+    vec3 wi = reflect(-lobe.wo, wm);
+    if (wi.z <= kLeastLobeCosine)
         return Direction(N, 0.0);
-    return Direction(frameOfN * wi, visibleGGXWeight(wo.z, wi.z, alpha));
+    return Direction(lobe.axes * wi, visibleGGXWeight(lobe.wo.z, wi.z, lobe.alpha));
 }
 
 #endif

@@ -23,12 +23,16 @@ float depthUncertainty(vec3 positionWS, float viewZ, bool halfDepth) {
     return max(hitUncertainty(positionWS), viewZ * exp2(halfDepth ? -10.0 : -16.0));
 }
 
+/// Cosine above which aboveSurface keeps a direction as it is.
+const float kLeastCosine = 0.01;
+
 /// Keeps a direction on the side of a surface to which `faceNormalWS` points: a direction that a bent normal sends
 /// below the surface is laid along it instead. Both unit.
 vec3 aboveSurface(vec3 directionWS, vec3 faceNormalWS) {
-    const float kLeast = 0.01; // cosine
     float cosine = dot(directionWS, faceNormalWS);
-    return cosine >= kLeast ? directionWS : normalizeOr(directionWS + faceNormalWS * (kLeast - cosine), faceNormalWS);
+    return cosine >= kLeastCosine
+               ? directionWS
+               : normalizeOr(directionWS + faceNormalWS * (kLeastCosine - cosine), faceNormalWS);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #define GLINT_RAYS_PATH_GLSL
 
 #include "rays/hit_lighting.glsl"
+#include "rays/light_sampling.glsl"
 #include "rays/lit_surface.glsl"
 #include "rays/pixel_rays.glsl"
 #include "rays/regularization.glsl"
@@ -18,6 +19,7 @@ const float kLeastThroughput = 1.0 / 512.0;
 
 struct Path {
     vec3 radiance;
+    vec3 lights;       // that the first vertex's rays to lights found, weighted
     float weight;      // 0: the path's radiance is unknown
     float hitDistance; // metres, of the first ray
     vec3 hitWS;
@@ -29,6 +31,8 @@ struct Path {
     bool ended;
     vec3 throughput;
     Ray ray;
+    LobeVertex vertex; // where the ray starts
+    float density;     // over solid angle, of the ray's direction; 0: no other ray finds the light there
     Cone cone;
     PathSpread spread;
     float regularization; // fraction of the spread by which hits are blurred
@@ -38,12 +42,13 @@ struct Path {
 
 /// `lobeRoughness`: perceptual, of the lobe that the direction was drawn from.
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
-    return Path(vec3(0.0), 1.0, 0.0, originWS, false, 0u, 0u, false, vec3(1.0), viewRay(originWS, directionWS), cone,
-                PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness))), regularization, kAir,
+    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, false, 0u, 0u, false, vec3(1.0),
+                viewRay(originWS, directionWS), kNoVertex, 0.0, cone, PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness))), regularization, kAir,
                 isOn(kRaysTransparents) ? settings.transparents : 0u);
 }
 
-LitSurface litSurface(HitSurface met, vec3 V, float share, float spread) {
+/// `share`, `spread`: of regularized(). `emissionWeight`: fraction of the emission that the path counts.
+LitSurface litSurface(HitSurface met, vec3 V, float share, float spread, float emissionWeight) {
     MaterialSample m = sampleMaterial(met.material, met.point);
     float ownRoughness = m.perceptualRoughness;
     m.perceptualRoughness = regularized(ownRoughness, share, spread);
@@ -57,7 +62,7 @@ LitSurface litSurface(HitSurface met, vec3 V, float share, float spread) {
     lit.perceptualRoughness = ownRoughness;
     lit.lobeRoughness = m.perceptualRoughness;
     lit.bend = met.bend;
-    lit.own = lighting.diffuse + lighting.directSpecular + lighting.coatSpecular + lighting.emission;
+    lit.own = lighting.diffuse + lighting.directSpecular + lighting.coatSpecular + emissionWeight * lighting.emission;
     float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
     lit.response =
         specularResponse(m.f0, m.f90, loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness)) * (1.0 - coat);
@@ -71,7 +76,7 @@ LitSurface surfaceAt(Hit hit, inout Path path) {
         hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, path.ray.directionWS, path.cone.width);
     float spread = halfVectorSpread(path.spread, met.bend);
 #ifndef GLINT_RAYS_TABLE_LIGHT
-    if (isOn(kRaysReuseLight)) {
+    if (isOn(kRaysReuseLight) && !isSampledEmitter(hit.instance, path.density)) {
         ivec2 px = pixelThatShows(met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.cone.width);
         if (px.x >= 0) {
             ++path.reused;
@@ -82,16 +87,18 @@ LitSurface surfaceAt(Hit hit, inout Path path) {
         }
     }
 #endif
-    return litSurface(met, -path.ray.directionWS, path.regularization, spread);
+    float emissionWeight = emissionShare(hit, met, path.ray.directionWS, path.density);
+    return litSurface(met, -path.ray.directionWS, path.regularization, spread, emissionWeight);
 }
 
 /// Adds the light of the surface that bounce number `bounce` hit, and continues from there while bounces remain.
 void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     bool last = bounce + 1u == settings.bounces || met.perceptualRoughness > settings.maxRoughness ||
                 maxComponent(path.throughput * met.response) < kLeastThroughput;
+    vec3 V = -path.ray.directionWS;
     Direction next = Direction(vec3(0.0), 0.0);
     if (!last)
-        next = sampleLobe(met.normalWS, -path.ray.directionWS, sampledRoughness(met.lobeRoughness),
+        next = sampleLobe(met.normalWS, V, sampledRoughness(met.lobeRoughness),
                           laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
     path.ended = next.weight <= 0.0;
     path.radiance += path.throughput * (met.own + (path.ended ? met.environmentSpecular : vec3(0.0)));
@@ -101,14 +108,22 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
     path.ray = viewRay(met.positionWS + met.faceNormalWS * offset, aboveSurface(next.ws, met.faceNormalWS));
     if (path.medium.body != kNoInstance && path.transparents > 0u)
         path.ray.flags &= ~kRayCullBackFaces;
+    path.density = 0.0;
+    if (!last && samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {
+        LobeFrame lobe = makeLobeFrame(met.normalWS, V, met.lobeRoughness);
+        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, false);
+        if (dot(next.ws, met.faceNormalWS) >= kLeastCosine)
+            path.density = lobeDensity(lobe.wo, next.ws * lobe.axes, lobe.alpha);
+    }
 }
 
 void leaveScene(uint bounce, inout Path path) {
     path.ended = true;
+    float spread = path.density > 0.0 ? 0.0 : 0.5 * path.spread.angle; // sampled well: no fireflies
     if (isOn(kRaysEnvironment))
         path.radiance +=
-            path.throughput * loadEnvironmentRadiance(path.ray.directionWS,
-                                                      regularized(0.0, path.regularization, 0.5 * path.spread.angle));
+            path.throughput * environmentShare(path.ray.directionWS, path.density) *
+            loadEnvironmentRadiance(path.ray.directionWS, regularized(0.0, path.regularization, spread));
     else if (!path.hit)
         path.weight = 0.0;
 }
@@ -136,6 +151,7 @@ void passTransparent(Hit hit, vec2 noise, inout Path path) {
     path.throughput *= p.through;
     path.ended = maxComponent(path.throughput) < kLeastThroughput;
     path.medium = p.medium;
+    path.density = 0.0; // rays to lights stop at transparent surfaces
     --path.transparents;
     path.cone.spread += p.power * met.bend * path.cone.width;
     path.spread.angle =
@@ -169,9 +185,24 @@ Hit traceThrough(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     return hit;
 }
 
+/// Sends rays to lights from the path's vertex.
+void addLights(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
+    vec3 found =
+        sampleLights(path.vertex, path.ray, path.cone, path.transparents > 0u, px, sampleIndex, bounce);
+    if (path.vertex.weighted)
+        path.lights += found;
+    else
+        path.radiance += path.throughput * found;
+    path.vertex.sendsRays = false;
+}
+
 /// `bounce`: number of surfaces that the path has hit already.
 void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
-    for (; bounce < settings.bounces && !path.ended; ++bounce) {
+    for (; bounce < settings.bounces; ++bounce) {
+        if (path.vertex.sendsRays)
+            addLights(bounce, px, sampleIndex, path);
+        if (path.ended)
+            return;
         Hit hit = traceThrough(bounce, px, sampleIndex, path);
         if (path.ended)
             return;

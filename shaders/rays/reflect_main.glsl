@@ -54,6 +54,15 @@ bool startsOnScreen(bool mirror, RayRecord screen) {
            frame.constants.traceSize == frame.constants.size;
 }
 
+/// Without an environment, rays to lights may find light where no path found a surface. The answer then has a small
+/// weight and much radiance, as far as halves can store it.
+float leastKnownWeight(vec3 radiance, float weights) {
+    const float kLeastShare = 1.0 / 1024.0;
+    const float kMostRadiance = 32768.0;
+    float brightest = maxComponent(radiance);
+    return brightest > 0.0 ? min(max(weights * kLeastShare, brightest / kMostRadiance), weights) : 0.0;
+}
+
 void main() {
     uint index = listedRay();
     if (index >= rays.header.rayCount)
@@ -72,18 +81,32 @@ void main() {
     RayRecord record = RayRecord(from.uv, 0.0, 0u, kOutcomeSky, false);
     float hits = 0.0;
     uint reused = 0u;
+    bool lights =
+        isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
+    LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
     for (uint i = 0u; i < samples; ++i) {
         Direction first = samplePixel(from, i);
-        if (first.weight <= 0.0 && i + 1u == samples && weights == 0.0 && !isOn(kRaysAccumulate))
-            first = Direction(reflect(-from.V, from.N), 1.0); // all went below: use the middle of the lobe
-        if (first.weight <= 0.0)
+        bool middle = first.weight <= 0.0 && i + 1u == samples && weights == 0.0 && !isOn(kRaysAccumulate);
+        if (middle) { // all went below: use the middle of the lobe
+            first = Direction(reflect(-from.V, from.N), 1.0);
+            sum.rgb = vec3(0.0);
+        }
+        if (first.weight <= 0.0 && !lights)
             continue;
         weights += first.weight;
         float regularization = regularizationOf(settings.regularization, weights);
         Path path = fromScreen
                         ? pathFromScreen(from, screen, i, regularization)
                         : startPath(from.originWS, first.ws, from.cone, from.perceptualRoughness, regularization);
+        path.ended = path.ended || first.weight <= 0.0;
+        if (lights && !middle) {
+            path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true);
+            path.density = lobeDensity(lobe.wo, first.ws * lobe.axes, lobe.alpha);
+        }
         followPath(fromScreen ? 1u : 0u, from.px, sampleNumber(i), path);
+        sum.rgb += sanitize(path.lights);
+        if (first.weight <= 0.0)
+            continue;
         sum += first.weight * path.weight * vec4(sanitize(path.radiance), 1.0);
         record.lookups += path.rays;
         reused += path.reused;
@@ -100,6 +123,8 @@ void main() {
         imageStore(raysSum, from.px, sum);
         imageStore(raysWeights, from.px, vec4(weights));
     }
+    if (lights)
+        sum.a = max(sum.a, leastKnownWeight(sum.rgb, weights));
     vec4 answer = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a / weights) : vec4(0.0);
     imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));
     uint route = min(reused, kRaysReusedMask) | (fromScreen ? kRaysStartOnScreen : 0u) |

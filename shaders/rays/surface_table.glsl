@@ -183,6 +183,7 @@ struct HitSurface {
     SurfacePoint point;
     vec3 faceNormalWS; // unit, of the triangle, towards the side from which the ray came
     Material material;
+    float area;  // of the triangle, in world space
     float scale; // metres in world space for each metre in mesh space
     float bend;  // radians that the normal turns for each metre across the ray, root mean square of both axes
 };
@@ -210,6 +211,7 @@ HitSurface hitSurface(uint instance, uint primitive, vec2 barycentrics, bool fro
     HitSurface result;
     result.material = surfaceMaterials.item[placed.material];
     result.scale = (length(linear[0]) + length(linear[1]) + length(linear[2])) / 3.0;
+    result.area = 0.5 * area2;
     result.faceNormalWS = frontFace ? frontNormalWS : -frontNormalWS;
     result.point.positionWS = linear * (a + (u * weights.y + v * weights.z)) + translation;
     vec3 normalWS = cofactor * interpolate3(mesh.normals, triangle, weights, vec3(0.0)) * side;

@@ -60,6 +60,7 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
     for (uint32_t i = 0; i < desc.meshes.size(); ++i) {
         GLINT_TRY(mesh, readMesh(desc.meshes[i], i));
         scene->deformable_.push_back(mesh.deforms ? static_cast<uint32_t>(mesh.positions.size()) : 0);
+        scene->meshTriangles_.push_back(static_cast<uint32_t>(mesh.triangles.size()));
         scene->meshBounds_.push_back(boundsOf(mesh.positions));
         meshes.push_back(std::move(mesh));
     }

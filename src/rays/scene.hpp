@@ -18,6 +18,8 @@ public:
 
     RayBackend backend() const { return backend_; }
     uint32_t instanceCount() const { return static_cast<uint32_t>(instances_.size()); }
+    const RayInstance& instance(uint32_t instance) const { return instances_[instance]; }
+    uint32_t triangleCount(uint32_t instance) const { return meshTriangles_[instances_[instance].mesh]; }
     /// World-space bounds of an instance; empty if no ray can intersect it.
     Bounds instanceBounds(uint32_t instance) const;
     Result<void> setInstances(std::span<const RayInstance> instances);
@@ -43,7 +45,8 @@ private:
     RaySceneTimes times_;
     std::vector<uint32_t> deformable_; ///< by mesh: its vertex count if it deforms, else 0
     uint32_t maxInstances_ = 0;
-    std::vector<Bounds> meshBounds_; ///< by mesh, in its own space
+    std::vector<uint32_t> meshTriangles_; ///< by mesh: how many it has
+    std::vector<Bounds> meshBounds_;      ///< by mesh, in its own space
     std::vector<RayInstance> instances_;
     bool recorded_ = false; ///< buffers hold a scene; traversing garbage could hang the GPU
 };

@@ -99,6 +99,7 @@ private:
     std::vector<Source> makeSources();
     Result<void> rehearse();
     Result<void> giveScene();
+    Result<void> rehearseRays();
     Result<void> setDenoise(const Settings& settings);
 
     // Record the frame, top to bottom, and its additions.

@@ -51,6 +51,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(giveScene());
     } else if (raysSource_) {
         GLINT_CHECK(raysSource_->setSettings(settings));
+        GLINT_CHECK(rehearseRays());
     }
     GLINT_CHECK(denoise_->make(settings));
     if (refraction_ && settings.refraction.enabled)
@@ -88,6 +89,8 @@ Result<void> FrameStages::setDenoise(const Settings& settings) {
 }
 
 Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
+    if (raysSource_ && environment.cube.view != host_.environment.cube.view)
+        raysSource_->environmentChanged();
     host_.set(gbuffer, environment);
     return prepare_->setInputs(gbuffer);
 }
@@ -115,8 +118,10 @@ Result<void> FrameStages::takeSources(FrameStages& old) {
 }
 
 void FrameStages::restartAccumulation() {
-    if (raysSource_)
-        raysSource_->forgetFrames(HistoryReset::Asked);
+    if (!raysSource_)
+        return;
+    raysSource_->forgetFrames(HistoryReset::Asked);
+    raysSource_->environmentChanged();
 }
 
 Result<void> FrameStages::setRays(rays::Scene& scene, SurfaceTableState& surfaces) {
@@ -141,6 +146,12 @@ Result<void> FrameStages::giveScene() {
         GLINT_CHECK(raysSource_->setScene(*rayScene_, *raySurfaces_));
     else
         GLINT_CHECK(raysSource_->setScene(*rayScene_, shadeHits_));
+    return rehearseRays();
+}
+
+Result<void> FrameStages::rehearseRays() {
+    if (!raysSource_->hasScene())
+        return {};
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
     raysSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs()),
                                 trace_->traced().rayRecord, false});

@@ -89,6 +89,7 @@ protected:
 
     static Settings changedAt(uint32_t frame, Settings settings) {
         settings.rays.accumulate = frame >= 4 && frame < 9;
+        settings.rays.sampleLights = frame >= 2 && frame < 11;
         settings.screen.targetFormat = frame >= 6 ? TargetFormat::Rgba8 : TargetFormat::Rgba16f;
         settings.blur.strength = frame >= 7 ? 0.5f : 0;
         settings.denoise.enabled = frame == 3 || frame >= 10;

@@ -98,6 +98,10 @@ TEST_F(RecordCostTest, AllocatesNothing) {
         view.frameIndex = frame;
         view.width = frame % 2 ? kWidth / 2 + frame : 0; // another extent each frame
         view.height = frame % 2 ? kHeight / 2 + frame : 0;
+        if (frame == 6) {
+            desc.settings.rays.sampleLights = true;
+            must(reflections.setSettings(desc.settings));
+        }
         if (frame == 12) { // instead of blur and upsampling
             desc.settings.denoise.enabled = true;
             must(reflections.setSettings(desc.settings));

@@ -52,6 +52,8 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
 Result<void> RaysSource::setSettings(const Settings& settings) {
     wantsSentinels_ = denoises(settings) && settings.denoise.antilag == Antilag::Gradient;
     GLINT_CHECK(makeSentinels());
+    sampleLights_ = settings.rays.sampleLights;
+    GLINT_CHECK(makeShading());
     const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
     const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;
     if (width == sumsWidth_ && height == sumsHeight_) {
@@ -79,16 +81,44 @@ Result<void> RaysSource::makeSentinels() {
 }
 
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
-    const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/reflect_query" : "rays/reflect_bvh";
-    GLINT_TRY(reflect, gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}, surfaces.textureLayout()}));
+    const bool query = scene.backend() == RayBackend::Query;
+    const auto makePaths = [&](std::string_view shader) {
+        return gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}, surfaces.textureLayout()}, gpu::Compile::Later);
+    };
+    GLINT_TRY(reflect, makePaths(query ? "rays/reflect_query" : "rays/reflect_bvh"));
+    GLINT_TRY(reflectLights, makePaths(query ? "rays/reflect_lights_query" : "rays/reflect_lights_bvh"));
     stages_.retired.keep(std::move(reflect_));
     stages_.retired.keep(std::move(followSentinels_));
+    stages_.retired.keep(std::move(reflectLights_));
     reflect_ = std::move(reflect);
+    reflectLights_ = std::move(reflectLights);
     scene_ = &scene;
     surfaces_ = &surfaces;
     shade_ = {};
     sums_.reset(HistoryReset::Asked);
+    if (lights_)
+        GLINT_CHECK(lights_->setScene(surfaces));
+    GLINT_CHECK(makeShading());
     return makeSentinels();
+}
+
+/// Compiles the paths that the settings ask for, and creates the lights that they sample.
+Result<void> RaysSource::makeShading() {
+    if (!surfaces_)
+        return {};
+    if (!sampleLights_)
+        return reflect_.compile();
+    if (!lights_) {
+        GLINT_TRY(lights, LightTable::create(stages_));
+        GLINT_CHECK(lights->setScene(*surfaces_));
+        lights_ = std::move(lights);
+    }
+    return reflectLights_.compile();
+}
+
+void RaysSource::environmentChanged() {
+    if (lights_)
+        lights_->environmentChanged();
 }
 
 Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
@@ -132,6 +162,9 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     flag(host.environment && settings.sky.enabled, shared::kRaysEnvironment);
     flag(static_cast<bool>(host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
     flag(rays.accumulate, shared::kRaysAccumulate);
+    flag(sampleLights_, shared::kRaysSampleLights);
+    // The denoiser uses a pixel's answer as the light along its one ray.
+    flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLightsFirst);
     const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;
     flag(rays.reuseLight && afterScreen, shared::kRaysReuseLight);
     const Bounds transparents = surfaces_ ? transparentBounds(*scene_, *surfaces_) : Bounds();
@@ -185,8 +218,17 @@ gpu::Pass& RaysSource::bindShading(gpu::Pass& pass, const FrameInputs& inputs, c
 
 /// Traces rays and shades their hits with the host's table.
 void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
+    if (lights_ && (sampleLights_ || frame.rehearsing())) {
+        lights_->record(frame, inputs.frame, *scene_);
+        recordPaths(frame, inputs, true);
+    }
+    if (!sampleLights_ || frame.rehearsing())
+        recordPaths(frame, inputs, false);
+}
+
+void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights) {
     Inputs& host = inputs.frame.host;
-    gpu::Pass pass = frame.pass(reflect_);
+    gpu::Pass pass = frame.pass(sampleLights ? reflectLights_ : reflect_);
     bindShading(pass, inputs.frame, inputs.prepared)
         .read("screenRecord", inputs.screenRecord)
         .read("material", inputs.prepared.material, kTexels)
@@ -195,8 +237,10 @@ void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .write("raysRecord", record_, 0, true)
         .readWrite("raysSum", sums_.now(0))
-        .readWrite("raysWeights", sums_.now(1))
-        .dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
+        .readWrite("raysWeights", sums_.now(1));
+    if (sampleLights)
+        lights_->bind(pass);
+    pass.dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));
 }
 
 void RaysSource::recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,

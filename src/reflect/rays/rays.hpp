@@ -5,6 +5,7 @@
 #include "glint/settings.hpp"
 #include "rays/scene.hpp"
 #include "reflect/history.hpp"
+#include "reflect/rays/light_table.hpp"
 #include "reflect/rays/surface_table.hpp"
 #include "reflect/stages.hpp"
 #include "reflect/trace/ray_list.hpp"
@@ -35,9 +36,11 @@ public:
     bool hasScene() const { return scene_ != nullptr; }
     RayBackend backend() const { return scene_->backend(); }
 
-    /// Allocates the history if the settings need it, and resets it. Creates the pipeline of sentinels if the settings
-    /// need it. Errors: OutOfMemory.
+    /// Allocates the history and compiles the pipelines that the settings need, and resets the history. Errors:
+    /// OutOfMemory, Unsupported.
     Result<void> setSettings(const Settings& settings);
+    /// The host's environment is another.
+    void environmentChanged();
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { sums_.reset(reason); }
 
@@ -59,7 +62,9 @@ public:
 
 private:
     explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
+    Result<void> makeShading();
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
+    void recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights);
     void recordHits(gpu::Frame& frame, const RaysInputs& inputs);
     Result<void> makeSentinels();
     gpu::Pass& bindShading(gpu::Pass& pass, const FrameInputs& inputs, const Prepared& prepared);
@@ -68,7 +73,10 @@ private:
     gpu::Pipeline list_;
     gpu::Pipeline reflect_;
     gpu::Pipeline followSentinels_;
-    bool wantsSentinels_ = false; ///< the settings do
+    bool wantsSentinels_ = false;        ///< the settings do
+    gpu::Pipeline reflectLights_;        ///< with rays.sampleLights
+    bool sampleLights_ = false;          ///< the newest settings ask for it
+    std::unique_ptr<LightTable> lights_; ///< absent until settings and scene need it
     gpu::Pipeline traceHits_;
     gpu::Pipeline count_;
     rays::Scene* scene_ = nullptr;

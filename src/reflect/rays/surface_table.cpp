@@ -49,6 +49,12 @@ bool isTransparent(const SurfaceMaterial& m) {
     return m.alpha == SurfaceAlpha::Blend || (m.transmissionFactor > 0 && !m.unlit && !m.specularGlossiness);
 }
 
+/// Unlit surfaces emit their base colour.
+bool emits(const SurfaceMaterial& m) {
+    return !isTransparent(m) &&
+           (m.unlit || std::ranges::any_of(m.emissiveFactor, [](float factor) { return factor > 0; }));
+}
+
 Result<shared::Material> packMaterial(const SurfaceMaterial& m, size_t number, uint32_t textureCount) {
     shared::Material out = {};
     out.flags = materialFlags(m);
@@ -232,10 +238,12 @@ Result<void> SurfaceTableState::setMaterials(std::span<const SurfaceMaterial> ma
         return invalidArgument("{} surface materials, the table was made for {}", materials.size(), maxMaterials_);
     std::vector<shared::Material> records;
     isTransparent_.clear();
+    emits_.clear();
     for (const SurfaceMaterial& material : materials) {
         GLINT_TRY(record, packMaterial(material, records.size(), textureCount_));
         records.push_back(record);
         isTransparent_.push_back(isTransparent(material));
+        emits_.push_back(reflect::emits(material));
     }
     materials_.set(records);
     return {};
@@ -264,12 +272,15 @@ void SurfaceTableState::record(VkCommandBuffer commands) {
     progress_.end(frame);
 }
 
-gpu::Pass& SurfaceTableState::bind(gpu::Pass& pass) {
+gpu::Pass& SurfaceTableState::bindAppearance(gpu::Pass& pass) {
     return pass.read("surfaceInstances", instances_.buffer())
         .read("surfaceMeshes", meshes_.buffer())
         .read("surfaceMaterials", materials_.buffer())
-        .read("surfaceLights", lights_.buffer())
         .table(textures_.set());
+}
+
+gpu::Pass& SurfaceTableState::bind(gpu::Pass& pass) {
+    return bindAppearance(pass).read("surfaceLights", lights_.buffer());
 }
 
 } // namespace glint::reflect

@@ -42,11 +42,19 @@ public:
     void record(VkCommandBuffer commands);
 
     uint32_t instanceCount() const { return instanceCount_; }
+    uint32_t maxInstances() const { return maxInstances_; }
     uint32_t lightCount() const { return lightCount_; }
     std::vector<uint32_t> transparentInstances() const; ///< indices of the instances that transmit light
+    /// True if the instance's surface emits light. False for surfaces that transmit light, which rays pass through.
+    bool emits(uint32_t instance) const {
+        const uint32_t material = instanceMaterials_[instance];
+        return material < emits_.size() && emits_[material];
+    }
     VkDescriptorSetLayout textureLayout() const { return textures_.layout(); }
 
-    /// Binds the whole table, as shaders/rays/surface_table.glsl declares it.
+    /// Binds the table without lights, as shaders/rays/surface_table.glsl declares it.
+    gpu::Pass& bindAppearance(gpu::Pass& pass);
+    /// Binds the whole table, for rays/hit_lighting.glsl too.
     gpu::Pass& bind(gpu::Pass& pass);
 
 private:
@@ -63,6 +71,7 @@ private:
     uint32_t instanceCount_ = 0;
     uint32_t lightCount_ = 0;
     std::vector<bool> isTransparent_; ///< by material
+    std::vector<bool> emits_;         ///< by material
     std::vector<uint32_t> instanceMaterials_;
     TableBuffer instances_;
     TableBuffer meshes_;
