@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/glint)
 install(TARGETS glint EXPORT glintTargets)
 install(DIRECTORY include/glint DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(FILES LICENSE THIRD-PARTY.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/glint)
 install(EXPORT glintTargets NAMESPACE glint:: DESTINATION ${package_folder})
 
 configure_package_config_file(cmake/glintConfig.cmake.in glintConfig.cmake INSTALL_DESTINATION ${package_folder}

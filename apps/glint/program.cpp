@@ -2,6 +2,7 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "glint/version.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -45,6 +46,8 @@ std::string unknownCommand(const CLI::App& program, int argc, const char* const*
 
 int run(int argc, const char* const* argv, const render::RenderFunction& render, const AddCommand& view) {
     CLI::App program("Reflections for any Vulkan renderer: renders scenes with them and measures the result.", "glint");
+    program.set_version_flag(
+        "--version", fmt::format("glint {}.{}.{}", GLINT_VERSION_MAJOR, GLINT_VERSION_MINOR, GLINT_VERSION_PATCH));
     program.set_help_all_flag("--help-all", "Print the help of every command");
     program.require_subcommand(1);
     Command chosen;

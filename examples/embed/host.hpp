@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The host's Vulkan, which knows nothing of Glint but for the two lines marked 1: an instance, a device, a command
 // buffer, images and buffers. A real engine has all this.
 #pragma once

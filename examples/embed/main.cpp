@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reflections in a renderer that is not Glint's. Everything here that is not in the namespace glint is what a host has
 // anyway: a Vulkan device (host.hpp), a G-buffer (renderer.hpp), a command buffer. Glint's part is marked 1 to 5.
 //

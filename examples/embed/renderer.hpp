@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The host's renderer, which knows nothing of Glint: a few shapes round a mirror pool, found by analytic intersection
 // on the CPU, and the G-buffer that falls out of it. A real engine has these images on the GPU already.
 //

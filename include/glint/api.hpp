@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Symbol export for a shared library of Glint. Symbols without GLINT_API are hidden.
 #pragma once
 

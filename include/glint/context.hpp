@@ -1,8 +1,10 @@
+// SPDX-License-Identifier: MIT
 // The host's Vulkan device, which Glint uses but does not own.
 #pragma once
 
 #include "glint/api.hpp"
 #include "glint/error.hpp"
+#include "glint/version.hpp"
 
 #include <vulkan/vulkan_core.h>
 
@@ -56,10 +58,12 @@ GLINT_API void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalD
 class GLINT_API Context {
 public:
     /// Creates a Context on the host's device.
-    /// Errors: InvalidArgument for a null handle, a queue family that does not exist or lacks compute, or `rayQuery`
-    /// with DeviceDemands::Screen. Unsupported, with the missing feature, for a device that does not support `demands`,
-    /// or that does not have ray queries enabled although `rayQuery` is set.
-    static Result<Context> adopt(const HostDevice& device);
+    /// `headerVersion`  version of the headers that the host was compiled with: leave the default
+    /// Errors: InvalidArgument for a null handle, a queue family that does not exist or lacks compute, `rayQuery` with
+    /// DeviceDemands::Screen, or headers whose version does not fit this library. Unsupported, with the missing
+    /// feature, for a device that does not support `demands`, or that does not have ray queries enabled although
+    /// `rayQuery` is set.
+    static Result<Context> adopt(const HostDevice& device, uint32_t headerVersion = GLINT_VERSION);
     ~Context();
     Context(Context&&) noexcept;
     Context& operator=(Context&&) noexcept;

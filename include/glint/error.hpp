@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Errors as values. The library throws no exceptions across its boundary.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The images that a host provides each frame, and their conventions.
 // `prepare` converts depth, normals and materials once. docs/conventions.md lists the images that later passes read.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glint: reflections for any Vulkan renderer. Includes the public headers. docs/embedding.md and examples/embed
 // show a host.
 #pragma once
@@ -14,4 +15,5 @@
 #include "glint/reflections.hpp"
 #include "glint/settings.hpp"
 #include "glint/surface_table.hpp"
+#include "glint/version.hpp"
 #include "glint/view.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Inspection of one pixel's reflection: its ray, every depth sample of the ray, and the result of each source.
 // Reflections::recordInspection traces the ray with the frame's own shader code. docs/inspect.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Planar mirrors: flat surfaces whose reflections the host draws from a mirrored camera. Glint computes the camera and
 // a clip plane; the host provides the drawn image and its depth. Optional. docs/techniques/planar.md.
 #pragma once

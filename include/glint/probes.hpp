@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Reflection probes: cube maps that the host drew from places in its world, each with the volume in which it answers
 // for reflections. Optional. docs/techniques/probes.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The back end that traces rays.
 #pragma once
 

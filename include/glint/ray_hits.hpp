@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ray hits of the source `rays`, for hosts that shade hits with their own lighting model.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The host's triangles and instances for ray tracing. Optional: without a RayScene the source `rays` is not available.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The main class of the library: it takes the host's G-buffer and returns the lit image with reflections.
 #pragma once
 

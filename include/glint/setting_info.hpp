@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What is known about one setting. A list (settings_list.hpp; our renderer has another) states each setting once; from
 // it come the structs, this table, JSON, --set, tooltips, the docs and the tuner's search space.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Everything that a user can tune in the library: plain structs with defaults, and the same by name, as text, as JSON.
 // settings_list.hpp holds each setting's default, range, unit and meaning; docs/settings.md shows them as a table.
 #pragma once

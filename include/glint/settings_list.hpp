@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Every setting of the library, each stated once: SETTING(type, name, default, range, unit, meaning, aliases).
 // Aliases are the names that other systems use: `system:name`, separated by spaces. One alias may belong to several
 // settings. A suffix converts the other system's value:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Materials, textures, vertex data and lights for the triangles of a RayScene, with which Glint shades ray hits. The
 // material model is glTF's metallic-roughness. A host with another lighting model shades hits itself
 // (glint/ray_hits.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A layer of the host's transparent surfaces, stored as a G-buffer in front of the opaque one. Glint refracts, absorbs
 // and blurs the light behind the layer and adds the layer's reflections. docs/techniques/refraction.md.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The camera that the host rendered a frame with.
 #pragma once
 

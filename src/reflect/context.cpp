@@ -12,6 +12,20 @@ gpu::Demands toDemands(DeviceDemands demands) {
     return demands == DeviceDemands::Screen ? gpu::Demands::Screen : gpu::Demands::Sources;
 }
 
+std::string versionText(uint32_t version) {
+    return fmt::format("{}.{}.{}", version / 1000000, version / 1000 % 1000, version % 1000);
+}
+
+/// Layouts of structs may differ between minor versions, so no struct is read before this check. The version arrives
+/// in an argument of its own, which the host's compiler fills in.
+Result<void> checkHeaders(uint32_t headerVersion) {
+    if (headerVersion / 1000 == GLINT_VERSION / 1000)
+        return {};
+    return invalidArgument("the host was compiled with the headers of Glint {}, but runs with the library of Glint {}: "
+                           "compile it again with the headers of this library",
+                           versionText(headerVersion), versionText(GLINT_VERSION));
+}
+
 } // namespace
 
 std::span<const char* const> requiredDeviceExtensions() {
@@ -27,12 +41,17 @@ void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalDeviceVulka
     gpu::requireFeatures(toDemands(demands), core, v12, v13);
 }
 
+uint32_t version() {
+    return GLINT_VERSION;
+}
+
 Context::Context(std::shared_ptr<gpu::Context> context) : gpu_(std::move(context)) {}
 Context::~Context() = default;
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 
-Result<Context> Context::adopt(const HostDevice& device) {
+Result<Context> Context::adopt(const HostDevice& device, uint32_t headerVersion) {
+    GLINT_CHECK(checkHeaders(headerVersion));
     GLINT_TRY(context, gpu::Context::adopt({device.instance, device.physicalDevice, device.device, device.queueFamily,
                                             device.getInstanceProcAddr, device.rayQuery, toDemands(device.demands)}));
     if (!context->info().usable())

@@ -45,6 +45,23 @@ protected:
     }
 };
 
+// ---------------------------------------------------------------- headers of another version
+
+TEST_F(HostMistakes, headersOfAnotherMinorVersionAreRefused) {
+    const gpu::AdoptedDevice handles = gpu().handles();
+    const HostDevice device = {handles.instance,    handles.physicalDevice,      handles.device,
+                               handles.queueFamily, handles.getInstanceProcAddr, handles.rayQuery};
+    EXPECT_EQ(version(), GLINT_VERSION);
+    EXPECT_TRUE(Context::adopt(device).ok());
+    EXPECT_TRUE(Context::adopt(device, GLINT_VERSION + 1).ok()); // another patch version has the same interface
+    for (const uint32_t headers : {GLINT_VERSION + 1000u, GLINT_VERSION + 1000000u, 0u}) {
+        const auto adopted = Context::adopt(device, headers);
+        ASSERT_FALSE(adopted.ok()) << headers;
+        EXPECT_EQ(adopted.error().code, ErrorCode::InvalidArgument);
+        EXPECT_THAT(adopted.error().message, HasSubstr("compile it again"));
+    }
+}
+
 // ---------------------------------------------------------------- record, which cannot fail
 
 TEST_F(HostMistakes, recordBeforeSetInputsIsANoteAndNoImage) {
