@@ -2,13 +2,12 @@
 #include "base/assert.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "scene/exr_stream.hpp"
 #include "scene/image_file.hpp"
 
-#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 
@@ -19,30 +18,6 @@
 
 namespace glint::scene {
 namespace {
-
-/// Lets the library read from memory, so that a file is opened once and tests need no files. Throws the library's own
-/// exceptions, the only ones after which it cleans up.
-class MemoryStream : public Imf::IStream {
-public:
-    MemoryStream(std::string_view bytes, const std::string& name) : Imf::IStream(name.c_str()), bytes_(bytes) {}
-    bool read(char* out, int count) override {
-        if (count < 0 || size_t(count) > bytes_.size() - at_)
-            throw Iex::InputExc("the file is truncated");
-        std::memcpy(out, bytes_.data() + at_, size_t(count));
-        at_ += size_t(count);
-        return at_ < bytes_.size();
-    }
-    uint64_t tellg() override { return at_; }
-    void seekg(uint64_t position) override {
-        if (position > bytes_.size())
-            throw Iex::InputExc("the file is truncated");
-        at_ = position;
-    }
-
-private:
-    std::string_view bytes_;
-    size_t at_ = 0;
-};
 
 /// The prefix under which the file has R, G and B: "" or that of its first layer with all three, "sky.".
 Result<std::string> findColor(const Imf::ChannelList& channels, std::string_view name) {
@@ -66,7 +41,7 @@ Result<std::string> findColor(const Imf::ChannelList& channels, std::string_view
 
 /// Checks the header before the library allocates memory for it.
 Result<void> checkHeader(std::string_view bytes, const std::string& name, uint64_t maxPixels) {
-    MemoryStream stream(bytes, name);
+    ExrStream stream(bytes, name);
     char start[8]; // magic number, version and flags
     stream.read(start, sizeof start);
     int version = 0;
@@ -91,7 +66,7 @@ Result<void> checkHeader(std::string_view bytes, const std::string& name, uint64
 }
 
 Result<HdrImage> readPixels(std::string_view bytes, const std::string& name) {
-    MemoryStream stream(bytes, name);
+    ExrStream stream(bytes, name);
     Imf::InputFile file(stream);
     GLINT_TRY(prefix, findColor(file.header().channels(), name));
     const Imath::Box2i window = file.header().dataWindow();
