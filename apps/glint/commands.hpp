@@ -17,6 +17,7 @@ using AddCommand = std::function<void(CLI::App& program, Command& chosen)>;
 void addRenderCommand(CLI::App& program, Command& chosen, const render::RenderFunction& render);
 void addInspectCommand(CLI::App& program, Command& chosen, const render::RenderFunction& render);
 void addCompareCommand(CLI::App& program, Command& chosen);
+void addTraceCommand(CLI::App& program, Command& chosen);
 void addSequenceCommand(CLI::App& program, Command& chosen);
 void addBakeCommand(CLI::App& program, Command& chosen);
 void addBenchCommand(CLI::App& program, Command& chosen);

@@ -59,6 +59,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
         view(program, chosen);
     addCompareCommand(program, chosen);
     addSequenceCommand(program, chosen);
+    addTraceCommand(program, chosen);
     addBakeCommand(program, chosen);
     addBenchCommand(program, chosen);
     addSettingsCommand(program, chosen);

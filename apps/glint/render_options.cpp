@@ -101,6 +101,10 @@ void addSceneOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--materials", options.materials,
                        "Material overrides: a JSON file, or none (default: SCENE.materials.json, if there is one)");
     command.add_option("--time", options.time, "Seconds into the scene's animations")->capture_default_str();
+    addDeviceOptions(command, options);
+}
+
+void addDeviceOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--seed", options.seed, "Seed of the rays' noise")->capture_default_str();
     command.add_option("--device", options.device, "Part of a device's name, or an index (glint devices)");
     command.add_flag("--validate", options.validate, "Fail on any message of the Vulkan validation layer");
@@ -125,6 +129,10 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
     addSceneOptions(command, options);
     addSourceOptions(command, options);
     command.add_option("--size", options.size, "Picture size, WIDTHxHEIGHT (default: the camera's, or 1280x720)");
+    addFrameOptions(command, options);
+}
+
+void addFrameOptions(CLI::App& command, RenderOptions& options) {
     command.add_option("--frames", options.frames,
                        "Frames to render; the last one counts (default: until the picture has settled, as the settings "
                        "ask; 1 without a history)");
@@ -136,6 +144,10 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
     addPictureOptions(command, options);
+    addOutputOptions(command, options);
+}
+
+void addOutputOptions(CLI::App& command, RenderOptions& options) {
     command
         .add_option("-o,--output", options.output,
                     "Picture to write: .png (tone-mapped) or .exr (linear, layers); - is standard output, as PNG")

@@ -40,6 +40,14 @@ void addPictureOptions(CLI::App& command, RenderOptions& options);
 void addSceneOptions(CLI::App& command, RenderOptions& options);
 /// Adds the options of reflection sources besides the screen: probes, planar mirrors.
 void addSourceOptions(CLI::App& command, RenderOptions& options);
+// Parts of the above, for commands without a scene.
+/// Adds seed, device and validation.
+void addDeviceOptions(CLI::App& command, RenderOptions& options);
+/// Adds frames and settings.
+void addFrameOptions(CLI::App& command, RenderOptions& options);
+/// Adds output, views and statistics.
+void addOutputOptions(CLI::App& command, RenderOptions& options);
+
 /// Returns the help text of the SCENE argument.
 std::string sceneHelp();
 

@@ -36,7 +36,9 @@ Result<void> writePngs(const std::string& path, const render::RenderResult& resu
     return {};
 }
 
-Result<void> writeLayers(const std::string& path, const render::RenderResult& result) {
+} // namespace
+
+Result<std::vector<scene::ExrLayer>> pictureLayers(const render::RenderResult& result) {
     std::vector<scene::ExrLayer> layers;
     for (const render::RenderedView& view : result.views) {
         GLINT_TRY(info, render::findView(view.name));
@@ -47,10 +49,8 @@ Result<void> writeLayers(const std::string& path, const render::RenderResult& re
         layer.pixels = view.rgba;
         layers.push_back(std::move(layer));
     }
-    return scene::writeExr(path, result.width, result.height, layers);
+    return layers;
 }
-
-} // namespace
 
 Result<PictureKind> pictureKind(std::string_view path) {
     std::string ending = std::filesystem::path(path).extension().string();
@@ -77,7 +77,10 @@ std::string pathForView(const std::string& path, std::string_view view) {
 
 Result<void> writePictures(const std::string& path, const render::RenderResult& result) {
     GLINT_TRY(kind, pictureKind(path));
-    return kind == PictureKind::Png ? writePngs(path, result) : writeLayers(path, result);
+    if (kind == PictureKind::Png)
+        return writePngs(path, result);
+    GLINT_TRY(layers, pictureLayers(result));
+    return scene::writeExr(path, result.width, result.height, layers);
 }
 
 nlohmann::ordered_json sceneRaysJson(const Statistics::SceneRays& scene) {

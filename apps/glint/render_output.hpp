@@ -5,6 +5,7 @@
 #include "measure/exact_picture.hpp"
 #include "measure/ray_hits.hpp"
 #include "render/render_job.hpp"
+#include "scene/image_file.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -24,6 +25,10 @@ std::string pathForView(const std::string& path, std::string_view view);
 
 /// Returns RGB bytes for a PNG. Errors: InvalidArgument for an unknown view.
 Result<std::vector<uint8_t>> displayedBytes(const render::RenderedView& view);
+
+/// The layers of an EXR file, as writePictures writes them; they refer to the views of `result`. Errors:
+/// InvalidArgument for an unknown view.
+Result<std::vector<scene::ExrLayer>> pictureLayers(const render::RenderResult& result);
 
 /// PNG: one file per view, the first at `path`, the others at pathForView. EXR: one file, the first view without a
 /// layer name (R, G, B, A), the others as named layers. Errors: Io.

@@ -94,6 +94,17 @@ void setMaterials(JobInputs& inputs, const scene::MaterialOverrides& overrides) 
         inputs.scene->materials[index] = scene::overridden(inputs.fileMaterials[index], override);
 }
 
+Result<void> loadEnvironment(const std::string& environment, JobInputs& inputs) {
+    if (environment == "sky") {
+        inputs.environment = EnvironmentKind::Sky;
+    } else if (environment != "none") {
+        GLINT_TRY(image, scene::readHdrImage(environment));
+        inputs.environment = EnvironmentKind::Image;
+        inputs.environmentImage = std::move(image);
+    }
+    return {};
+}
+
 Result<JobInputs> loadJobInputs(const RenderJob& job) {
     JobInputs inputs;
     Result<scene::Scene> scene = loadScene(job.scene);
@@ -115,14 +126,7 @@ Result<JobInputs> loadJobInputs(const RenderJob& job) {
         inputs.height = static_cast<uint32_t>(inputs.camera.height);
     }
 
-    const std::string environment = job.environment.empty() ? defaultEnvironment(job.scene) : job.environment;
-    if (environment == "sky") {
-        inputs.environment = EnvironmentKind::Sky;
-    } else if (environment != "none") {
-        GLINT_TRY(image, scene::readHdrImage(environment));
-        inputs.environment = EnvironmentKind::Image;
-        inputs.environmentImage = std::move(image);
-    }
+    GLINT_CHECK(loadEnvironment(job.environment.empty() ? defaultEnvironment(job.scene) : job.environment, inputs));
     return inputs;
 }
 

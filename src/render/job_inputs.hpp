@@ -39,6 +39,9 @@ std::string materialFileFor(const std::string& scene);
 /// Applies `overrides` to the materials of the scene's file.
 void setMaterials(JobInputs& inputs, const scene::MaterialOverrides& overrides);
 
+/// `environment`: an .hdr or .exr path, "sky" or "none". Errors: as scene::readHdrImage.
+Result<void> loadEnvironment(const std::string& environment, JobInputs& inputs);
+
 /// Reads the scene, its material overrides and the environment and resolves the camera: a name in the scene, then an
 /// index, then a file. Errors: those of the readers; InvalidArgument lists the cameras of the scene.
 Result<JobInputs> loadJobInputs(const RenderJob& job);

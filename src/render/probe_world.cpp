@@ -67,6 +67,10 @@ std::string probeFileFor(const std::string& scene) {
 Result<ProbeWorld> ProbeWorld::create(gpu::Context& context, Context& library, Renderer& renderer,
                                       const JobInputs& inputs, const RenderJob& job) {
     GLINT_TRY(set, readOrBake(context, library, renderer, inputs, job));
+    return upload(context, library, set);
+}
+
+Result<ProbeWorld> ProbeWorld::upload(gpu::Context& context, Context& library, const ProbeSet& set) {
     std::vector<gpu::Image> cubes;
     std::vector<Probe> list;
     for (const BakedProbe& baked : set.probes) {

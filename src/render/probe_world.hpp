@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/probe_baking.hpp"
+#include "render/probe_file.hpp"
 #include "render/render_job.hpp"
 
 #include <vector>
@@ -18,6 +19,9 @@ public:
     /// G-buffer changes its size. Errors: for a named file as readProbes and checkProbesFit; OutOfMemory, DeviceLost.
     static Result<ProbeWorld> create(gpu::Context& context, Context& library, Renderer& renderer,
                                      const JobInputs& inputs, const RenderJob& job);
+
+    /// Creates the probes of a set on the GPU. Errors: OutOfMemory, DeviceLost.
+    static Result<ProbeWorld> upload(gpu::Context& context, Context& library, const ProbeSet& set);
 
     Probes& probes() { return probes_; }
 

@@ -8,12 +8,19 @@ Result<ReflectionSession> openJob(gpu::Context& context, const RenderJob& job) {
     GLINT_TRY(loaded, loadJobInputs(job));
     auto inputs = std::make_shared<JobInputs>(std::move(loaded));
     const auto makeHost = [&](Context& library) { return SceneHost::create(context, library, inputs, job); };
-    return ReflectionSession::create(context, makeHost,
-                                     {job.settings, job.seed, job.statistics, job.inspect.has_value(), job.display});
+    return ReflectionSession::create(context, makeHost, sessionOptions(job));
+}
+
+SessionOptions sessionOptions(const RenderJob& job) {
+    return {job.settings, job.seed, job.statistics, job.inspect.has_value(), job.display};
 }
 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     GLINT_TRY(session, openJob(context, job));
+    return renderFrames(session, job);
+}
+
+Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job) {
     const JobInputs& inputs = session.inputs();
     if (job.inspect && ((*job.inspect)[0] >= inputs.width || (*job.inspect)[1] >= inputs.height))
         return invalidArgument("pixel {},{} lies outside the picture of {}x{}", (*job.inspect)[0], (*job.inspect)[1],
@@ -43,8 +50,12 @@ Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
 }
 
 Result<RenderResult> runJob(const RenderJob& job) {
+    return onOwnDevice(job, [&](gpu::Context& context) { return runJob(context, job); });
+}
+
+Result<RenderResult> onOwnDevice(const RenderJob& job, const std::function<Result<RenderResult>(gpu::Context&)>& work) {
     GLINT_TRY(context, gpu::Context::create({job.device, job.validate}));
-    Result<RenderResult> result = runJob(*context, job);
+    Result<RenderResult> result = work(*context);
     if (result && !context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());

@@ -4,6 +4,8 @@
 #include "gpu/context.hpp"
 #include "render/reflection_session.hpp"
 
+#include <functional>
+
 namespace glint::render {
 
 /// Opens a job for repeated use: its scene is read and uploaded once; settings, size, camera and time may change. The
@@ -16,5 +18,13 @@ Result<RenderResult> runJob(const RenderJob& job);
 
 /// Uses an existing device; the caller handles RenderJob::device and validate.
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job);
+
+// Parts of runJob, for jobs whose G-buffer comes from elsewhere.
+SessionOptions sessionOptions(const RenderJob& job);
+/// Renders the job's frames and reads its views. Errors: those of the views; InvalidArgument for an inspected pixel
+/// outside the image.
+Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job);
+/// Calls `work` with a device of its own. Errors: as runJob.
+Result<RenderResult> onOwnDevice(const RenderJob& job, const std::function<Result<RenderResult>(gpu::Context&)>& work);
 
 } // namespace glint::render

@@ -1,0 +1,274 @@
+// glint trace: a G-buffer that our own renderer wrote to a file gives the reflections that the renderer had, and each
+// wrong declaration of what the file means is found by its name.
+#include "gpu/support/gpu_test.hpp"
+#include "render/run_job.hpp"
+#include "render/trace_job.hpp"
+#include "scene/image_file.hpp"
+#include "support/temp_folder.hpp"
+
+#include "base/file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace glint::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr const char* kViews[] = {"composite", "scene", "depth", "normal", "roughness", "reflectivity", "albedo"};
+
+class TraceTest : public GpuTest {
+protected:
+    /// No environment: the renderer's fallback specular, which the file lacks, is 0. Highlights stay in hits, as a file
+    /// does not separate them, and it has no back faces.
+    static render::RenderJob drawnJob(const std::string& scene, const std::string& camera = "") {
+        render::RenderJob job;
+        job.scene = scene;
+        job.camera = camera;
+        job.environment = "none";
+        job.width = 240;
+        job.height = 136;
+        job.views.assign(std::begin(kViews), std::end(kViews));
+        job.settings.reflections.screen.highlights = true;
+        job.settings.reflections.screen.thicknessMode = ThicknessMode::Constant;
+        job.settings.reflections.screen.thickness = 0.1f;
+        job.statistics = true;
+        return job;
+    }
+
+    /// Writes a frame of our renderer as layers of floats, and the camera that drew it.
+    void write(const std::string& scene, const std::string& camera = "") {
+        const render::RenderJob job = drawnJob(scene, camera);
+        drawn_ = must(render::runJob(gpu(), job));
+        std::vector<scene::ExrLayer> layers;
+        for (const render::RenderedView& view : drawn_.views) {
+            const std::string channels = view.name == "depth" || view.name == "roughness" ? "Z"
+                                         : view.name == "normal"                          ? "XYZ"
+                                                                                          : "RGB";
+            layers.push_back({"Frame." + view.name, channels, false, view.rgba});
+        }
+        must(scene::writeExr(gbuffer_, drawn_.width, drawn_.height, layers));
+        const scene::Camera drawer = must(render::loadJobInputs(job)).camera;
+        const glm::vec3 p(drawer.viewToWorld[3]), t = p - glm::vec3(drawer.viewToWorld[2]);
+        must(writeFile(camera_, fmt::format(R"({{"position":[{},{},{}],"target":[{},{},{}],"fovY":{},"near":{}}})", p.x,
+                                            p.y, p.z, t.x, t.y, t.z, glm::degrees(drawer.fovY), drawer.near)));
+    }
+
+    render::TraceJob traceJob() const {
+        render::TraceJob job;
+        job.picture = drawnJob(gbuffer_);
+        job.picture.camera = camera_;
+        job.mapping = "glint";
+        return job;
+    }
+
+    const std::vector<float>& drawnView(std::string_view name) const {
+        return std::ranges::find(drawn_.views, name, &render::RenderedView::name)->rgba;
+    }
+
+    const TempFolder temp_;
+    const std::string gbuffer_ = temp_ + "frame.exr", camera_ = temp_ + "camera.json";
+    render::RenderResult drawn_;
+};
+
+TEST_F(TraceTest, AFileGivesTheReflectionsOfTheFrameThatWroteIt) {
+    for (const char* scene : {"builtin:exact", "builtin:mirror", "builtin:motion-still"}) {
+        write(scene);
+        const render::TraceInputs inputs = must(render::loadTraceInputs(traceJob()));
+        EXPECT_THAT(inputs.health.findings, IsEmpty()) << scene;
+        EXPECT_GT(inputs.health.normalsAgree, 0.8) << scene;
+        const render::RenderResult traced = must(render::runTrace(gpu(), traceJob(), inputs));
+        EXPECT_NEAR(double(traced.stats.rays), double(drawn_.stats.rays), 0.002 * double(drawn_.stats.rays));
+        const std::vector<float>& expected = drawnView("composite");
+        const std::vector<float>& lit = drawnView("scene");
+        const std::vector<float>& composite = traced.views.front().rgba;
+        ASSERT_EQ(composite.size(), expected.size());
+        // The file keeps normals to 16 bits and depth to 24: few rays take another path.
+        size_t reflective = 0, differ = 0;
+        for (size_t i = 0; i < expected.size(); i += 4) {
+            float change = 0, error = 0;
+            for (size_t c = 0; c < 3; ++c) {
+                change = std::max(change, std::abs(expected[i + c] - lit[i + c]));
+                error = std::max(error, std::abs(composite[i + c] - expected[i + c]) / (0.1f + expected[i + c]));
+            }
+            reflective += change > 0.01f;
+            differ += error > 0.05f;
+        }
+        EXPECT_GT(reflective, 1000u) << scene;
+        EXPECT_LT(double(differ), 0.02 * double(reflective)) << scene;
+    }
+}
+
+TEST_F(TraceTest, WithoutSourcesThePictureIsThatOfTheFile) {
+    write("builtin:exact");
+    render::TraceJob job = traceJob();
+    job.picture.settings.reflections.screen.enabled = false;
+    job.picture.settings.reflections.sky.enabled = false;
+    const render::TraceInputs inputs = must(render::loadTraceInputs(job));
+    const render::RenderResult traced = must(render::runTrace(gpu(), job, inputs));
+    const std::vector<float>& lit = drawnView("scene");
+    for (size_t i = 0; i < lit.size(); ++i) {
+        if (i % 4 != 3) {
+            ASSERT_EQ(traced.views.front().rgba[i], lit[i]) << i;
+        }
+    }
+}
+
+TEST_F(TraceTest, TheSkyFillsWhatTheScreenDoesNotShow) {
+    write("builtin:exact");
+    render::TraceJob job = traceJob();
+    job.picture.environment = "sky";
+    job.picture.views = {"composite", "weights"};
+    const render::TraceInputs inputs = must(render::loadTraceInputs(job));
+    const render::RenderResult traced = must(render::runTrace(gpu(), job, inputs));
+    size_t bySky = 0;
+    for (size_t i = 1; i < traced.views[1].rgba.size(); i += 4)
+        bySky += traced.views[1].rgba[i] > 0.5f;
+    EXPECT_GT(bySky, 100u);
+}
+
+/// A mistake in a mapping or a camera file, and what must be said of it.
+struct Mistake {
+    const char* name;
+    void (*make)(scene::GBufferLayers& layers, scene::GBufferMapping& mapping, scene::Camera& camera);
+    const char* finding;
+};
+
+using scene::StoredAxes;
+using scene::StoredDepth;
+using scene::StoredSpace;
+using Layers = scene::GBufferLayers;
+using Mapping = scene::GBufferMapping;
+using scene::Camera;
+
+void toViewSpace(Layers& layers, const Camera& camera) {
+    for (glm::vec3& normal : layers.normal)
+        normal = glm::transpose(glm::mat3(camera.viewToWorld)) * normal;
+}
+
+const Mistake kMistakes[] = {
+    {"view normals declared world", [](Layers& l, Mapping&, Camera& c) { toViewSpace(l, c); },
+     "normal.space view, not world as declared"},
+    {"world normals declared view", [](Layers&, Mapping& m, Camera&) { m.meaning.normalSpace = StoredSpace::View; },
+     "normal.space world, not view as declared"},
+    {"Z-up normals declared Y-up",
+     [](Layers& l, Mapping&, Camera&) {
+         for (glm::vec3& n : l.normal)
+             n = {n.x, -n.z, n.y};
+     },
+     "axes zUp, not yUp as declared"},
+    {"Y-up normals declared Z-up", [](Layers&, Mapping& m, Camera&) { m.meaning.axes = StoredAxes::ZUp; },
+     "axes yUp, not zUp as declared"},
+    {"unorm normals declared signed",
+     [](Layers& l, Mapping&, Camera&) {
+         for (glm::vec3& n : l.normal)
+             n = n * 0.5f + 0.5f;
+     },
+     "normal.unorm true, not false as declared"},
+    {"signed normals declared unorm", [](Layers&, Mapping& m, Camera&) { m.meaning.normalUnorm = true; },
+     "normal.unorm false, not true as declared"},
+    {"normals that point inward",
+     [](Layers& l, Mapping&, Camera&) {
+         for (glm::vec3& n : l.normal)
+             n = -n;
+     },
+     "normal.inward true, not false as declared"},
+    {"distance declared viewZ",
+     [](Layers& l, Mapping&, Camera& c) {
+         const scene::PixelLens lens(c, l.width, l.height);
+         for (uint32_t i = 0; i < l.depth.size(); ++i)
+             l.depth[i] *= glm::length(lens.positionVS(i % l.width, i / l.width, 1));
+     },
+     "depth.is distance, not viewZ as declared"},
+    {"viewZ declared distance", [](Layers&, Mapping& m, Camera&) { m.meaning.depth = StoredDepth::Distance; },
+     "depth.is viewZ, not distance as declared"},
+    {"negative depth",
+     [](Layers& l, Mapping&, Camera&) {
+         for (float& z : l.depth)
+             z = -z;
+     },
+     "depth.is negativeViewZ, not viewZ as declared"},
+    {"reversed device depth declared viewZ",
+     [](Layers& l, Mapping&, Camera& c) {
+         for (float& z : l.depth)
+             z = z > 0 ? c.near / z : 0;
+     },
+     "depth.is reversedDevice, not viewZ as declared"},
+    {"rows from the bottom",
+     [](Layers& l, Mapping&, Camera&) {
+         for (uint32_t y = 0; y < l.height / 2; ++y)
+             for (uint32_t x = 0; x < l.width; ++x) {
+                 std::swap(l.depth[y * l.width + x], l.depth[(l.height - 1 - y) * l.width + x]);
+                 std::swap(l.normal[y * l.width + x], l.normal[(l.height - 1 - y) * l.width + x]);
+             }
+     },
+     "rowsFromBottom true, not false as declared"},
+    {"centimetres declared metres",
+     [](Layers& l, Mapping&, Camera& c) {
+         for (float& z : l.depth)
+             z *= 100;
+         c.far = 200;
+     },
+     "correct \"metres\""},
+    {"normals of back faces",
+     [](Layers& l, Mapping&, Camera&) {
+         for (size_t i = 0; i < l.normal.size(); i += 5)
+             l.normal[i] = -l.normal[i];
+     },
+     "point away from the camera"},
+    {"a camera that is turned",
+     [](Layers&, Mapping&, Camera& c) {
+         c.viewToWorld = scene::lookAt(glm::vec3(c.viewToWorld[3]),
+                                       glm::vec3(c.viewToWorld[3] - c.viewToWorld[2] + 0.8f * c.viewToWorld[0]));
+     },
+     "agree with a camera that is turned by"},
+};
+
+/// The camera is turned and pitched: with one that looks along -Z, view and world normals are the same.
+TEST_F(TraceTest, EveryWrongDeclarationIsNamed) {
+    write("builtin:hall", "metals");
+    const Camera camera = must(scene::readCameraFile(camera_));
+    const scene::ExrChannels file = must(scene::ExrChannels::open(gbuffer_));
+    const Mapping mapping = must(scene::readMapping("glint"));
+    const Layers layers = must(scene::readLayers(file, file, mapping));
+    EXPECT_THAT(scene::examine(layers, mapping, camera).findings, IsEmpty());
+    for (const Mistake& mistake : kMistakes) {
+        Layers wrongLayers = layers;
+        Mapping wrongMapping = mapping;
+        Camera wrongCamera = camera;
+        mistake.make(wrongLayers, wrongMapping, wrongCamera);
+        const scene::GBufferHealth health = scene::examine(wrongLayers, wrongMapping, wrongCamera);
+        ASSERT_FALSE(health.findings.empty()) << mistake.name;
+        EXPECT_THAT(health.findings.front(), HasSubstr(mistake.finding)) << mistake.name;
+        // One mistake is one difference: nothing that is declared right is blamed.
+        EXPECT_THAT(health.findings.front(), Not(HasSubstr("as declared and"))) << mistake.name;
+    }
+}
+
+TEST_F(TraceTest, PositionsMustProjectToTheirPixels) {
+    write("builtin:hall");
+    const Camera camera = must(scene::readCameraFile(camera_));
+    const scene::ExrChannels file = must(scene::ExrChannels::open(gbuffer_));
+    const Mapping mapping = must(scene::readMapping("glint"));
+    Layers layers = must(scene::readLayers(file, file, mapping));
+    const scene::PixelLens lens(camera, layers.width, layers.height);
+    for (uint32_t i = 0; i < layers.pixels(); ++i)
+        layers.position.emplace_back(
+            camera.viewToWorld * glm::vec4(lens.positionVS(i % layers.width, i / layers.width, layers.depth[i]), 1));
+    EXPECT_THAT(scene::examine(layers, mapping, camera).findings, IsEmpty());
+    Camera moved = camera;
+    moved.fovY *= 1.1f;
+    EXPECT_THAT(scene::examine(layers, mapping, moved).findings,
+                testing::Contains(HasSubstr("pixels from their own pixels")));
+    for (float& depth : layers.depth)
+        depth *= 100;
+    EXPECT_THAT(scene::examine(layers, mapping, camera).findings,
+                testing::Contains(HasSubstr("positions lie 0.01 times as far away as depth says")));
+}
+
+} // namespace
+} // namespace glint::test
