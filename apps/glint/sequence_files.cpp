@@ -61,6 +61,14 @@ std::string FramePattern::video() const {
     return (name.empty() || name.back() == '/' ? name + "video" : name) + ".mp4";
 }
 
+std::string numberedPath(const std::string& text, uint32_t frame) {
+    const size_t at = text.find('%');
+    if (at == text.npos || std::ranges::count(text, '%') != 1)
+        return text;
+    const auto [size, digits] = numberField(std::string_view(text).substr(at));
+    return size == 0 ? text : fmt::format("{}{:0{}}{}", text.substr(0, at), frame, digits, text.substr(at + size));
+}
+
 Result<void> writeFrame(const std::string& path, PictureKind kind, const measure::SequenceFrame& frame) {
     if (kind == PictureKind::Png)
         return scene::writePng(path, frame.width, frame.height, 3, frame.composite.rgb8);

@@ -32,6 +32,9 @@ private:
     PictureKind kind_ = PictureKind::Png;
 };
 
+/// Returns `text` with its %d or %0Nd replaced by a frame's number; unchanged if it has none or several.
+std::string numberedPath(const std::string& text, uint32_t frame);
+
 /// PNG: the composite as displayed. EXR: the composite, and the reflected radiance as layer "reflection". Errors: Io.
 Result<void> writeFrame(const std::string& path, PictureKind kind, const measure::SequenceFrame& frame);
 

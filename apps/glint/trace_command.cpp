@@ -1,15 +1,21 @@
 // glint trace: reflections for a G-buffer that another renderer wrote to OpenEXR files (docs/trace.md).
 #include "base/file.hpp"
 #include "base/log.hpp"
+#include "base/text.hpp"
 #include "commands.hpp"
 #include "render/trace_job.hpp"
 #include "render_options.hpp"
 #include "render_output.hpp"
+#include "sequence_files.hpp"
 #include "trace_output.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace glint::cli {
 namespace {
@@ -19,6 +25,7 @@ struct TraceOptions {
     RenderOptions picture;
     std::string color;
     std::string mapping;
+    std::string sequence; ///< "1-24"; empty: one frame
     bool printMapping = false;
 };
 
@@ -47,13 +54,69 @@ Result<render::TraceJob> makeTraceJob(const TraceOptions& options) {
     return job;
 }
 
-/// Returns the job with the views that figures and the specular layer are computed from.
+/// Adds the views that figures and the specular layer are computed from.
 render::TraceJob withInnerViews(const render::TraceJob& job) {
     render::TraceJob more = job;
     for (const std::string_view name : {"composite", "scene", "weights", "roughness", "reflectivity"})
         addOnce(more.picture.views, name);
     return more;
 }
+
+/// The files of one frame of a sequence.
+TraceOptions numbered(TraceOptions options, uint32_t frame) {
+    for (std::string* path : {&options.picture.scene, &options.picture.camera, &options.color, &options.picture.output,
+                              &options.picture.statsFile})
+        *path = numberedPath(*path, frame);
+    return options;
+}
+
+/// The first frame and the last of "1-24"; without --sequence the one frame 0.
+Result<std::pair<uint32_t, uint32_t>> frameRange(const std::string& text) {
+    constexpr uint32_t kMostFrames = 100000;
+    if (text.empty())
+        return std::pair<uint32_t, uint32_t>(0, 0);
+    uint32_t first = 0, last = 0;
+    const char* const end = text.data() + text.size();
+    const auto [dash, noFirst] = std::from_chars(text.data(), end, first);
+    const auto [rest, noLast] = std::from_chars(dash == end ? end : dash + 1, end, last);
+    if (noFirst != std::errc() || noLast != std::errc() || *dash != '-' || rest != end || last < first ||
+        last - first >= kMostFrames)
+        return invalidArgument("--sequence {}: expected the numbers of the first frame and the last, as in 1-24",
+                               printable(text));
+    return std::pair(first, last);
+}
+
+/// One job per frame.
+Result<std::vector<TraceOptions>> framesOf(const TraceOptions& options) {
+    GLINT_TRY(range, frameRange(options.sequence));
+    const auto [first, last] = range;
+    std::vector<TraceOptions> frames;
+    if (options.sequence.empty())
+        return std::vector{options};
+    for (const auto& [name, path] : {std::pair("GBUFFER", &options.picture.scene), {"-o", &options.picture.output}})
+        if (numberedPath(*path, 0) == numberedPath(*path, 1))
+            return invalidArgument("{} {}: --sequence needs %d or %04d in it, for the number of the frame", name,
+                                   printable(*path));
+    for (uint32_t frame = first; frame <= last; ++frame)
+        frames.push_back(numbered(options, frame));
+    return frames;
+}
+
+/// Each kind of note once: those of a sequence's frames differ in numbers alone.
+class Notes {
+public:
+    void print(const std::vector<std::string>& notes) {
+        for (const std::string& note : notes) {
+            std::string kind = note;
+            std::erase_if(kind, [](char c) { return c >= '0' && c <= '9'; });
+            if (printed_.insert(kind).second)
+                log::warning("{}", note);
+        }
+    }
+
+private:
+    std::set<std::string> printed_;
+};
 
 Result<void> printMapping(const std::string& name) {
     GLINT_TRY(text, scene::mappingPresetText(name.empty() ? "blender" : name));
@@ -64,16 +127,25 @@ Result<void> printMapping(const std::string& name) {
 Result<void> trace(const TraceOptions& options) {
     if (options.printMapping)
         return printMapping(options.mapping);
-    GLINT_TRY(job, makeTraceJob(options));
-    GLINT_TRY(inputs, render::loadTraceInputs(job));
-    GLINT_TRY(result, render::runTrace(withInnerViews(job), inputs));
-    for (const std::string& note : result.notes)
-        log::warning("{}", note);
-    const TraceFigures figures = traceFigures(job, inputs, result);
-    GLINT_CHECK(writeTraced(options.picture.output, job, result, figures));
-    if (options.picture.statsFile.empty())
-        return {};
-    return writeFile(options.picture.statsFile, traceStatsJson(job, inputs, result, figures));
+    GLINT_TRY(frames, framesOf(options));
+    std::vector<render::TraceJob> jobs, more; // as asked for, and with what figures need
+    for (const TraceOptions& frame : frames) {
+        GLINT_TRY(job, makeTraceJob(frame));
+        jobs.push_back(job);
+        more.push_back(withInnerViews(job));
+    }
+    GLINT_TRY(first, render::loadTraceInputs(jobs.front()));
+    Notes notes;
+    const auto take = [&](size_t frame, const render::TraceInputs& inputs,
+                          const render::RenderResult& result) -> Result<void> {
+        notes.print(result.notes);
+        const TraceFigures figures = traceFigures(jobs[frame], inputs, result);
+        GLINT_CHECK(writeTraced(frames[frame].picture.output, jobs[frame], result, figures));
+        const std::string& stats = frames[frame].picture.statsFile;
+        return stats.empty() ? Result<void>() : writeFile(stats, traceStatsJson(jobs[frame], inputs, result, figures));
+    };
+    GLINT_CHECK(render::runTraces(more, first, take));
+    return {};
 }
 
 } // namespace
@@ -86,6 +158,8 @@ void addTraceCommand(CLI::App& program, Command& chosen) {
     command->add_option("--camera", options->picture.camera, "Camera file: the view of the G-buffer");
     command->add_option("--mapping", options->mapping,
                         "What the layers are called and mean: a JSON file, blender or glint (default: what fits)");
+    command->add_option("--sequence", options->sequence,
+                        "Numbers of the first frame and the last, as 1-24; %04d in a file's name is the number");
     command->add_flag("--print-mapping", options->printMapping, "Print the mapping preset of --mapping and exit");
     command->add_option("--env", options->picture.environment,
                         "Environment that rays which leave the screen show: an .hdr or .exr file, sky or none");

@@ -1,5 +1,6 @@
 #include "render/file_host.hpp"
 
+#include "base/assert.hpp"
 #include "gpu/transfer.hpp"
 #include "render/job_environment.hpp"
 #include "render/lending.hpp"
@@ -59,15 +60,15 @@ Result<void> uploadPlane(gpu::Context& context, gpu::Image& image, size_t pixels
 
 } // namespace
 
-Result<std::unique_ptr<HostFrame>> FileHost::create(gpu::Context& context, Context& library,
-                                                    std::shared_ptr<JobInputs> inputs,
-                                                    std::shared_ptr<const scene::GBufferPixels> pixels,
-                                                    std::shared_ptr<const ProbeSet> probes,
-                                                    const ProgramSettings& settings) {
+Result<std::unique_ptr<FileHost>> FileHost::create(gpu::Context& context, Context& library,
+                                                   std::shared_ptr<JobInputs> inputs,
+                                                   std::shared_ptr<const scene::GBufferPixels> pixels,
+                                                   std::shared_ptr<const ProbeSet> probes,
+                                                   const ProgramSettings& settings) {
     std::unique_ptr<FileHost> host(
         new FileHost(context, library, std::move(inputs), std::move(pixels), std::move(probes), settings));
     GLINT_CHECK(host->make());
-    return std::unique_ptr<HostFrame>(std::move(host));
+    return host;
 }
 
 Result<void> FileHost::make() {
@@ -88,7 +89,16 @@ Result<void> FileHost::make() {
     return {};
 }
 
-/// Motion is 0: nothing moves in a single frame.
+Result<void> FileHost::setFrame(std::shared_ptr<JobInputs> inputs, std::shared_ptr<const scene::GBufferPixels> pixels) {
+    GLINT_ASSERT(inputs->width == inputs_->width && inputs->height == inputs_->height, "{}x{} after {}x{}",
+                 inputs->width, inputs->height, inputs_->width, inputs_->height);
+    inputs_ = std::move(inputs);
+    pixels_ = std::move(pixels);
+    follows_ = true;
+    view_ = makeView(aroundSurfaces(inputs_->camera, *pixels_), inputs_->width, inputs_->height);
+    return upload();
+}
+
 Result<void> FileHost::upload() {
     const scene::GBufferPixels& p = *pixels_;
     const size_t count = p.viewZ.size();
@@ -102,7 +112,9 @@ Result<void> FileHost::upload() {
     else
         GLINT_CHECK(uploadPlane(context_, gbuffer_.normal, count, octahedral));
     GLINT_CHECK(uploadPlane(context_, gbuffer_.material, count, [&](size_t i) { return packRgba(p.material[i]); }));
-    GLINT_CHECK(uploadPlane(context_, gbuffer_.motion, count, [](size_t) { return uint32_t{0}; }));
+    GLINT_CHECK(uploadPlane(context_, gbuffer_.motion, count, [&](size_t i) {
+        return glm::packHalf2x16(p.motionUV.empty() ? glm::vec2(0) : p.motionUV[i]);
+    }));
     GLINT_CHECK(uploadPlane(context_, gbuffer_.litRadiance, count,
                             [&](size_t i) { return packRgba(glm::vec4(p.litRadiance[i], 1)); }));
     GLINT_CHECK(uploadPlane(context_, gbuffer_.fallbackSpecular, count, [&](size_t i) {
@@ -134,15 +146,19 @@ Result<bool> FileHost::setMaterials(const scene::MaterialOverrides&, Reflections
 }
 
 Result<std::unique_ptr<HostFrame>> FileHost::remade(Context& library) {
-    return create(context_, library, inputs_, pixels_, probeSet_, settings_);
+    GLINT_TRY(host, create(context_, library, inputs_, pixels_, probeSet_, settings_));
+    return std::unique_ptr<HostFrame>(std::move(host));
 }
 
-/// The alpha of the file's picture is no mean without highlights.
+/// The alpha of the file's picture is no mean without highlights. Without motion the library takes all surfaces to
+/// stand still: where the file has none, and in the first frame, which is repeated.
 glint::GBuffer FileHost::lend(gpu::Frame& frame) {
     glint::GBuffer inputs = lendGBuffer(frame, gbuffer_);
     inputs.conventions.highlightsInAlpha = false;
     if (pixels_->fallbackSpecular.empty())
         inputs.fallbackSpecular = {};
+    if (!follows_ || pixels_->motionUV.empty())
+        inputs.motion = {};
     return inputs;
 }
 

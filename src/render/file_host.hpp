@@ -1,5 +1,5 @@
 // A host whose G-buffer was read from files: it draws nothing and has no scene. The view, and all that the G-buffer
-// shows, stay as they are.
+// shows, stay as they are until the next frame of a sequence.
 #pragma once
 
 #include "render/display_pass.hpp"
@@ -17,11 +17,15 @@ public:
     /// `probes`   null: none
     /// `library`  the device of `context` as adopted by the library. Both must outlive the host
     /// Errors: those of the device and the settings.
-    static Result<std::unique_ptr<HostFrame>> create(gpu::Context& context, Context& library,
-                                                     std::shared_ptr<JobInputs> inputs,
-                                                     std::shared_ptr<const scene::GBufferPixels> pixels,
-                                                     std::shared_ptr<const ProbeSet> probes,
-                                                     const ProgramSettings& settings);
+    static Result<std::unique_ptr<FileHost>> create(gpu::Context& context, Context& library,
+                                                    std::shared_ptr<JobInputs> inputs,
+                                                    std::shared_ptr<const scene::GBufferPixels> pixels,
+                                                    std::shared_ptr<const ProbeSet> probes,
+                                                    const ProgramSettings& settings);
+
+    /// Lends another frame of a sequence from now on, of the same size: motion is relative to the frame before.
+    /// Errors: OutOfMemory, DeviceLost.
+    Result<void> setFrame(std::shared_ptr<JobInputs> inputs, std::shared_ptr<const scene::GBufferPixels> pixels);
 
     const JobInputs& inputs() const override { return *inputs_; }
     View view() const override { return view_; }
@@ -62,6 +66,7 @@ private:
     std::shared_ptr<const ProbeSet> probeSet_;
     ProgramSettings settings_;
     View view_;
+    bool follows_ = false; ///< a frame of a sequence, not its first
     GBuffer gbuffer_;
     Environment environment_;
     DisplayPass display_;

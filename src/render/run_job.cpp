@@ -20,7 +20,7 @@ Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     return renderFrames(session, job);
 }
 
-Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job) {
+Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex) {
     const JobInputs& inputs = session.inputs();
     if (job.inspect && ((*job.inspect)[0] >= inputs.width || (*job.inspect)[1] >= inputs.height))
         return invalidArgument("pixel {},{} lies outside the picture of {}x{}", (*job.inspect)[0], (*job.inspect)[1],
@@ -29,7 +29,7 @@ Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& j
         FramePlan plan;
         if (i + 1 == job.frames)
             plan.inspect = job.inspect;
-        GLINT_CHECK(session.renderFrame(i, plan));
+        GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
         if (job.progress)
             job.progress(i + 1, job.frames);
     }

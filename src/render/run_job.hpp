@@ -21,9 +21,9 @@ Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job);
 
 // Parts of runJob, for jobs whose G-buffer comes from elsewhere.
 SessionOptions sessionOptions(const RenderJob& job);
-/// Renders the job's frames and reads its views. Errors: those of the views; InvalidArgument for an inspected pixel
-/// outside the image.
-Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job);
+/// Renders the job's frames, which are numbered from `firstIndex` on, and reads its views. Errors: those of the views;
+/// InvalidArgument for an inspected pixel outside the image.
+Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex = 0);
 /// Calls `work` with a device of its own. Errors: as runJob.
 Result<RenderResult> onOwnDevice(const RenderJob& job, const std::function<Result<RenderResult>(gpu::Context&)>& work);
 

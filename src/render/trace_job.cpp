@@ -1,5 +1,6 @@
 #include "render/trace_job.hpp"
 
+#include "base/assert.hpp"
 #include "base/text.hpp"
 #include "render/file_host.hpp"
 #include "render/run_job.hpp"
@@ -15,15 +16,25 @@ struct MappedLayers {
     scene::GBufferLayers layers;
 };
 
+/// `motion`: read it too.
+Result<MappedLayers> readWith(scene::GBufferMapping mapping, const scene::ExrChannels& surfaces,
+                              const scene::ExrChannels& colors, bool motion) {
+    if (!motion)
+        mapping.motion.clear();
+    GLINT_TRY(layers, scene::readLayers(surfaces, colors, mapping));
+    return MappedLayers{std::move(mapping), std::move(layers)};
+}
+
 /// Reads with the preset whose required layers the file has.
-Result<MappedLayers> readWithFittingPreset(const scene::ExrChannels& surfaces, const scene::ExrChannels& colors) {
+Result<MappedLayers> readWithFittingPreset(const scene::ExrChannels& surfaces, const scene::ExrChannels& colors,
+                                           bool motion) {
     std::string misses;
     for (const std::string_view name : scene::mappingPresets()) {
         GLINT_TRY(mapping, scene::readMapping(std::string(name)));
-        auto layers = scene::readLayers(surfaces, colors, mapping);
-        if (layers)
-            return MappedLayers{std::move(mapping), *std::move(layers)};
-        misses = layers.error().message;
+        Result<MappedLayers> mapped = readWith(std::move(mapping), surfaces, colors, motion);
+        if (mapped)
+            return mapped;
+        misses = mapped.error().message;
     }
     std::vector<std::string> names;
     for (const std::string_view name : scene::mappingPresets())
@@ -34,12 +45,11 @@ Result<MappedLayers> readWithFittingPreset(const scene::ExrChannels& surfaces, c
 }
 
 Result<MappedLayers> readMapped(const std::string& asked, const scene::ExrChannels& surfaces,
-                                const scene::ExrChannels& colors) {
+                                const scene::ExrChannels& colors, bool motion) {
     if (asked.empty())
-        return readWithFittingPreset(surfaces, colors);
+        return readWithFittingPreset(surfaces, colors, motion);
     GLINT_TRY(mapping, scene::readMapping(asked));
-    GLINT_TRY(layers, scene::readLayers(surfaces, colors, mapping));
-    return MappedLayers{std::move(mapping), std::move(layers)};
+    return readWith(std::move(mapping), surfaces, colors, motion);
 }
 
 Result<void> checkAspect(const scene::Camera& camera, const scene::GBufferPixels& pixels, const RenderJob& job) {
@@ -53,9 +63,16 @@ Result<void> checkAspect(const scene::Camera& camera, const scene::GBufferPixels
     return {};
 }
 
+Result<void> checkSize(const TraceJob& job, const JobInputs& inputs, const JobInputs& first) {
+    if (inputs.width == first.width && inputs.height == first.height)
+        return {};
+    return invalidInput("{}: has {}x{} pixels, but the first frame has {}x{}: the frames of a sequence have one size",
+                        printable(job.picture.scene), inputs.width, inputs.height, first.width, first.height);
+}
+
 } // namespace
 
-Result<TraceInputs> loadTraceInputs(const TraceJob& job) {
+Result<TraceInputs> loadTraceInputs(const TraceJob& job, const scene::Camera* previous) {
     const RenderJob& picture = job.picture;
     GLINT_TRY(camera, scene::readCameraFile(picture.camera));
     GLINT_TRY(surfaces, scene::ExrChannels::open(picture.scene));
@@ -65,9 +82,9 @@ Result<TraceInputs> loadTraceInputs(const TraceJob& job) {
         other = std::move(opened);
     }
     const scene::ExrChannels& colors = other ? *other : surfaces;
-    GLINT_TRY(mapped, readMapped(job.mapping, surfaces, colors));
+    GLINT_TRY(mapped, readMapped(job.mapping, surfaces, colors, previous != nullptr));
     TraceInputs inputs;
-    inputs.health = scene::examine(mapped.layers, mapped.mapping, camera);
+    inputs.health = scene::examine(mapped.layers, mapped.mapping, camera, previous);
     auto decoded = scene::decodeLayers(mapped.layers, mapped.mapping, camera, surfaces.name());
     if (!decoded) // the cause may be known
         return invalidInput("{}{}", decoded.error().message,
@@ -95,16 +112,41 @@ Result<TraceInputs> loadTraceInputs(const TraceJob& job) {
     return inputs;
 }
 
-Result<RenderResult> runTrace(gpu::Context& context, const TraceJob& job, const TraceInputs& inputs) {
-    const auto makeHost = [&](Context& library) {
-        return FileHost::create(context, library, inputs.frame, inputs.pixels, inputs.probes, job.picture.settings);
+Result<RenderResult> runTraces(gpu::Context& context, std::span<const TraceJob> jobs, const TraceInputs& first,
+                               const TakeTraced& take) {
+    GLINT_ASSERT(!jobs.empty(), "no frames");
+    FileHost* host = nullptr;
+    const auto makeHost = [&](Context& library) -> Result<std::unique_ptr<HostFrame>> {
+        GLINT_TRY(made, FileHost::create(context, library, first.frame, first.pixels, first.probes,
+                                         jobs.front().picture.settings));
+        host = made.get();
+        return std::unique_ptr<HostFrame>(std::move(made));
     };
-    GLINT_TRY(session, ReflectionSession::create(context, makeHost, sessionOptions(job.picture)));
-    return renderFrames(session, job.picture);
+    GLINT_TRY(session, ReflectionSession::create(context, makeHost, sessionOptions(jobs.front().picture)));
+    TraceInputs inputs = first;
+    Result<RenderResult> last = renderFrames(session, jobs.front().picture);
+    if (!last)
+        return last;
+    GLINT_CHECK(take(0, inputs, *last));
+    for (size_t frame = 1; frame < jobs.size(); ++frame) {
+        const scene::Camera previous = inputs.frame->camera;
+        GLINT_TRY(next, loadTraceInputs(jobs[frame], &previous));
+        GLINT_CHECK(checkSize(jobs[frame], *next.frame, *first.frame));
+        inputs = std::move(next);
+        GLINT_CHECK(host->setFrame(inputs.frame, inputs.pixels));
+        RenderJob once = jobs[frame].picture;
+        once.frames = 1;
+        last = renderFrames(session, once, jobs.front().picture.frames + static_cast<uint32_t>(frame) - 1);
+        if (!last)
+            return last;
+        GLINT_CHECK(take(frame, inputs, *last));
+    }
+    return last;
 }
 
-Result<RenderResult> runTrace(const TraceJob& job, const TraceInputs& inputs) {
-    return onOwnDevice(job.picture, [&](gpu::Context& context) { return runTrace(context, job, inputs); });
+Result<RenderResult> runTraces(std::span<const TraceJob> jobs, const TraceInputs& first, const TakeTraced& take) {
+    return onOwnDevice(jobs.front().picture,
+                       [&](gpu::Context& context) { return runTraces(context, jobs, first, take); });
 }
 
 } // namespace glint::render

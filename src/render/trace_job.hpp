@@ -6,7 +6,10 @@
 #include "render/render_job.hpp"
 #include "scene/gbuffer_doctor.hpp"
 
+#include <functional>
 #include <memory>
+#include <span>
+#include <string>
 
 namespace glint::gpu {
 class Context;
@@ -30,13 +33,23 @@ struct TraceInputs {
     scene::GBufferHealth health;            ///< what contradicts the mapping or the camera
 };
 
-/// Reads and checks every file; needs no device. Errors: those of the readers; InvalidInput if the files do not fit
-/// each other.
-Result<TraceInputs> loadTraceInputs(const TraceJob& job);
+/// Reads and checks every file; needs no device. `previous`: the camera of the frame before, which motion is relative
+/// to; null: the first frame, whose motion is not read. Errors: those of the readers; InvalidInput if the files do not
+/// fit each other.
+Result<TraceInputs> loadTraceInputs(const TraceJob& job, const scene::Camera* previous = nullptr);
 
-/// Errors: those of the device and the settings.
-Result<RenderResult> runTrace(gpu::Context& context, const TraceJob& job, const TraceInputs& inputs);
+/// Takes a frame of a sequence: its number from 0, its inputs and what was rendered.
+using TakeTraced = std::function<Result<void>(size_t frame, const TraceInputs& inputs, const RenderResult& result)>;
+
+/// Renders the frames of a sequence one after the other with one history. Returns the last frame's result.
+///
+/// `jobs`   one per frame, at least one; they differ in their files alone. The first is rendered as often as its
+///          `frames` says, the others once
+/// `first`  inputs of the first
+/// Errors: those of the device, the settings, later frames' files, and `take`; InvalidInput for frames of another size.
+Result<RenderResult> runTraces(gpu::Context& context, std::span<const TraceJob> jobs, const TraceInputs& first,
+                               const TakeTraced& take);
 /// On a device of its own.
-Result<RenderResult> runTrace(const TraceJob& job, const TraceInputs& inputs);
+Result<RenderResult> runTraces(std::span<const TraceJob> jobs, const TraceInputs& first, const TakeTraced& take);
 
 } // namespace glint::render

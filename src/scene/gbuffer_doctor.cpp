@@ -54,7 +54,7 @@ public:
                     samples_.push_back({x, y});
     }
 
-    GBufferHealth examine() {
+    GBufferHealth examine(const Camera* previous) {
         GBufferHealth health;
         health.tested = samples_.size();
         if (samples_.size() < kFewestSamples)
@@ -68,6 +68,8 @@ public:
         checkRange(best.meaning, health.findings);
         checkPositions(best.meaning, health.findings);
         checkRoughness(health.findings);
+        if (previous)
+            checkMotion(best.meaning, *previous, health.findings);
         return health;
     }
 
@@ -335,6 +337,73 @@ private:
         }
     }
 
+    /// Stored motion, and that of a surface which stands still under the two cameras, in pixels.
+    struct Motion {
+        glm::vec2 stored, still;
+    };
+    std::vector<Motion> motions(const GBufferMeaning& meaning, const Camera& previous) const {
+        const PixelLens before(previous, layers_.width, layers_.height);
+        const glm::mat4 toBefore = before.worldToView() * lens_.camera().viewToWorld;
+        std::vector<Motion> found;
+        for (const Sample& sample : samples_) {
+            const glm::vec3 here = positionVS(meaning, sample.x, sample.y);
+            const glm::vec3 there(toBefore * glm::vec4(here, 1));
+            const glm::vec2 stored = layers_.motion[index(sample.x, sample.y)];
+            if (here.z >= 0 || there.z >= 0 || !std::isfinite(stored.x + stored.y))
+                continue;
+            found.push_back({stored, before.pixelOf(there) - lens_.pixelOf(here)});
+        }
+        return found;
+    }
+
+    /// The share of surfaces that stand still if stored motion has this meaning.
+    double shareStill(const std::vector<Motion>& motions, const glm::vec2& scale, bool pixels) const {
+        constexpr float kOffPX = 0.5f, kOff = 0.05f;
+        const glm::vec2 size = pixels ? glm::vec2(1) : glm::vec2(layers_.width, layers_.height);
+        const auto still = std::ranges::count_if(motions, [&](const Motion& motion) {
+            return glm::length(motion.stored * scale * size - motion.still) < kOffPX + kOff * glm::length(motion.still);
+        });
+        return double(still) / double(motions.size());
+    }
+
+    /// Most surfaces stand still, so their motion is that of the camera. Nothing is said where it hardly moves.
+    void checkMotion(const GBufferMeaning& meaning, const Camera& previous, std::vector<std::string>& findings) const {
+        constexpr float kMovesPX = 2;
+        constexpr double kGood = 0.3, kClearly = 0.1;
+        if (layers_.motion.empty())
+            return;
+        const std::vector<Motion> all = motions(meaning, previous);
+        const auto moved =
+            std::ranges::count_if(all, [](const Motion& motion) { return glm::length(motion.still) > kMovesPX; });
+        if (all.size() < kFewestSamples || moved < std::ssize(all) / 2)
+            return;
+        const double declared = shareStill(all, mapping_.motionScale, mapping_.motionInPixels);
+        double best = 0;
+        glm::vec2 bestScale(0);
+        bool bestPixels = false;
+        for (const bool pixels : {false, true})
+            for (const glm::vec2 scale :
+                 {glm::vec2(1, 1), glm::vec2(1, -1), glm::vec2(-1, 1), glm::vec2(-1, -1), glm::vec2(0.5f, 0.5f),
+                  glm::vec2(0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(-0.5f, -0.5f)}) // halves: clip space
+                if (const double share = shareStill(all, scale, pixels); share > best) {
+                    best = share;
+                    bestScale = scale;
+                    bestPixels = pixels;
+                }
+        if (declared >= kGood && best < declared + kClearly)
+            return;
+        findings.push_back(
+            best >= kGood
+                ? fmt::format("motion agrees with the cameras as motion.unit {} and motion.scale [{}, {}], not {} and "
+                              "[{}, {}] as declared ({} of pixels, {} as declared)",
+                              bestPixels ? "pixels" : "uv", bestScale.x, bestScale.y,
+                              mapping_.motionInPixels ? "pixels" : "uv", mapping_.motionScale.x, mapping_.motionScale.y,
+                              percent(best), percent(declared))
+                : fmt::format("the motion of only {} of pixels agrees with the cameras: everything moves, or motion is "
+                              "not that to the previous frame",
+                              percent(declared)));
+    }
+
     void checkRoughness(std::vector<std::string>& findings) const {
         if (layers_.roughness.empty())
             return;
@@ -357,8 +426,9 @@ private:
 
 } // namespace
 
-GBufferHealth examine(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera) {
-    return Doctor(layers, mapping, camera).examine();
+GBufferHealth examine(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera,
+                      const Camera* previous) {
+    return Doctor(layers, mapping, camera).examine(previous);
 }
 
 } // namespace glint::scene

@@ -20,6 +20,9 @@ struct GBufferHealth {
 
 /// Tests some 20000 pixels of each layer. Finds nothing in an image without a flat or smooth surface, and cannot tell
 /// meanings apart that are equal in this image (view and world normals of a camera that is not rotated).
-GBufferHealth examine(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera);
+///
+/// `previous`  null, or the camera of the frame before, which motion is compared with
+GBufferHealth examine(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera,
+                      const Camera* previous = nullptr);
 
 } // namespace glint::scene

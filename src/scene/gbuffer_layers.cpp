@@ -45,6 +45,19 @@ public:
                             printable(name), channelList(channelsOf(layers.front())));
     }
 
+    /// X and Y, or R and G.
+    Result<std::array<size_t, 2>> pair(std::string_view key, const std::string& name) const {
+        const std::vector<std::string> layers = layersNamed(name);
+        GLINT_CHECK(checkLayers(key, name, layers));
+        for (const std::string_view letters : {"XY", "RG"}) {
+            const auto a = find(layers.front() + "." + letters[0]), b = find(layers.front() + "." + letters[1]);
+            if (a && b)
+                return std::array<size_t, 2>{*a, *b};
+        }
+        return invalidInput("{}: {}: layer {} has the channels {}, but needs X, Y or R, G", file_.name(), key,
+                            printable(name), channelList(channelsOf(layers.front())));
+    }
+
     bool isPlainPicture() const {
         return channels("").has_value() &&
                std::ranges::none_of(file_.names(), [](const std::string& name) { return name.find('.') != name.npos; });
@@ -56,6 +69,16 @@ public:
     }
     void wantTriple(const std::array<size_t, 3>& channels, std::vector<glm::vec3>& plane) {
         readers_.emplace_back([this, channels, &plane] { plane = tripleOf(channels); });
+        for (const size_t channel : channels)
+            want(channel);
+    }
+    void wantPair(const std::array<size_t, 2>& channels, std::vector<glm::vec2>& plane) {
+        readers_.emplace_back([this, channels, &plane] {
+            const std::vector<float>&x = planeOf(channels[0]), &y = planeOf(channels[1]);
+            plane.resize(x.size());
+            for (size_t i = 0; i < x.size(); ++i)
+                plane[i] = {x[i], y[i]};
+        });
         for (const size_t channel : channels)
             want(channel);
     }
@@ -222,6 +245,16 @@ public:
         return {};
     }
 
+    Result<void> pair(LayerTable& table, std::string_view key, const std::string& name, std::vector<glm::vec2>& plane) {
+        if (name.empty())
+            return {};
+        const auto found = table.pair(key, name);
+        if (!found)
+            return missing(key, found.error());
+        table.wantPair(*found, plane);
+        return {};
+    }
+
     Result<void> color(LayerTable& table, std::string_view key, const ColorSum& sum, std::vector<glm::vec3>& plane) {
         if (sum.empty())
             return {};
@@ -279,6 +312,7 @@ Result<GBufferLayers> readLayers(const ExrChannels& surfaces, const ExrChannels&
     GLINT_CHECK(requests.scalar(surface, "ior", mapping.ior.layer, layers.ior));
     GLINT_CHECK(requests.triple(surface, "f0", mapping.f0, layers.f0));
     GLINT_CHECK(requests.triple(surface, "baseColor", mapping.baseColor, layers.baseColor));
+    GLINT_CHECK(requests.pair(surface, "motion", mapping.motion, layers.motion));
     LayerTable color(colors);
     if (color.isPlainPicture()) {
         GLINT_CHECK(requests.triple(color, "color", std::string(kRootColor), layers.color));

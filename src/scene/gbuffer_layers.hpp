@@ -23,6 +23,7 @@ struct GBufferLayers {
     std::vector<float> ior;
     std::vector<glm::vec3> f0;
     std::vector<glm::vec3> baseColor;
+    std::vector<glm::vec2> motion;
     std::vector<glm::vec3> color;
     std::vector<glm::vec3> fallbackSpecular;
     std::vector<glm::vec3> reference;

@@ -34,9 +34,10 @@ constexpr MappingPreset kPresets[] = {{"blender", R"({
   "metallic": "Metallic",
   "baseColor": "BaseColor",
   "ior": "IOR",
+  "motion": {"layer": "Vector", "unit": "pixels", "scale": [1, -1]},
   "color": "Combined",
   "fallbackSpecular": {"times": "GlossCol", "sum": ["GlossDir", "GlossInd"]},
-  "optional": ["position", "metallic", "baseColor", "ior", "fallbackSpecular"]
+  "optional": ["position", "metallic", "baseColor", "ior", "motion", "fallbackSpecular"]
 }
 )"},
                                       {"glint", R"({
@@ -85,6 +86,7 @@ private:
                                         {"metallic", &MappingReader::readMetallic},
                                         {"baseColor", &MappingReader::readBaseColor},
                                         {"ior", &MappingReader::readIor},
+                                        {"motion", &MappingReader::readMotion},
                                         {"color", &MappingReader::readColor},
                                         {"fallbackSpecular", &MappingReader::readColor},
                                         {"reference", &MappingReader::readColor},
@@ -254,6 +256,27 @@ private:
         return {};
     }
 
+    Result<void> readMotion(const std::string& key, const MappingJson& json) {
+        static constexpr std::array<std::string_view, 2> kUnits = {"uv", "pixels"};
+        GLINT_TRY(found, layer(key, json, {"unit", "scale"}));
+        mapping_.motion = found;
+        if (!json.is_object())
+            return {};
+        if (json.contains("unit")) {
+            GLINT_TRY(unit, choice(key + ".unit", json["unit"], kUnits));
+            mapping_.motionInPixels = unit == 1;
+        }
+        if (json.contains("scale")) {
+            const MappingJson& scale = json["scale"];
+            if (!scale.is_array() || scale.size() != 2)
+                return fail(key + ".scale", "must be two numbers, for x and y");
+            GLINT_TRY(x, number(key + ".scale", scale[0], -1e4, 1e4));
+            GLINT_TRY(y, number(key + ".scale", scale[1], -1e4, 1e4));
+            mapping_.motionScale = {x, y};
+        }
+        return {};
+    }
+
     Result<ColorTerm> readTerm(const std::string& key, const MappingJson& json) const {
         ColorTerm term;
         if (!json.is_object()) {
@@ -294,8 +317,8 @@ private:
     }
 
     Result<void> readOptional(const std::string& key, const MappingJson& json) {
-        constexpr std::string_view kMayMiss[] = {"position",         "metallic", "baseColor", "ior",
-                                                 "fallbackSpecular", "coverage", "reference"};
+        constexpr std::string_view kMayMiss[] = {"position", "metallic",         "baseColor", "ior",
+                                                 "motion",   "fallbackSpecular", "coverage",  "reference"};
         if (!json.is_array())
             return fail(key, "must be a list of keys");
         for (const MappingJson& one : json) {

@@ -68,6 +68,9 @@ struct GBufferMapping {
     LayerSource metallic;
     std::string baseColor;             ///< linear; empty: white
     LayerSource ior = {"", 1.5f};      ///< of dielectrics
+    std::string motion;                ///< of sequences; empty: nothing moves but the camera
+    glm::vec2 motionScale = {1, 1};    ///< stored motion to previous - current position, +X right, +Y down
+    bool motionInPixels = false;       ///< else in UV
     ColorSum color;                    ///< the lit picture, linear
     ColorSum fallbackSpecular;         ///< part of `color` that reflections replace
     ColorSum reference;                ///< the true reflection, which figures are measured against

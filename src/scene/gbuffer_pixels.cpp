@@ -48,6 +48,7 @@ public:
         pixels.material.assign(count, glm::vec4(0));
         pixels.baseColor.assign(count, glm::vec3(0));
         pixels.litRadiance.assign(count, glm::vec3(0));
+        pixels.motionUV.assign(layers_.motion.empty() ? 0 : count, glm::vec2(0));
         pixels.fallbackSpecular.assign(layers_.fallbackSpecular.empty() ? 0 : count, glm::vec3(0));
         pixels.reference.assign(layers_.reference.empty() ? 0 : count, glm::vec3(0));
         for (uint32_t y = 0; y < layers_.height; ++y)
@@ -77,6 +78,8 @@ private:
         if (!pixels.reference.empty())
             pixels.reference[to] = finiteRadiance(layers_.reference[from]);
 
+        if (!pixels.motionUV.empty())
+            pixels.motionUV[to] = lens_.motionUV(mapping_, layers_.motion[from]);
         const float viewZ = surfaceZ(x, y, from);
         if (viewZ <= 0)
             return;
@@ -193,6 +196,12 @@ glm::vec3 PixelLens::normalWS(const GBufferMeaning& meaning, const glm::vec3& st
     const float length = glm::length(normal);
     constexpr float kShortest = 0.1f; // shorter ones are means over surfaces of opposite directions
     return std::isfinite(length) && length > kShortest ? normal / length : glm::vec3(0);
+}
+
+glm::vec2 PixelLens::motionUV(const GBufferMapping& mapping, const glm::vec2& stored) const {
+    const glm::vec2 motion = stored * mapping.motionScale / (mapping.motionInPixels ? size_ : glm::vec2(1));
+    constexpr float kFarthest = 10; // what lies screens away is not found again
+    return std::isfinite(motion.x + motion.y) ? glm::clamp(motion, -kFarthest, kFarthest) : glm::vec2(0);
 }
 
 glm::vec3 PixelLens::positionWS(const GBufferMeaning& meaning, const glm::vec3& stored) {

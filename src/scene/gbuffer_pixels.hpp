@@ -22,6 +22,8 @@ public:
     float viewZ(const GBufferMeaning& meaning, float stored, uint32_t x, uint32_t y) const;
     /// Stored normal to world space, unit length. Returns (0, 0, 0) if it has no direction.
     glm::vec3 normalWS(const GBufferMeaning& meaning, const glm::vec3& stored) const;
+    /// Stored motion to previous - current UV. Returns 0 where it is no number.
+    glm::vec2 motionUV(const GBufferMapping& mapping, const glm::vec2& stored) const;
     /// Stored position to world space, in metres.
     static glm::vec3 positionWS(const GBufferMeaning& meaning, const glm::vec3& stored);
     const glm::mat4& worldToView() const { return worldToView_; }
@@ -44,6 +46,7 @@ struct GBufferPixels {
     std::vector<glm::vec3> normalWS;  ///< unit; 0: background
     std::vector<glm::vec4> material;  ///< F0 in rgb, perceptual roughness in a; 0: background
     std::vector<glm::vec3> baseColor; ///< [0, 1]; white if unknown
+    std::vector<glm::vec2> motionUV;  ///< previous - current UV; empty: nothing moves but the camera
     std::vector<glm::vec3> litRadiance;
     std::vector<glm::vec3> fallbackSpecular; ///< empty: unknown
     std::vector<glm::vec3> reference;        ///< empty: none

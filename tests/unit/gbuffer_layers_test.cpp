@@ -107,6 +107,19 @@ TEST(GBufferLayers, OptionalLayersThatAreMissingAreNotes) {
     EXPECT_TRUE(layers.metallic.empty());
 }
 
+TEST(GBufferLayers, MotionIsThePairXY) {
+    auto channels = kChannels;
+    for (const char* vector : {"View.V.X", "View.V.Y", "View.V.Z", "View.V.W"})
+        channels.emplace_back(vector, float(channels.size()));
+    GBufferMapping names = mapping();
+    names.motion = "V";
+    EXPECT_THAT(must(readLayers(fileOf(channels), fileOf(channels), names)).motion,
+                ElementsAre(glm::vec2(15, 16), glm::vec2(15.5f, 16.5f)));
+    names.motion = "mask";
+    EXPECT_THAT(errorOf(fileOf(channels), names),
+                HasSubstr("motion: layer mask has the channels mask.V, but needs X, Y"));
+}
+
 TEST(GBufferLayers, ThePictureMayBeAFileOfItsOwn) {
     const ExrChannels file = fileOf(kChannels);
     const ExrChannels plain = fileOf({{"R", 20}, {"G", 21}, {"B", 22}});

@@ -42,6 +42,7 @@ TEST(GBufferMapping, EveryKeyIsRead) {
             "depth": {"layer": "D", "is": "distance", "background": 1000}, "position": "P", "coverage": "A",
             "normal": {"layer": "N", "space": "view", "unorm": true, "inward": true},
             "smoothness": "S", "f0": "F", "metallic": "M", "baseColor": "B", "ior": 1.33,
+            "motion": {"layer": "V", "unit": "pixels", "scale": [1, -0.5]},
             "color": ["C1", {"times": "C2", "sum": ["C3", "C4"]}], "fallbackSpecular": "G", "reference": "R",
             "optional": ["metallic"]})",
         "m.json"));
@@ -60,6 +61,9 @@ TEST(GBufferMapping, EveryKeyIsRead) {
     EXPECT_EQ(mapping.metallic.layer, "M");
     EXPECT_EQ(mapping.baseColor, "B");
     EXPECT_FLOAT_EQ(mapping.ior.constant, 1.33f);
+    EXPECT_EQ(mapping.motion, "V");
+    EXPECT_TRUE(mapping.motionInPixels);
+    EXPECT_EQ(mapping.motionScale, glm::vec2(1, -0.5f));
     ASSERT_EQ(mapping.color.size(), 2u);
     EXPECT_EQ(mapping.color[1].times, "C2");
     EXPECT_THAT(mapping.color[1].sum, ElementsAre("C3", "C4"));
@@ -86,6 +90,9 @@ TEST(GBufferMapping, MistakesAreNamedByTheirKey) {
         {R"({"roughness": 2})", "roughness must be a number from 0 to 1"},
         {R"({"roughness": 0.5, "smoothness": 0.5})", "is given twice"},
         {R"({"ior": 0.5})", "ior must be a number from 1"},
+        {R"({"motion": {"layer": "V", "unit": "metres"}})", "motion.unit must be uv or pixels"},
+        {R"({"motion": {"layer": "V", "scale": 2}})", "motion.scale must be two numbers"},
+        {R"({"motion": {"layer": "V", "scale": [1, "x"]}})", "motion.scale must be a number"},
         {R"({"color": []})", "color must have 1 to"},
         {R"({"color": {"times": "A"}})", "color.sum must be a list"},
         {R"({"color": {"plus": "A", "sum": ["B"]}})", "color.plus is unknown"},

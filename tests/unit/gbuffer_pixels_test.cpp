@@ -156,6 +156,21 @@ TEST(GBufferPixels, RowsFromTheBottom) {
     EXPECT_EQ(pixels.litRadiance[2 * kWidth + 3], glm::vec3(3, 2, 1));
 }
 
+TEST(GBufferPixels, MotionIsPreviousMinusCurrentUV) {
+    GBufferLayers stored = layers();
+    GBufferMapping names = mapping();
+    EXPECT_TRUE(must(decodeLayers(stored, names, camera(), "f")).motionUV.empty());
+    stored.motion.assign(stored.pixels(), glm::vec2(2, 3));
+    stored.motion[1] = {kNaN, 0};
+    EXPECT_EQ(must(decodeLayers(stored, names, camera(), "f")).motionUV[0], glm::vec2(2, 3));
+    names.motionInPixels = true;
+    names.motionScale = {1, -1}; // as Blender's
+    const GBufferPixels pixels = must(decodeLayers(stored, names, camera(), "f"));
+    EXPECT_FLOAT_EQ(pixels.motionUV[0].x, 2.0f / kWidth);
+    EXPECT_FLOAT_EQ(pixels.motionUV[0].y, -3.0f / kHeight);
+    EXPECT_EQ(pixels.motionUV[1], glm::vec2(0));
+}
+
 TEST(GBufferPixels, MaterialsAreReflectanceAndRoughness) {
     GBufferLayers stored = layers();
     GBufferMapping names = mapping();

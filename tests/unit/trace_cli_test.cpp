@@ -43,7 +43,8 @@ protected:
     /// Runs `glint trace` and returns its line of error, after checking that it is one and that the exit code is 2.
     std::string errorOf(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"glint", "trace"});
-        arguments.insert(arguments.end(), {"-o", temp_ + "out.exr"});
+        if (std::ranges::find(arguments, "-o") == arguments.end())
+            arguments.insert(arguments.end(), {"-o", temp_ + "out.exr"});
         std::vector<const char*> argv;
         for (const std::string& argument : arguments)
             argv.push_back(argument.c_str());
@@ -117,6 +118,16 @@ TEST_F(TraceCliTest, SizesMustAgree) {
                 HasSubstr("c.exr: has 4x2 pixels, but"));
     must(writeFile(camera_, R"({"position":[0,1,3],"target":[0,0,0],"fovY":50,"width":100,"height":100})"));
     EXPECT_THAT(errorOfFile(), HasSubstr("the camera is made for 100x100 pixels, but"));
+}
+
+TEST_F(TraceCliTest, SequencesHaveNumbers) {
+    for (const char* wrong : {"3", "3-", "5-4", "1-2-3", "a-b", "0-4000000000"})
+        EXPECT_THAT(errorOfFile({"--sequence", wrong}), HasSubstr(std::string("--sequence ") + wrong)) << wrong;
+    EXPECT_THAT(errorOfFile({"--sequence", "1-3"}), HasSubstr("g.exr: --sequence needs %d or %04d in it"));
+    EXPECT_THAT(errorOf({temp_ + "g.%03d.exr", "--camera", camera_, "--sequence", "1-3"}),
+                HasSubstr("out.exr: --sequence needs %d or %04d in it"));
+    EXPECT_THAT(errorOf({temp_ + "g.%03d.exr", "--camera", camera_, "--sequence", "7-9", "-o", temp_ + "o.%d.exr"}),
+                HasSubstr("g.007.exr: No such file"));
 }
 
 TEST_F(TraceCliTest, PrintMappingIsAMappingFile) {
