@@ -40,7 +40,7 @@ bool equal(const Imath::Box2i& a, const Imath::Box2i& b) {
 
 /// The image is the display window, which is what the camera sees. A cropped or larger data window would shift it.
 Result<void> checkWindow(const Imf::Header& header, const std::string& name, uint64_t maxPixels) {
-    const Imath::Box2i window = header.dataWindow();
+    const Imath::Box2i& window = header.dataWindow();
     const int64_t width = int64_t(window.max.x) - window.min.x + 1;
     const int64_t height = int64_t(window.max.y) - window.min.y + 1;
     if (width < 1 || height < 1)
@@ -48,7 +48,7 @@ Result<void> checkWindow(const Imf::Header& header, const std::string& name, uin
     if (width > kMaxImageSide || height > kMaxImageSide || uint64_t(width) * uint64_t(height) > maxPixels)
         return invalidInput("{}: {} x {} pixels are too many, at most {} a side and {} in all are read", name, width,
                             height, kMaxImageSide, maxPixels);
-    const Imath::Box2i display = header.displayWindow();
+    const Imath::Box2i& display = header.displayWindow();
     if (!equal(window, display))
         return invalidInput("{}: its data window ({}, {} to {}, {}) is not its display window ({}, {} to {}, {}): "
                             "render without a crop region or overscan",
@@ -122,7 +122,7 @@ Result<void> ExrChannels::readHeaders(uint64_t maxPixels) {
             continue;
         }
         GLINT_CHECK(checkWindow(header, name_, maxPixels));
-        const Imath::Box2i window = header.dataWindow();
+        const Imath::Box2i& window = header.dataWindow();
         const auto width = uint32_t(window.max.x - window.min.x + 1);
         const auto height = uint32_t(window.max.y - window.min.y + 1);
         if (!names_.empty() && (width != width_ || height != height_))

@@ -150,7 +150,7 @@ private:
             return name(key, json);
         for (const auto& [inner, value] : json.items())
             if (inner != "layer" && std::ranges::find(further, inner) == further.end())
-                return fail(key + "." + inner, "is unknown" + suggestion(inner, further));
+                return fail(fmt::format("{}.{}", key, inner), "is unknown" + suggestion(inner, further));
         if (!json.contains("layer"))
             return fail(key + ".layer", "is missing");
         return name(key + ".layer", json["layer"]);
@@ -286,7 +286,7 @@ private:
         }
         for (const auto& [inner, value] : json.items())
             if (inner != "times" && inner != "sum")
-                return fail(key + "." + inner, "is unknown; a term has \"times\" and \"sum\"");
+                return fail(fmt::format("{}.{}", key, inner), "is unknown; a term has \"times\" and \"sum\"");
         if (json.contains("times")) {
             GLINT_TRY(found, name(key + ".times", json["times"]));
             term.times = found;
