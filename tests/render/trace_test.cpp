@@ -36,6 +36,10 @@ protected:
         job.settings.reflections.screen.highlights = true;
         job.settings.reflections.screen.thicknessMode = ThicknessMode::Constant;
         job.settings.reflections.screen.thickness = 0.1f;
+        // Sharp and without a history: every ray is compared.
+        job.settings.reflections.denoise.enabled = false;
+        job.settings.reflections.reflect.roughnessFadeStart = 0.2f;
+        job.settings.reflections.reflect.maxRoughness = 0.4f;
         job.statistics = true;
         return job;
     }
