@@ -18,8 +18,8 @@ struct View {
     uint32_t seed = 0;               ///< equal seed and frameIndex give bit-identical results
     /// Time since the previous frame of this view: converts settings in seconds to frames. 0: a sixtieth of a second.
     float seconds = 0;
-    /// True where the picture does not go on from the previous frame's (another camera, another place): the frame starts
-    /// without any history.
+    /// True where the picture does not go on from the previous frame's (another camera, another place): the frame
+    /// starts without any history.
     bool cut = false;
     /// The host's frame counter, starting at 1. Glint derives from it which frames the GPU has finished
     /// (ReflectionsDesc::framesInFlight). 0: each call of Reflections::record counts as one frame. Set it if a frame
