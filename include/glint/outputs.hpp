@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The host's images that Glint writes its results to.
 #pragma once
 
