@@ -63,7 +63,7 @@ enum class RoughnessKind : uint8_t {
 struct MaterialChannel {
     /// The image that holds the channel; absent: GBuffer::material. May be an image that the G-buffer states already,
     /// like normal or baseColor: state the same HostImage again.
-    HostImage image;
+    HostImage image = {};
     uint32_t channel = 0; ///< [0, 3]; the format must have it
     float scale = 1;      ///< 0: every pixel has the value `bias`, and no image is read
     float bias = 0;

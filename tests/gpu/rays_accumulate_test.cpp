@@ -33,6 +33,7 @@ protected:
         settings.rays.enabled = true;
         settings.rays.accumulate = accumulate;
         settings.rays.samples = samples;
+        settings.denoise.enabled = false;
         return settings;
     }
 
