@@ -20,6 +20,16 @@ Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     return renderFrames(session, job);
 }
 
+namespace {
+
+/// True if a frame reads what was blended over the one before. Otherwise the host draws a still the same in every
+/// frame, and once is enough for all but the last, whose picture counts.
+bool readsBlended(const Settings& settings) {
+    return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
+}
+
+} // namespace
+
 Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex) {
     const JobInputs& inputs = session.inputs();
     if (job.inspect && ((*job.inspect)[0] >= inputs.width || (*job.inspect)[1] >= inputs.height))
@@ -27,7 +37,9 @@ Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& j
                                inputs.width, inputs.height);
     for (uint32_t i = 0; i < job.frames; ++i) {
         FramePlan plan;
-        if (i + 1 == job.frames)
+        const bool last = i + 1 == job.frames;
+        plan.draw = i == 0 || last || readsBlended(job.settings.reflections);
+        if (last)
             plan.inspect = job.inspect;
         GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
         if (job.progress)

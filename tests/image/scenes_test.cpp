@@ -165,6 +165,20 @@ TEST_F(ScenesTest, theSameJobGivesTheSameBits) {
     EXPECT_EQ(first.views[1].rgba, second.views[1].rgba);
 }
 
+TEST_F(ScenesTest, framesOfAStillLookAsIfAllWereDrawn) {
+    for (const char* scene : {"builtin:hall", "builtin:glass"})
+        for (const char* colors : {"current", "previous"}) {
+            render::RenderJob job = makeJob(scene, 96, 54, {"composite"},
+                                            {"denoise.enabled=true", fmt::format("screen.colorSource={}", colors)});
+            job.frames = 4;
+            job.planar = render::MirrorSearch::Auto;
+            render::ReflectionSession session = must(render::openJob(device(), job));
+            for (uint32_t i = 0; i < job.frames; ++i)
+                must(session.renderFrame(i));
+            EXPECT_EQ(run(job).views[0].rgba, must(session.readView("composite")).rgba) << scene << ", " << colors;
+        }
+}
+
 TEST_F(ScenesTest, inspectingExplainsARayOfTheHall) {
     for (const char* march : {"linear", "adaptive", "hiz"}) {
         render::RenderJob job =
