@@ -17,12 +17,13 @@ layout(set = 0, binding = 5) uniform sampler2D motion;         // previous UV - 
 layout(set = 0, binding = 6) uniform sampler2D meanBefore;
 layout(set = 0, binding = 7) uniform sampler2D metaBefore;
 layout(set = 0, binding = 8) uniform usampler2D placeBefore;
-layout(set = 0, binding = 12) uniform sampler2D fastBefore;    // luminance: mean over few frames
-layout(set = 0, binding = 13) uniform sampler2D changed;       // of the previous frame's tiles: change.comp
-layout(set = 0, binding = 14, r16f) uniform writeonly image2D fast;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D mean;  // weight * radiance, weight
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D meta; // frames; luminance: mean, mean square; nearness
 layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place; // viewZ; normal, octahedral in view space
+// Luminance, the mean over few frames: kept if settings.comparesMeans.
+layout(set = 0, binding = 12) uniform sampler2D fastBefore;
+layout(set = 0, binding = 13, r16f) uniform writeonly image2D fast;
+layout(set = 0, binding = 14) uniform sampler2D changed; // of the previous frame's tiles: change.comp
 DenoiseConstants settings = frame.settings.denoise;
 
 /// Angle by which packed normals may be off: sixteen bits a component.
@@ -103,7 +104,8 @@ Candidate lookUp(Was was, vec2 at) {
             continue;
         found.mean += weight * texelFetch(meanBefore, texel, 0);
         found.meta += weight * texelFetch(metaBefore, texel, 0);
-        found.fast += weight * texelFetch(fastBefore, texel, 0).r;
+        if (settings.comparesMeans != 0u)
+            found.fast += weight * texelFetch(fastBefore, texel, 0).r;
         found.share += weight;
         positions += weight * position;
         normals += weight * normal;
@@ -195,6 +197,7 @@ void main() {
     const float kLargestHalf = 6.0e4;
     imageStore(mean, px, min(answer, vec4(kLargestHalf)));
     imageStore(meta, px, min(moments, vec4(kLargestHalf)));
-    imageStore(fast, px, vec4(min(fastMean, kLargestHalf)));
+    if (settings.comparesMeans != 0u)
+        imageStore(fast, px, vec4(min(fastMean, kLargestHalf)));
     imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
 }

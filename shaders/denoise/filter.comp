@@ -18,12 +18,17 @@ DenoiseConstants settings = frame.settings.denoise;
 
 const uint kTaps = 16u;
 const uint kYoungTaps = 32u; // in the first frames, which look twice as far
-const float kEnough = 4.0;     // frames until the variance over frames says how noisy a pixel is
+
+/// 1 in a pixel's first frame, 0 once the variance over frames says how noisy the pixel is.
+float youth(float frames) {
+    const float kEnough = 4.0;
+    return saturate(1.0 - (frames - 1.0) / kEnough);
+}
 
 /// Standard deviation of the mean, from the variance over frames; without enough frames, as large as the mean.
 float deviation(vec4 moments) {
     float overFrames = sqrt(max(moments.z - square(moments.y), 0.0) / max(moments.x, 1.0));
-    return max(overFrames, moments.y * saturate(1.0 - (moments.x - 1.0) / kEnough));
+    return max(overFrames, moments.y * youth(moments.x));
 }
 
 bool hasRay(ivec2 px) {
@@ -41,10 +46,9 @@ void main() {
         float noise = deviation(moments);
         float strength = saturate(noise / max(settings.noiseTarget * moments.y, 1e-6));
         // A first frame is one sample of the lobe: its neighbours' are all that there is.
-        float young = saturate(1.0 - (moments.x - 1.0) / kEnough);
-        float widest =
-            min(settings.filterRadius,
-                mix(0.5, 1.0, young) * lobePixels(here.perceptualRoughness, here.viewZ, moments.w));
+        float young = youth(moments.x);
+        float lobe = lobePixels(here.perceptualRoughness, here.viewZ, moments.w);
+        float widest = min(settings.filterRadius, mix(0.5, 1.0, young) * lobe);
         uint taps = young > 0.0 ? kYoungTaps : kTaps;
         float radius = widest * strength;
         if (radius >= 0.5) {

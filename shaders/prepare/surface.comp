@@ -23,30 +23,16 @@ layout(set = 0, binding = 8) uniform sampler2D roughness;
 layout(set = 0, binding = 9) uniform sampler2D metallic;
 layout(set = 0, binding = 10) uniform sampler2D specular;
 
-float loadChannel(sampler2D image, ivec2 px, HostChannel channel) {
-    return channel.scale == 0.0 ? channel.bias
-                                : texelFetch(image, px, 0)[channel.channel] * channel.scale + channel.bias;
-}
-
-HostMaterial loadMaterial(ivec2 px) {
-    HostMaterial here =
-        HostMaterial(vec3(0.0), vec3(0.0), loadChannel(roughness, px, frame.constants.roughness), 0.0, 0.0);
-    if (frame.constants.materialKind == kHostMaterialMetallicRoughness) {
-        here.baseColor = texelFetch(baseColor, px, 0).rgb;
-        here.metallic = loadChannel(metallic, px, frame.constants.metallic);
-        here.specular = loadChannel(specular, px, frame.constants.specular);
-    } else {
-        here.f0 = texelFetch(material, px, 0).rgb;
-    }
-    return here;
-}
+#define GLINT_HOST_SAMPLER sampler2D
+#include "prepare/load_material.glsl"
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
     HostSurface here =
-        hostSurface(frame.constants, texelFetch(depth, px, 0).r, texelFetch(normal, px, 0).xyz, loadMaterial(px));
+        hostSurface(frame.constants, texelFetch(depth, px, 0).r, texelFetch(normal, px, 0).xyz,
+                    loadMaterial(px, 0));
     imageStore(viewZ, px, vec4(storedViewZ(frame.constants, here.viewZ)));
     imageStore(surface, px,
                uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));

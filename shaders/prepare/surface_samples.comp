@@ -30,23 +30,8 @@ layout(set = 0, binding = 9) uniform sampler2DMS roughness;
 layout(set = 0, binding = 10) uniform sampler2DMS metallic;
 layout(set = 0, binding = 11) uniform sampler2DMS specular;
 
-float loadChannel(sampler2DMS image, ivec2 px, int index, HostChannel channel) {
-    return channel.scale == 0.0 ? channel.bias
-                                : texelFetch(image, px, index)[channel.channel] * channel.scale + channel.bias;
-}
-
-HostMaterial loadMaterial(ivec2 px, int index) {
-    HostMaterial here =
-        HostMaterial(vec3(0.0), vec3(0.0), loadChannel(roughness, px, index, frame.constants.roughness), 0.0, 0.0);
-    if (frame.constants.materialKind == kHostMaterialMetallicRoughness) {
-        here.baseColor = texelFetch(baseColor, px, index).rgb;
-        here.metallic = loadChannel(metallic, px, index, frame.constants.metallic);
-        here.specular = loadChannel(specular, px, index, frame.constants.specular);
-    } else {
-        here.f0 = texelFetch(material, px, index).rgb;
-    }
-    return here;
-}
+#define GLINT_HOST_SAMPLER sampler2DMS
+#include "prepare/load_material.glsl"
 
 HostSurface loadSample(ivec2 px, int index) {
     return hostSurface(frame.constants, texelFetch(depth, px, index).r, texelFetch(normal, px, index).xyz,

@@ -42,8 +42,9 @@ struct Path {
 
 /// `lobeRoughness`: perceptual, of the lobe that the direction was drawn from.
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
+    PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
     return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, false, 0u, 0u, false, vec3(1.0),
-                viewRay(originWS, directionWS), kNoVertex, 0.0, cone, PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness))), regularization, kAir,
+                viewRay(originWS, directionWS), kNoVertex, 0.0, cone, spread, regularization, kAir,
                 isOn(kRaysTransparents) ? settings.transparents : 0u);
 }
 
@@ -187,8 +188,7 @@ Hit traceThrough(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
 
 /// Sends rays to lights from the path's vertex.
 void addLights(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
-    vec3 found =
-        sampleLights(path.vertex, path.ray, path.cone, path.transparents > 0u, px, sampleIndex, bounce);
+    vec3 found = sampleLights(path.vertex, path.ray, path.cone, path.transparents > 0u, px, sampleIndex, bounce);
     if (path.vertex.weighted)
         path.lights += found;
     else

@@ -155,7 +155,8 @@ Sentinel startSentinel(ivec2 tile) {
     Sentinel made;
     made.ray = uvec4(floatBitsToUint(from.originWS), packSnorm2x16(encodeOctahedral(first.ws)));
     made.path = uvec4(0u, packHalf2x16(vec2(0.0, from.perceptualRoughness)),
-                      packHalf2x16(vec2(from.cone.width, from.cone.spread)), kExists | (frame.constants.frameIndex & kSequence));
+                      packHalf2x16(vec2(from.cone.width, from.cone.spread)),
+                      kExists | (frame.constants.frameIndex & kSequence));
     return made;
 }
 
@@ -165,8 +166,7 @@ vec2 changeBetween(vec3 then, vec3 now) {
 
 void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 tiles = (ivec2(frame.constants.size) + int(kSentinelTile) - 1) / int(kSentinelTile);
-    if (any(greaterThanEqual(tile, tiles)))
+    if (any(greaterThanEqual(tile * int(kSentinelTile), ivec2(frame.constants.size))))
         return;
     const float kChanged = 0.1; // of its radiance: what makes a witness
     vec2 sum = vec2(0.0);

@@ -43,7 +43,8 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_[1], {"glint/reusedNearness", VK_FORMAT_R32_SFLOAT, w, h}));
     const uint32_t tilesX = tiles(w);
     const uint32_t tilesY = tiles(h);
-    GLINT_CHECK(makeImage(stages.gpu, denoise->changes_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
+    GLINT_CHECK(
+        makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->answer_, {"glint/lobeAnswer", kHalf, w, h}));
     std::array<StageImage, 6> images;
@@ -117,10 +118,10 @@ gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& 
         return inputs.frame.standIns.black;
     if (inputs.followSentinels)
         inputs.followSentinels(frame, {history_.before(kSentinelRay), history_.before(kSentinelPath),
-                                       history_.now(kSentinelRay), history_.now(kSentinelPath), changes_});
+                                       history_.now(kSentinelRay), history_.now(kSentinelPath), sentinelChange_});
     frame.pass(change_)
         .read("frame", inputs.frame.constants)
-        .read("change", inputs.followSentinels ? changes_ : inputs.frame.standIns.black, kTexels)
+        .read("change", inputs.followSentinels ? sentinelChange_ : inputs.frame.standIns.black, kTexels)
         .read("metaBefore", history_.before(kMeta), kTexels)
         .read("fastBefore", history_.before(kFast), kTexels)
         .write("changed", changed_)
