@@ -17,6 +17,16 @@ float pow5(float x) {
     return x2 * x2 * x;
 }
 
+/// The whole number below or at `x`, for |x| < 2^22, by adding the float whose last bit counts ones. Converting to an
+/// integer runs at a quarter of the rate or less on GPUs, and lane by lane on the software driver.
+int floorToInt(float x) {
+    return floatBitsToInt(floor(x) + 12582912.0) - 0x4b400000;
+}
+
+ivec2 floorToInt(vec2 x) {
+    return floatBitsToInt(floor(x) + 12582912.0) - 0x4b400000;
+}
+
 float meanComponent(vec3 v) {
     return (v.x + v.y + v.z) / 3.0;
 }

@@ -62,10 +62,6 @@ uint packQuarter(vec2 quarter, float slab) {
     return uint(max(floor(steps.x - 0.01), 0.0)) | (uint(min(ceil(steps.y + 0.01), 63.0)) << 6);
 }
 
-vec2 unpackQuarter(uint packed, float slab) {
-    return vec2(packed & 63u, (packed >> 6) & 63u) * (slab / 63.0);
-}
-
 /// Packs a slope that was stored before to exactly the same halves: adds an eighth of a step, because drivers may round
 /// down, and may divide by the width a little less than exactly.
 uint packSlope(vec2 slope, float width) {
@@ -83,17 +79,31 @@ uvec4 packCell(Cell cell, float width) {
                      (slabShare << 24));
 }
 
+/// A cell whose quarters are still packed, for rays, which look at few of them.
+struct CellBounds {
+    float front;
+    float depth;
+    float slab;
+    vec2 slope;
+    uvec2 quarters; // the upper two, the lower two
+};
+
+CellBounds unpackBounds(uvec4 packed, float invWidth) {
+    float front = uintBitsToFloat(packed.x);
+    return CellBounds(front, unpackShare(packed.z >> 24, abs(front)), unpackShare(packed.w >> 24, abs(front)),
+                      unpackHalf2x16(packed.y) * invWidth, packed.zw);
+}
+
+/// The solid part of quarter `which`: 1 for the right ones, plus 2 for the lower ones.
+vec2 quarterSolid(CellBounds cell, int which) {
+    uint packed = ((which & 2) != 0 ? cell.quarters.y : cell.quarters.x) >> (12 * (which & 1));
+    return vec2(packed & 63u, (packed >> 6) & 63u) * (cell.slab / 63.0);
+}
+
 Cell unpackCell(uvec4 packed, float invWidth) {
-    Cell cell;
-    cell.front = uintBitsToFloat(packed.x);
-    cell.slope = unpackHalf2x16(packed.y) * invWidth;
-    cell.depth = unpackShare(packed.z >> 24, abs(cell.front));
-    cell.slab = unpackShare(packed.w >> 24, abs(cell.front));
-    cell.quarters[0] = unpackQuarter(packed.z, cell.slab);
-    cell.quarters[1] = unpackQuarter(packed.z >> 12, cell.slab);
-    cell.quarters[2] = unpackQuarter(packed.w, cell.slab);
-    cell.quarters[3] = unpackQuarter(packed.w >> 12, cell.slab);
-    return cell;
+    CellBounds cell = unpackBounds(packed, invWidth);
+    return Cell(cell.front, cell.depth, cell.slab, cell.slope,
+                vec2[4](quarterSolid(cell, 0), quarterSolid(cell, 1), quarterSolid(cell, 2), quarterSolid(cell, 3)));
 }
 
 #endif

@@ -113,12 +113,12 @@ Cell emptyCell(bool broken) {
 }
 
 /// The values that a cell above needs of this one, exactly.
-uvec4 packBounds(Cell cell) {
+uvec4 packShared(Cell cell) {
     return uvec4(floatBitsToUint(cell.front), floatBitsToUint(cell.depth), floatBitsToUint(cell.slab),
                  packSlope(cell.slope, width));
 }
 
-Cell unpackBounds(uvec4 packed) {
+Cell unpackShared(uvec4 packed) {
     Cell cell = emptyCell(false);
     cell.front = uintBitsToFloat(packed.x);
     cell.depth = uintBitsToFloat(packed.y);
@@ -258,7 +258,7 @@ void reduceTile() {
     }
     Cell value = cellOfCells(children, 2.0);
     store(2, level2, value);
-    sharedCells[gl_LocalInvocationIndex] = packBounds(value);
+    sharedCells[gl_LocalInvocationIndex] = packShared(value);
 
     int across = 16; // cells a side in shared memory
     for (int level = 3; level <= int(kPyramidTileLevel); ++level) {
@@ -268,14 +268,14 @@ void reduceTile() {
         if (works) {
             for (int i = 0; i < 4; ++i) {
                 ivec2 child = thread * 2 + ivec2(i & 1, i >> 1);
-                children[i] = unpackBounds(sharedCells[child.y * across + child.x]);
+                children[i] = unpackShared(sharedCells[child.y * across + child.x]);
             }
             value = cellOfCells(children, float(1 << (level - 1)));
             store(level, ivec2(gl_WorkGroupID.xy) * half_ + thread, value);
         }
         barrier();
         if (works)
-            sharedCells[thread.y * half_ + thread.x] = packBounds(value);
+            sharedCells[thread.y * half_ + thread.x] = packShared(value);
         across = half_;
     }
 }
@@ -293,12 +293,12 @@ void reduceTiles() {
             for (int i = 0; i < 4; ++i) {
                 ivec2 child = cell * 2 + ivec2(i & 1, i >> 1);
                 children[i] = all(lessThan(child, childSize))
-                                  ? unpackBounds(tiles.cells[from + child.y * childSize.x + child.x])
+                                  ? unpackShared(tiles.cells[from + child.y * childSize.x + child.x])
                                   : emptyCell(false); // outside the image
             }
             Cell value = cellOfCells(children, float(1 << (level - 1)));
             store(level, cell, value);
-            tiles.cells[to + k] = packBounds(value);
+            tiles.cells[to + k] = packShared(value);
         }
         memoryBarrierBuffer();
         barrier();

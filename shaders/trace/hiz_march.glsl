@@ -1,6 +1,8 @@
 // The `hiz` marcher: walks cell by cell through the depth pyramid. The ray leaves a cell at once if it passes in front
-// of or behind the cell's surfaces. A cell that shows a single flat surface gives the hit itself. In any other cell the
-// ray descends a level. docs/techniques/hiz.md
+// of or behind the cell's surfaces. A cell that shows a single flat surface gives the pixel of the hit itself. In any
+// other cell the ray descends a level. Walking and testing pixels are loops of their own, so that the rays of a group
+// test together: a ray that has come to a pixel waits until the others have, too. docs/techniques/hiz.md
+#include "lib/math.glsl"
 #include "lib/nearness.glsl"
 #include "lib/pyramid.glsl"
 #include "trace/hit_test.glsl"
@@ -13,11 +15,6 @@ const int kFirstLevel = 4;
 const float kRounding = 2e-6;
 /// A flat cell gives the hit itself if it places the hit this exactly, in pixels along the ray.
 const float kFlatEnough = 0.75;
-
-Cell lookUp(ivec2 cell, int level) {
-    ivec2 size = ivec2(frame.constants.size);
-    return unpackCell(texelFetch(pyramid, pyramidOffset(size, level) + cell, 0), frame.constants.invSize.x);
-}
 
 /// The line on screen, in the form that crossings of cell borders need.
 struct Line {
@@ -44,10 +41,9 @@ float leaveCell(Line line, vec2 low, float size, out bool overX) {
 
 /// The pixel behind the border across which the ray leaves a cell.
 ivec2 enterNext(Line line, ivec2 cell, int level, float share, bool overX) {
-    vec2 at = line.startPX + line.deltaPX * share;
     ivec2 low = cell << level;
     ivec2 high = ((cell + 1) << level) - 1;
-    ivec2 px = clamp(ivec2(floor(at)), low, high);
+    ivec2 px = clamp(floorToInt(line.startPX + line.deltaPX * share), low, high);
     if (overX)
         px.x = line.deltaPX.x > 0.0 ? high.x + 1 : low.x - 1;
     else
@@ -55,190 +51,234 @@ ivec2 enterNext(Line line, ivec2 cell, int level, float share, bool overX) {
     return px;
 }
 
+/// A ray's way through a cell or a part of it, from `share` to `end` of its line, and its height over the cell's plane
+/// as a function of the share: nearness, `above` + `climb` * share.
+struct Way {
+    float share;
+    float end;
+    float above;
+    float climb;
+};
+
 /// Where the march continues inside a cell that it descends into.
 struct Quarter {
     bool found; // false: the ray passes all quarters
     float share;
-    ivec2 px;
+    int which; // as for quarterSolid
 };
 
-/// The first quarter of `cell` that the ray may hit, from `share` to `last` of its line. `above` and `climb` give the
-/// ray's height over the cell's plane.
-Quarter firstQuarter(Line line, Cell cell, int level, ivec2 px, float share, float last, float above, float climb,
-                     float rounding) {
-    ivec2 parent = px >> level;
-    for (int i = 0; i < 3; ++i) { // a line crosses at most three quarters
-        ivec2 child = px >> (level - 1);
-        bool overX;
-        float leave = leaveCell(line, vec2(child << (level - 1)), float(1 << (level - 1)), overX);
-        float end = min(max(leave, share), last);
-        vec2 solid = cell.quarters[(child.x & 1) + 2 * (child.y & 1)];
-        float first = above + climb * share;
-        float final = above + climb * end;
-        bool inFront = min(first, final) >= -solid.x - rounding;
-        bool behind = max(above + climb * max(share - line.pixelShare, 0.0), final) < -solid.y;
-        if (!inFront && !behind && solid.x <= solid.y) {
-            // The ray hits nothing before it reaches the solid part.
-            float to = share;
-            if (first > -solid.x)
-                to = clamp((-solid.x - above) / climb, share, end);
-            else if (first < -solid.y)
-                to = clamp((-solid.y - above) / climb - line.pixelShare, share, end);
-            ivec2 low = child << (level - 1);
-            ivec2 high = min((child + 1) << (level - 1), ivec2(frame.constants.size)) - 1;
-            return Quarter(true, to, clamp(ivec2(floor(line.startPX + line.deltaPX * to)), low, high));
-        }
-        if (behind && solid.x <= solid.y)
-            passBehind(share);
-        if (leave >= last)
-            break;
-        ivec2 next = enterNext(line, child, level - 1, leave, overX);
-        if ((next >> level) != parent)
-            break;
-        px = next;
-        share = end;
+/// Does the ray hit something in quarter `which`, on its way there?
+Quarter enterQuarter(Line line, CellBounds cell, int which, Way way, float rounding) {
+    vec2 solid = quarterSolid(cell, which);
+    float first = way.above + way.climb * way.share;
+    float last = way.above + way.climb * way.end;
+    bool inFront = min(first, last) >= -solid.x - rounding;
+    // Starts a pixel earlier, as tests of single pixels do.
+    bool behind = max(way.above + way.climb * max(way.share - line.pixelShare, 0.0), last) < -solid.y;
+    bool isSolid = solid.x <= solid.y;
+    if (behind && isSolid)
+        passBehind(way.share);
+    // The ray hits nothing before it reaches the solid part.
+    float to = way.share;
+    if (first > -solid.x)
+        to = clamp((-solid.x - way.above) / way.climb, way.share, way.end);
+    else if (first < -solid.y)
+        to = clamp((-solid.y - way.above) / way.climb - line.pixelShare, way.share, way.end);
+    return Quarter(isSolid && !inFront && !behind, to, which);
+}
+
+/// The first quarter of the cell at `at` that the ray may hit on its way from pixel `px`.
+Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding) {
+    // A line crosses at most three quarters: it goes over the cell's middle in x and in y, unless it starts behind it.
+    ivec2 quarter = (px >> (level - 1)) & 1;
+    vec2 middle = vec2((2 * at + 1) << (level - 1));
+    vec2 crossing = max((middle - line.startPX) * line.invDelta, way.share);
+    crossing = mix(vec2(1e30), crossing, notEqual(vec2(quarter), line.forward));
+    crossing = mix(crossing, vec2(1e30), greaterThan(abs(line.invDelta), vec2(1e29)));
+    float first = min(crossing.x, crossing.y);
+    float second = max(crossing.x, crossing.y);
+    int which = quarter.x + 2 * quarter.y;
+    Quarter found = enterQuarter(line, cell, which, Way(way.share, min(first, way.end), way.above, way.climb), rounding);
+    if (!found.found && first < way.end) {
+        int next = which ^ (crossing.x < crossing.y ? 1 : 2);
+        found = enterQuarter(line, cell, next, Way(first, min(second, way.end), way.above, way.climb), rounding);
+        if (!found.found && second < way.end)
+            found = enterQuarter(line, cell, which ^ 3, Way(second, way.end, way.above, way.climb), rounding);
     }
-    return Quarter(false, last, px);
+    return found;
+}
+
+/// A pixel that decides whether the ray ends there.
+struct Candidate {
+    bool found;
+    bool inFlatCell; // a cell of several pixels shows one flat surface, and the ray meets it here
+    ivec2 px;
+    float at; // share
+};
+
+/// What a march knows on its way.
+struct CellWalk {
+    ivec2 px;
+    int level;
+    float share;      // the ray is here
+    ivec2 cell;       // the cell of `level` that it is in,
+    float leave;      // where it leaves that cell,
+    float last;       // and how far it goes there at most
+    bool leavesOverX; // and across which border
+    bool mayBeFlat;   // false: the flat cell's pixel was tested already
+};
+
+void enterCell(Line line, float endShare, inout CellWalk walk) {
+    walk.cell = walk.px >> walk.level;
+    walk.leave =
+        leaveCell(line, vec2(walk.cell << walk.level), float(1 << walk.level), walk.leavesOverX);
+    walk.last = min(max(walk.leave, walk.share), endShare);
+}
+
+/// Goes to the next cell: up at most two levels, where it lies in another cell of the level above.
+void leaveForNext(Line line, float endShare, inout CellWalk walk) {
+    walk.share = walk.last;
+    if (walk.leave >= endShare)
+        return;
+    walk.px = enterNext(line, walk.cell, walk.level, walk.leave, walk.leavesOverX);
+    ivec2 left = walk.cell << walk.level;
+    int from = max(walk.level, int(settings.minLevel));
+    uint apart = uint((walk.px.x ^ left.x) | (walk.px.y ^ left.y)) >> uint(from + 1);
+    walk.level = min(from + int(min(apart, 2u)), max(int(settings.maxLevel), from));
+}
+
+/// Has the march ended: off screen, without steps left, or at `endShare`?
+bool hasEnded(CellWalk walk, float endShare, inout March result) {
+    if (walk.share >= endShare)
+        return true;
+    if (any(lessThan(walk.px, ivec2(0))) || any(greaterThanEqual(walk.px, ivec2(frame.constants.size))))
+        result.outcome = kOutcomeOffScreen;
+    else if (result.iterations >= settings.maxSteps)
+        result.outcome = kOutcomeOutOfSteps;
+    return result.outcome != kOutcomeNone;
+}
+
+/// The first candidate among the pixels on the ray's way; none if the march has ended.
+Candidate walkToPixel(ScreenRay ray, Line line, float start, float slope, float endShare, inout CellWalk walk,
+                      inout March result) {
+    ivec2 size = ivec2(frame.constants.size);
+    int finest = max(int(settings.minLevel), 1); // below it one pixel decides
+    while (walk.level >= finest) {
+        if (hasEnded(walk, endShare, result))
+            return Candidate(false, false, walk.px, walk.share);
+        ++result.iterations;
+        enterCell(line, endShare, walk);
+        CellBounds bounds =
+            unpackBounds(texelFetch(pyramid, pyramidOffset(size, walk.level) + walk.cell, 0), frame.constants.invSize.x);
+        ++result.lookups;
+        if (bounds.front > kEmptyCell) {
+            // How much nearer the ray is than the cell's plane: linear along the ray.
+            vec2 center = (vec2(walk.cell) + 0.5) * float(1 << walk.level);
+            float above = start - bounds.front - dot(bounds.slope, line.startPX - center);
+            float climb = slope - dot(bounds.slope, line.deltaPX);
+            Way way = Way(walk.share, walk.last, above, climb);
+            float first = above + climb * way.share;
+            float last = above + climb * way.end;
+            float rounding = kRounding * abs(start + slope * way.share);
+            bool inFront = min(first, last) >= -rounding;
+            // Starts a pixel earlier, as tests of single pixels do.
+            bool behind = max(above + climb * max(way.share - line.pixelShare, 0.0), last) < -bounds.slab;
+            if (behind && !inFront)
+                passBehind(way.share);
+            logCell(ray, way.share, walk.cell, walk.level, start + slope * way.share - first, bounds.slab,
+                    inFront  ? kSampleFront
+                    : behind ? kSampleBehind
+                             : kSampleLookInto);
+            if (!inFront && !behind) {
+                float fall = -climb * line.pixelShare; // a pixel
+                float crossing = clamp((-0.5 * bounds.depth - above) / climb, way.share, way.end);
+                vec2 at = line.startPX + line.deltaPX * crossing;
+                bool isFlat = first >= -rounding && last < -bounds.depth && bounds.depth <= kFlatEnough * fall;
+                if (isFlat && walk.mayBeFlat && onScreen(at) && // cells exceed the border
+                    result.iterations > settings.selfCollisionSkip)
+                    return Candidate(true, true, floorToInt(at), crossing);
+                walk.mayBeFlat = true;
+                Quarter quarter = firstQuarter(line, bounds, walk.cell, walk.level, walk.px, way, rounding);
+                if (quarter.found) {
+                    --walk.level;
+                    walk.share = quarter.share;
+                    ivec2 low = (2 * walk.cell + ivec2(quarter.which & 1, quarter.which >> 1)) << walk.level;
+                    ivec2 high = min(low + (1 << walk.level), size) - 1;
+                    walk.px = clamp(floorToInt(line.startPX + line.deltaPX * quarter.share), low, high);
+                    continue;
+                }
+                logCellDecision(kSamplePasses);
+            }
+        } else {
+            logCell(ray, walk.share, walk.cell, walk.level, 0.0, 0.0, kSampleEmpty);
+        }
+        leaveForNext(line, endShare, walk);
+    }
+    if (hasEnded(walk, endShare, result))
+        return Candidate(false, false, walk.px, walk.share);
+    enterCell(line, endShare, walk);
+    if (settings.minLevel > 0u) // the one pixel of a quarter, within the step of that quarter's cell
+        return Candidate(true, false, walk.px, walk.last);
+    ++result.iterations;
+    vec2 center = vec2(walk.px) + 0.5;
+    float nearest = dot(center - line.startPX, line.deltaPX) / dot(line.deltaPX, line.deltaPX);
+    return Candidate(true, false, walk.px, clamp(nearest, walk.share, walk.last));
 }
 
 March march(Ray r) {
     ScreenRay ray = r.screen;
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
     Line line = makeLine(ray);
-    float pixelShare = line.pixelShare;
     // The ray's nearness at a fraction of the line.
     float start = rayNearness(frame.constants, ray, 0.0);
     float slope = rayNearness(frame.constants, ray, 1.0) - start;
     float endShare = isOn(kTraceClipToFrustum) ? ray.screenEnd : 1.0;
-    int minLevel = int(settings.minLevel);
-    int maxLevel = int(settings.maxLevel);
-    ivec2 screenSize = ivec2(frame.constants.size);
 
     bool nearlyThickEnough = false;
-    bool overX;
+    CellWalk walk;
     // The first pixel is the ray's own.
-    float share = leaveCell(line, vec2(r.px), 1.0, overX);
-    ivec2 px = enterNext(line, r.px, 0, share, overX);
-    int level = clamp(kFirstLevel, minLevel, maxLevel);
+    walk.share = leaveCell(line, vec2(r.px), 1.0, walk.leavesOverX);
+    walk.px = enterNext(line, r.px, 0, walk.share, walk.leavesOverX);
+    walk.level = clamp(kFirstLevel, int(settings.minLevel), int(settings.maxLevel));
+    walk.mayBeFlat = true;
 
-    while (share < endShare) {
-        if (any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, screenSize))) {
-            result.share = share;
-            result.outcome = kOutcomeOffScreen;
-            return result;
-        }
-        if (result.iterations == settings.maxSteps) {
-            result.share = share;
-            result.outcome = kOutcomeOutOfSteps;
-            return result;
-        }
-        ++result.iterations;
-        ivec2 cell = px >> level;
-        float leave = leaveCell(line, vec2(cell << level), float(1 << level), overX);
-        float last = min(max(leave, share), endShare);
-
-        if (level > 0) {
-            Cell bounds = lookUp(cell, level);
-            ++result.lookups;
-            if (bounds.front > kEmptyCell) {
-                // How much nearer the ray is than the cell's plane: linear along the ray.
-                vec2 center = (vec2(cell) + 0.5) * float(1 << level);
-                float above = start - bounds.front - dot(bounds.slope, ray.startPX - center);
-                float climb = slope - dot(bounds.slope, ray.deltaPX);
-                float aboveFirst = above + climb * share;
-                float aboveLast = above + climb * last;
-                float rounding = kRounding * abs(start + slope * share);
-                bool inFront = min(aboveFirst, aboveLast) >= -rounding;
-                // Starts a pixel earlier, as tests of single pixels do.
-                bool behind = max(above + climb * max(share - pixelShare, 0.0), aboveLast) < -bounds.slab;
-                if (behind && !inFront)
-                    passBehind(share);
-                logCell(ray, share, cell, level, start + slope * share - aboveFirst, bounds.slab,
-                        inFront  ? kSampleFront
-                        : behind ? kSampleBehind
-                                 : kSampleLookInto);
-                if (!inFront && !behind) {
-                    float fall = -climb * pixelShare; // a pixel
-                    bool flatCell =
-                        aboveFirst >= -rounding && aboveLast < -bounds.depth && bounds.depth <= kFlatEnough * fall;
-                    float crosses = clamp((-0.5 * bounds.depth - above) / climb, share, last);
-                    flatCell = flatCell && onScreen(ray.startPX + ray.deltaPX * crosses); // cells exceed the border
-                    if (flatCell && result.iterations > settings.selfCollisionSkip) {
-                        // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
-                        Sample s = takeSample(ray, crosses, result.lookups);
-                        s.share = crosses + 0.5 * pixelShare;
-                        s.rayZ = rayViewZ(ray, s.share);
-                        uint met = meetSurface(r, max(crosses - 0.5 * pixelShare, 0.0), s, result.lookups);
-                        if (met == kMeets && endsMarch(met, s, result))
-                            return result;
-                    }
-                    if (level > minLevel) {
-                        Quarter quarter = firstQuarter(line, bounds, level, px, share, last, above, climb, rounding);
-                        if (quarter.found) {
-                            share = quarter.share;
-                            px = quarter.px;
-                            --level;
-                            continue;
-                        }
-                        logCellDecision(kSamplePasses);
-                    } else {
-                        // The finest level to descend to: one pixel gives the answer for each of its quarters.
-                        Quarter quarter = firstQuarter(line, bounds, level, px, share, last, above, climb, rounding);
-                        if (quarter.found) {
-                            bool quarterOverX;
-                            ivec2 child = quarter.px >> (level - 1);
-                            float side = float(1 << (level - 1));
-                            float out_ = leaveCell(line, vec2(child) * side, side, quarterOverX);
-                            Sample s = takeSample(ray, quarter.px, min(max(out_, quarter.share), last), result.lookups);
-                            if (s.rayZ >= s.sceneZ && result.iterations > settings.selfCollisionSkip) {
-                                float from = max(quarter.share - 0.5 * pixelShare, 0.0);
-                                uint met = meetSurface(r, from, s, result.lookups);
-                                if (endsMarch(met, s, result))
-                                    return result;
-                                nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
-                            }
-                            ivec2 next = enterNext(line, child, level - 1, out_, quarterOverX);
-                            if (out_ < last && (next >> level) == cell) { // go to the cell's next quarter
-                                share = max(out_, share);
-                                px = next;
-                                continue;
-                            }
-                        } else {
-                            logCellDecision(kSamplePasses);
-                        }
-                    }
-                }
-            } else {
-                logCell(ray, share, cell, level, 0.0, 0.0, kSampleEmpty);
-            }
-        } else {
-            vec2 center = vec2(px) + 0.5;
-            float at = clamp(dot(center - ray.startPX, ray.deltaPX) / dot(ray.deltaPX, ray.deltaPX), share, last);
-            Sample s = takeSample(ray, px, at, result.lookups);
-            if (s.rayZ < s.sceneZ) {
-                nearlyThickEnough = false;
-            } else if (result.iterations > settings.selfCollisionSkip) {
-                uint met = meetSurface(r, max(at - pixelShare, 0.0), s, result.lookups);
-                if (endsMarch(met, s, result))
-                    return result;
-                nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
-            }
-        }
-
-        // Go to the next cell. Go up at most two levels, where the next cell lies in another cell of the level above.
-        share = last;
-        if (leave >= endShare)
+    while (true) {
+        Candidate candidate = walkToPixel(ray, line, start, slope, endShare, walk, result);
+        if (!candidate.found)
             break;
-        px = enterNext(line, cell, level, leave, overX);
-        ivec2 left = cell << level;
-        for (int i = 0; i < 2 && level < maxLevel && (px >> (level + 1)) != (left >> (level + 1)); ++i)
-            ++level;
+        Sample s = takeSample(ray, candidate.px, candidate.at, result.lookups);
+        float from = candidate.at - line.pixelShare;
+        bool tests = result.iterations > settings.selfCollisionSkip;
+        if (candidate.inFlatCell) {
+            // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
+            from += 0.5 * line.pixelShare;
+            s.share += 0.5 * line.pixelShare;
+            s.rayZ = rayViewZ(ray, s.share);
+        } else {
+            if (settings.minLevel > 0u)
+                from = walk.share - 0.5 * line.pixelShare;
+            tests = tests && s.rayZ >= s.sceneZ;
+            nearlyThickEnough = nearlyThickEnough && s.rayZ >= s.sceneZ;
+        }
+        if (tests) {
+            uint met = meetSurface(r, max(from, 0.0), s, result.lookups);
+            if ((met == kMeets || !candidate.inFlatCell) && endsMarch(met, s, result))
+                return result;
+            nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !candidate.inFlatCell);
+        }
+        if (candidate.inFlatCell)
+            walk.mayBeFlat = false; // look into its quarters
+        else
+            leaveForNext(line, endShare, walk);
     }
 
+    result.share = min(walk.share, endShare);
+    if (result.outcome != kOutcomeNone)
+        return result;
     result.share = endShare;
     if (endShare >= 1.0) { // the ray ends on screen
         vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
-        float sceneZ = texelFetch(viewZ, ivec2(endPX), 0).r;
+        float sceneZ = texelFetch(viewZ, floorToInt(endPX), 0).r;
         ++result.lookups;
         logSample(ray, 1.0, endPX, rayViewZ(ray, 1.0), sceneZ);
         result.outcome = endedOnScreen(ray, sceneZ, rayViewZ(ray, 1.0) >= sceneZ, nearlyThickEnough);
