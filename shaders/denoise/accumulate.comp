@@ -89,7 +89,7 @@ Candidate lookUp(Was was, vec2 at) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         vec2 shares = mix(1.0 - share, share, vec2(offset));
         float weight = shares.x * shares.y;
-        ivec2 texel = ivec2(corner) + offset;
+        ivec2 texel = floorToInt(corner) + offset;
         if (weight < 1e-3 || !wasInFrame(texel))
             continue;
         uvec2 packed = texelFetch(placeBefore, texel, 0).xy;
@@ -175,7 +175,8 @@ void main() {
     if (near < 0.0) {
         imageStore(mean, px, vec4(0.0));
         imageStore(meta, px, vec4(0.0));
-        imageStore(fast, px, vec4(0.0));
+        if (settings.comparesMeans != 0u)
+            imageStore(fast, px, vec4(0.0));
         imageStore(place, px, uvec4(0u));
         return;
     }

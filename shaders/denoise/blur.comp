@@ -91,7 +91,7 @@ void main() {
         for (int i = -side; i <= side; ++i) {
             float offset = float(i) * spacing + shift;
             float weight = kernel(offset / max(reach, 1e-3)) * clamp(end - abs(offset) + 1.0, 0.0, 1.0);
-            gather(sum, here, herePX, ivec2(floor(first + along * offset + (1.0 - along) * float(line))), weight);
+            gather(sum, here, herePX, floorToInt(first + along * offset + (1.0 - along) * float(line)), weight);
         }
     vec4 mean = sum.total > 0.0 ? sum.premultiplied / sum.total : vec4(0.0);
     imageStore(blurred, px, vec4(mean.a > 0.0 ? mean.rgb / mean.a : vec3(0.0), mean.a));

@@ -12,8 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 3) uniform sampler2D mean; // weight * radiance, weight
 layout(set = 0, binding = 4) uniform sampler2D meta; // frames; luminance: mean, mean square; nearness
-layout(set = 0, binding = 5) uniform usampler2D place;
-layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D answer; // radiance, weight
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D answer; // radiance, weight
 DenoiseConstants settings = frame.settings.denoise;
 
 const uint kTaps = 16u;
@@ -31,18 +30,14 @@ float deviation(vec4 moments) {
     return max(overFrames, moments.y * youth(moments.x));
 }
 
-bool hasRay(ivec2 px) {
-    return isInFrame(px) && texelFetch(place, px, 0).x != 0u;
-}
-
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (!isInFrame(px))
         return;
     vec4 sum = texelFetch(mean, px, 0);
     LobeSurface here = lobeSurfaceAt(px);
-    if (hasRay(px) && !isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
-        vec4 moments = texelFetch(meta, px, 0);
+    vec4 moments = texelFetch(meta, px, 0); // 0 frames: no ray
+    if (moments.x > 0.0 && !isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
         float noise = deviation(moments);
         float strength = saturate(noise / max(settings.noiseTarget * moments.y, 1e-6));
         // A first frame is one sample of the lobe: its neighbours' are all that there is.
@@ -53,19 +48,20 @@ void main() {
         float radius = widest * strength;
         if (radius >= 0.5) {
             mat2 disc = lobeDisc(here, radius);
-            float turn = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).y;
+            Spiral spiral =
+                beginSpiral(taps, hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).y);
             float own = luminance(sum.rgb);
             float total = 1.0;
             for (uint i = 0u; i < taps; ++i) {
-                vec2 at = vogelPoint(i, taps, turn);
-                ivec2 tap = ivec2(floor(vec2(px) + 0.5 + disc * at));
-                if (tap == px || !hasRay(tap))
+                vec2 at = nextPoint(spiral, i);
+                ivec2 tap = floorToInt(vec2(px) + 0.5 + disc * at);
+                if (tap == px || !isInFrame(tap))
                     continue;
-                LobeSurface there = lobeSurfaceAt(tap);
-                if (!isSameSurface(here, there))
+                vec4 theirs = texelFetch(meta, tap, 0);
+                if (theirs.x == 0.0 || !isSameSurface(here, lobeSurfaceAt(tap)))
                     continue;
                 vec4 other = texelFetch(mean, tap, 0);
-                float theirNoise = deviation(texelFetch(meta, tap, 0));
+                float theirNoise = deviation(theirs);
                 float apart = abs(luminance(other.rgb) - own) / (2.0 * (noise + theirNoise) + 1e-4);
                 float weight = exp(-1.5 * dot(at, at) - apart * apart);
                 sum += weight * other;

@@ -1,13 +1,17 @@
-// Joins what screen and rays answered for the pixel's one sampled ray, by the one rule, into one noisy signal.
+// Joins what screen and rays answered for the pixel's one sampled ray, by the one rule, into one noisy signal, and
+// stores that ray for the neighbours.
 // docs/techniques/denoise.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "denoise/sent_ray.glsl"
 #include "frame/prepared.glsl"
+#include "generate/sampled_ray.glsl"
 #include "hierarchy/walk.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/sanitize.glsl"
+#include "lib/surface.glsl"
 #include "shared/rays_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -17,7 +21,7 @@ layout(set = 0, binding = 4) uniform usampler2D screenRecord;
 layout(set = 0, binding = 5) uniform sampler2D raysAnswer;
 layout(set = 0, binding = 6) uniform usampler2D raysRecord;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D noisy;  // weight * radiance, weight
-layout(set = 0, binding = 8, r32f) uniform writeonly image2D nearness; // 1 / metres to the ray's end; -1: no ray
+layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D sentRay;
 layout(push_constant, scalar) uniform PushBlock {
     uint sources; // kJoin*
 };
@@ -58,7 +62,15 @@ void main() {
         Answer answer = (i == 0) == raysFirst ? rays : screen;
         near += take(walk, answer.radianceWeight) * answer.nearness;
     }
-    bool traced = texelFetch(viewZ, px, 0).r < kBackgroundZ && (screen.traced || rays.traced);
+    float z = texelFetch(viewZ, px, 0).r;
+    SentRay ray = SentRay(vec3(0.0), near / max(walk.taken, 1e-6), z < kBackgroundZ && (screen.traced || rays.traced));
+    if (ray.sent) {
+        vec3 positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+        Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+        Direction drawn = sampledDirection(px, positionVS, here);
+        // Below the surface the lobe's density is 0: neighbours take nothing from there.
+        ray.directionVS = drawn.weight > 0.0 ? mat3(frame.constants.worldToView) * drawn.ws : -here.normalVS;
+    }
     imageStore(noisy, px, vec4(walk.radiance, walk.taken));
-    imageStore(nearness, px, vec4(traced ? near / max(walk.taken, 1e-6) : -1.0));
+    imageStore(sentRay, px, uvec4(packSentRay(ray), 0u, 0u));
 }

@@ -53,12 +53,24 @@ bool isSameSurface(LobeSurface here, LobeSurface other) {
            abs(here.perceptualRoughness - other.perceptualRoughness) < 0.1 + 0.2 * here.perceptualRoughness;
 }
 
-/// Points of a disc, evenly spread: Vogel's spiral. `turn`: a random angle in turns.
-vec2 vogelPoint(uint i, uint count, float turn) {
-    const float kGoldenAngle = 2.39996323;
-    float r = sqrt((float(i) + 0.5) / float(count));
-    float angle = float(i) * kGoldenAngle + turn * 2.0 * kPi;
-    return r * vec2(cos(angle), sin(angle));
+/// Points of a disc, evenly spread: Vogel's spiral. Each point is turned from the one before by the golden angle.
+struct Spiral {
+    vec2 direction;
+    float perPoint; // 1 / number of points
+};
+
+/// `turn`: a random angle in turns.
+Spiral beginSpiral(uint count, float turn) {
+    float angle = turn * 2.0 * kPi;
+    return Spiral(vec2(cos(angle), sin(angle)), 1.0 / float(count));
+}
+
+/// Point `i`, in the unit disc. Call it for every `i` from 0 on, in turn.
+vec2 nextPoint(inout Spiral spiral, uint i) {
+    const mat2 kGoldenAngle = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888); // 2.39996323 radians
+    vec2 point = sqrt((float(i) + 0.5) * spiral.perPoint) * spiral.direction;
+    spiral.direction = kGoldenAngle * spiral.direction;
+    return point;
 }
 
 /// A disc around a pixel, drawn out along the normal's direction on screen: there a lobe reaches 1 / NoV farther than

@@ -59,7 +59,7 @@ bool wasTraced(RayRecord ray) {
 /// Each pixel of an image of `gridSize`, which covers the whole frame, stands for one traced pixel.
 ivec2 gridToTracePixel(vec2 gridSize, ivec2 gridPX) {
     vec2 at = (vec2(gridPX) + 0.5) * (frame.constants.traceSize / gridSize);
-    return min(ivec2(at), ivec2(frame.constants.traceSize) - 1);
+    return min(floorToInt(at), ivec2(frame.constants.traceSize) - 1);
 }
 
 #endif

@@ -63,7 +63,7 @@ Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX
 
 /// Top left of the four pixels of an image of this size whose places in the frame surround `px`.
 ivec2 cornerOf(vec2 imageSize, ivec2 px) {
-    ivec2 corner = min(ivec2((vec2(px) + 0.5) * imageSize / frame.constants.size), ivec2(imageSize) - 1);
+    ivec2 corner = min(floorToInt((vec2(px) + 0.5) * imageSize / frame.constants.size), ivec2(imageSize) - 1);
     ivec2 cornerPX = tracePixelToFull(frame.constants, gridToTracePixel(imageSize, corner));
     return corner - ivec2(greaterThan(cornerPX, px));
 }
@@ -117,7 +117,7 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
         if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, frame.constants.size)))
             return false;
         hitPX = at;
-        Place there = placeOf(ivec2(at));
+        Place there = placeOf(floorToInt(at));
         float approach = -dot(there.normalVS, directionVS);
         if (there.background || approach < kMeetsFront)
             return false;
@@ -133,7 +133,7 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
 
 vec4 answerAt(Place here, vec2 hitPX, float weight) {
     uint lookups = 0u; // only rays count lookups
-    vec3 hitVS = placeOf(ivec2(hitPX)).positionVS;
+    vec3 hitVS = placeOf(floorToInt(hitPX)).positionVS;
     vec3 radiance = hitRadiance(hitPX, here.positionVS, hitVS, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
         radiance = scaledToOne(radiance);

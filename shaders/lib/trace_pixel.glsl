@@ -4,6 +4,7 @@
 #ifndef GLINT_LIB_TRACE_PIXEL_GLSL
 #define GLINT_LIB_TRACE_PIXEL_GLSL
 
+#include "lib/math.glsl"
 #include "shared/frame_constants.h"
 
 bool isTracePixel(FrameConstants frame, ivec2 tracePX) {
@@ -12,12 +13,12 @@ bool isTracePixel(FrameConstants frame, ivec2 tracePX) {
 
 /// The frame's pixel from which the ray of a traced pixel starts: the pixel under the traced pixel's centre.
 ivec2 tracePixelToFull(FrameConstants frame, ivec2 tracePX) {
-    return min(ivec2((vec2(tracePX) + 0.5) * frame.traceScale), ivec2(frame.size) - 1);
+    return min(floorToInt((vec2(tracePX) + 0.5) * frame.traceScale), ivec2(frame.size) - 1);
 }
 
 /// The traced pixel that covers a pixel of the frame.
 ivec2 fullToTracePixel(FrameConstants frame, ivec2 px) {
-    return min(ivec2((vec2(px) + 0.5) / frame.traceScale), ivec2(frame.traceSize) - 1);
+    return min(floorToInt((vec2(px) + 0.5) / frame.traceScale), ivec2(frame.traceSize) - 1);
 }
 
 #endif

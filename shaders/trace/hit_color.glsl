@@ -90,7 +90,7 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         vec2 shares = mix(1.0 - share, share, vec2(offset));
         float weight = shares.x * shares.y;
-        ivec2 texel = ivec2(corner) + offset;
+        ivec2 texel = floorToInt(corner) + offset;
         bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(frame.constants.prevSize)));
         if (weight < kNoShare || !inside || !showedIt(before, texel))
             continue;
@@ -131,7 +131,7 @@ vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
 /// show the same surface, by depth and normal. A marcher that promises one lookup (GLINT_ONE_TEXEL_A_HIT) takes the
 /// texel.
 vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
-    ivec2 at = ivec2(px);
+    ivec2 at = floorToInt(px);
     Surface met = unpackSurface(texelFetch(surface, at, 0).xy);
     vec3 nearest = shownRadiance(at, met.perceptualRoughness);
 #ifdef GLINT_ONE_TEXEL_A_HIT
@@ -150,7 +150,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec4 sum = vec4(0.0);
     for (int i = 0; i < 4; ++i) {
         ivec2 offset = ivec2(i & 1, i >> 1);
-        ivec2 texel = clamp(ivec2(corner) + offset, ivec2(0), ivec2(frame.constants.size) - 1);
+        ivec2 texel = clamp(floorToInt(corner) + offset, ivec2(0), ivec2(frame.constants.size) - 1);
         vec2 shares = mix(1.0 - share, share, vec2(offset));
         float weight = shares.x * shares.y;
         if (texel == at) {
@@ -174,7 +174,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
 /// grows by the number of depth samples read from this frame.
 vec3 hitRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 radiance;
-    if (hasHistory(frame.constants) && previousRadiance(ivec2(px), radiance))
+    if (hasHistory(frame.constants) && previousRadiance(floorToInt(px), radiance))
         return radiance;
     return currentRadiance(px, originVS, hitVS, lookups);
 }

@@ -5,6 +5,7 @@
 #ifndef GLINT_TRACE_HIT_TEST_GLSL
 #define GLINT_TRACE_HIT_TEST_GLSL
 
+#include "lib/math.glsl"
 #include "lib/nearness.glsl"
 #include "trace/ray_inputs.glsl"
 
@@ -47,14 +48,14 @@ Sample takeSample(ScreenRay ray, ivec2 px, float share, inout uint lookups) {
 }
 
 Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
-    return takeSample(ray, ivec2(ray.startPX + ray.deltaPX * share), share, lookups);
+    return takeSample(ray, floorToInt(ray.startPX + ray.deltaPX * share), share, lookups);
 }
 
 /// viewZ of the back of what the picture shows at `px`; `sceneZ` if it has none.
 float backOf(vec2 px, float sceneZ, inout uint lookups) {
     if (!isOn(kTraceBackDepth))
         return sceneZ;
-    float backZ = texelFetch(backViewZ, ivec2(px), 0).r;
+    float backZ = texelFetch(backViewZ, floorToInt(px), 0).r;
     ++lookups;
     return backZ < kBackgroundZ ? backZ : sceneZ;
 }
@@ -79,7 +80,7 @@ bool facesRay(vec3 hitNormalVS, bool own, Ray ray) {
 }
 
 vec3 normalAt(vec2 px) {
-    return unpackSurface(texelFetch(surface, ivec2(px), 0).xy).normalVS;
+    return unpackSurface(texelFetch(surface, floorToInt(px), 0).xy).normalVS;
 }
 
 const uint kPasses = 0u;      // far behind the surface
@@ -95,7 +96,7 @@ const uint kInFront = 6u;     // not behind the surface's plane, though behind t
 /// other surface lends its colour.
 vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 normalVS, inout uint lookups) {
     vec2 at = ray.startPX + ray.deltaPX * share;
-    ivec2 there = ivec2(floor(at));
+    ivec2 there = floorToInt(at);
     if (there != px && onScreen(at)) {
         float sceneZ = texelFetch(viewZ, there, 0).r;
         ++lookups;
@@ -176,7 +177,7 @@ float crossingShare(ScreenRay ray, float fromShare, float heightFrom, float shar
 }
 
 uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
-    ivec2 px = ivec2(s.px);
+    ivec2 px = floorToInt(s.px);
     vec3 normalVS = normalAt(s.px);
     vec3 surfaceVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, s.sceneZ);
     vec2 fromPX = r.screen.startPX + r.screen.deltaPX * fromShare;

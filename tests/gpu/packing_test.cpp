@@ -19,6 +19,9 @@ struct Packed {
     glm::vec4 ray;
     glm::vec4 rayOut;
     glm::uvec4 counts;
+    glm::vec4 sent;
+    glm::vec2 real;
+    glm::ivec2 whole;
 };
 
 double degreesBetween(glm::dvec3 a, glm::dvec3 b) {
@@ -44,6 +47,9 @@ private:
             const float distances[] = {0, 1e-3f, unit(random) * 10, unit(random) * 60000, 65504, 1e6f, INFINITY};
             item.ray = {unit(random), unit(random), distances[random() % std::size(distances)], unit(random)};
             item.counts = {random() % 6000, random() % shared::kOutcomeCount, 0, 0};
+            const float wholes[] = {0, -1, 1, 1279.5f, -0.25f, 4194303.5f, -4194303.5f, std::nextafter(720.0f, 0.0f)};
+            item.real = {wholes[random() % std::size(wholes)],
+                         std::ldexp(normal(random), static_cast<int>(random() % 20))};
             list.push_back(item);
         };
         // The axes, the diagonals and the folds of the octahedron.
@@ -72,6 +78,20 @@ private:
         return list;
     }
 };
+
+TEST_F(PackingTest, theWholeNumberBelowComesFromTheBits) {
+    for (const Packed& item : items()) {
+        ASSERT_EQ(item.whole.x, static_cast<int>(std::floor(item.real.x))) << item.real.x;
+        ASSERT_EQ(item.whole.y, static_cast<int>(std::floor(item.real.y))) << item.real.y;
+    }
+}
+
+TEST_F(PackingTest, aSentRayKeepsItsDirectionAndItsEnd) {
+    for (const Packed& item : items()) {
+        ASSERT_LT(degreesBetween(glm::vec3(item.direction), glm::vec3(item.sent)), 5e-5 * 180 / glm::pi<double>());
+        ASSERT_EQ(item.sent.w, item.ray.x);
+    }
+}
 
 TEST_F(PackingTest, octahedronInFullPrecisionIsExactToRounding) {
     for (const Packed& item : items())

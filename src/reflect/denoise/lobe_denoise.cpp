@@ -39,8 +39,8 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
     GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[0], {"glint/noisy", kHalf, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[1], {"glint/reused", kHalf, w, h}));
-    GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_[0], {"glint/nearness", VK_FORMAT_R32_SFLOAT, w, h}));
-    GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_[1], {"glint/reusedNearness", VK_FORMAT_R32_SFLOAT, w, h}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->sentRay_, {"glint/sentRay", VK_FORMAT_R32G32_UINT, w, h}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_, {"glint/reusedNearness", VK_FORMAT_R32_SFLOAT, w, h}));
     const uint32_t tilesX = tiles(w);
     const uint32_t tilesY = tiles(h);
     GLINT_CHECK(
@@ -102,12 +102,13 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
+        .read("blueNoise", inputs.frame.standIns.blueNoise)
         .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : black)
         .read("screenRecord", inputs.screenRecord)
         .read("raysAnswer", inputs.raysAnswer ? *inputs.raysAnswer : black)
         .read("raysRecord", inputs.raysRecord)
         .write("noisy", signal_[0])
-        .write("nearness", nearness_[0])
+        .write("sentRay", sentRay_)
         .push(sources)
         .dispatch(stages_.extent.x, stages_.extent.y);
 }
@@ -143,16 +144,15 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     const uint32_t w = stages_.extent.x;
     const uint32_t h = stages_.extent.y;
     begin(reuse_)
-        .read("blueNoise", inputs.frame.standIns.blueNoise)
         .read("noisy", signal_[0])
-        .read("nearness", nearness_[0])
+        .read("sentRay", sentRay_)
         .write("reused", signal_[1])
-        .write("reusedNearness", nearness_[1])
+        .write("reusedNearness", nearness_)
         .dispatch(w, h);
     Inputs& host = inputs.frame.host;
     begin(accumulate_)
         .read("reused", signal_[1])
-        .read("reusedNearness", nearness_[1])
+        .read("reusedNearness", nearness_)
         .read("motion", host.motion ? host.motion : inputs.frame.standIns.black, kTexels)
         .read("meanBefore", history_.before(kMean))
         .read("metaBefore", history_.before(kMeta))
@@ -167,7 +167,6 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     begin(filter_)
         .read("mean", history_.now(kMean))
         .read("meta", history_.now(kMeta))
-        .read("place", history_.now(kPlace))
         .write("answer", answer_)
         .dispatch(w, h);
     return answer_;

@@ -55,7 +55,8 @@ private:
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
     gpu::Image signal_[2];      ///< RGBA16F: weight * radiance, weight; of one ray, then with those of neighbours
-    gpu::Image nearness_[2];    ///< R32F: 1 / metres to the ray's end; -1: no ray
+    gpu::Image sentRay_;        ///< RG32UI: denoise/sent_ray.glsl
+    gpu::Image nearness_;       ///< R32F: 1 / metres to the ray's end, with those of neighbours; -1: no ray
     gpu::Image sentinelChange_; ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
     gpu::Image changed_;        ///< RGBA16F, a texel for each tile: denoise/change.comp
     gpu::Image answer_;         ///< RGBA16F: radiance, weight

@@ -3,6 +3,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "denoise/sent_ray.glsl"
+#include "lib/math.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 
@@ -15,6 +17,9 @@ struct Packed {
     vec4 ray;        // in: hitUV, hit distance, reflectivity
     vec4 rayOut;     // hitUV, hit distance, reflectivity
     uvec4 counts;    // in: lookups, outcome; out: zw
+    vec4 sent;       // direction and ray.x through packSentRay
+    vec2 real;       // in
+    ivec2 whole;     // floorToInt(real)
 };
 layout(scalar, set = 0, binding = 0) buffer ItemsBlock {
     Packed item[];
@@ -34,5 +39,8 @@ void main() {
     p.rayOut = vec4(record.hitUV, record.hitDistance, surface.reflectivity);
     p.counts.zw = uvec2(record.lookups, record.outcome);
     p.decoded.w = record.passedBehind == passedBehind ? 1.0 : 0.0;
+    SentRay ray = unpackSentRay(packSentRay(SentRay(p.direction.xyz, p.ray.x, true)));
+    p.sent = vec4(ray.directionVS, ray.sent ? ray.nearness : -1.0);
+    p.whole = floorToInt(p.real);
     items.item[i] = p;
 }
