@@ -90,7 +90,8 @@ struct Statistics {
 /// a command buffer that is never submitted loses only the history of its frame.
 class GLINT_API Reflections {
 public:
-    /// Creates every pipeline and image and validates the frame in advance, so that `record` cannot fail.
+    /// Creates the pipelines and images that the settings need and validates the frame in advance, so that `record`
+    /// cannot fail. Compiles on all cores, for the duration of the call; pipelines that the context has are shared.
     /// Errors: InvalidArgument (size, settings), OutOfMemory, Unsupported.
     static Result<Reflections> create(Context& context, const ReflectionsDesc& desc);
     ~Reflections();

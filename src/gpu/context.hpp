@@ -114,6 +114,12 @@ public:
     /// some drivers, and a host that makes a Reflections anew wants the same ones.
     std::map<std::string, std::shared_ptr<void>>& pipelines() { return pipelines_; }
     std::map<uint32_t, VkDescriptorSetLayout>& tableLayouts() { return tableLayouts_; }
+    /// What the CompileBatches that live collect (gpu/pipeline.hpp).
+    struct Compilation {
+        int batches = 0;
+        std::vector<std::shared_ptr<void>> waiting;
+    };
+    Compilation& compilation() { return compilation_; }
 
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
     /// True if an image of this format and usage supports this number of samples per pixel.
@@ -162,6 +168,7 @@ private:
     std::vector<std::span<const EmbeddedShader>> shaderSets_;
     ShaderReplacements replacements_;
     std::map<std::string, std::shared_ptr<void>> pipelines_;
+    Compilation compilation_;
     std::map<uint32_t, VkDescriptorSetLayout> tableLayouts_;
     std::vector<std::string> validationMessages_;
 };

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <functional>
 #include <optional>
+#include <thread>
 
 namespace glint::gpu {
 namespace {
@@ -165,12 +168,19 @@ Result<Pipeline> Pipeline::compute(Context& context, const ComputeDesc& desc, Co
 }
 
 Result<void> Pipeline::compile() const {
-    Made& pipeline = *made_;
-    if (pipeline.pipeline)
+    Context::Compilation& compilation = made_->context->compilation();
+    if (compilation.batches == 0)
+        return made_->compile();
+    if (!made_->pipeline && std::ranges::find(compilation.waiting, made_) == compilation.waiting.end())
+        compilation.waiting.push_back(made_);
+    return {};
+}
+
+Result<void> Pipeline::Made::compile() {
+    if (pipeline)
         return {};
-    Context& context = *pipeline.context;
-    const Module module(context, *pipeline.computeShader);
-    const Specialization specialization(pipeline.constants);
+    const Module module(*context, *computeShader);
+    const Specialization specialization(constants);
     VkComputePipelineCreateInfo info = {VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                   nullptr,
@@ -179,14 +189,58 @@ Result<void> Pipeline::compile() const {
                   module.handle(),
                   "main",
                   &specialization.info};
-    info.layout = pipeline.layout;
-    const VkResult result = module.ok() ? context.api().CreateComputePipelines(context.device(), VK_NULL_HANDLE, 1,
-                                                                               &info, nullptr, &pipeline.pipeline)
+    info.layout = layout;
+    const VkResult result = module.ok() ? context->api().CreateComputePipelines(context->device(), VK_NULL_HANDLE, 1,
+                                                                                &info, nullptr, &pipeline)
                                         : VK_ERROR_OUT_OF_HOST_MEMORY;
     if (result != VK_SUCCESS)
-        return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})",
-                         pipeline.name, static_cast<int>(result));
-    context.nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline.pipeline), pipeline.name.c_str());
+        return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})", name,
+                         static_cast<int>(result));
+    context->nameObject(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<uint64_t>(pipeline), name.c_str());
+    return {};
+}
+
+CompileBatch::CompileBatch(Context& context) : context_(context) {
+    ++context_.compilation().batches;
+}
+
+CompileBatch::~CompileBatch() {
+    Context::Compilation& compilation = context_.compilation();
+    if (--compilation.batches == 0)
+        compilation.waiting.clear(); // of calls that failed; asked again, they compile then
+}
+
+Result<void> CompileBatch::finish() {
+    Context::Compilation& compilation = context_.compilation();
+    if (compilation.batches > 1)
+        return {};
+    struct Job {
+        std::shared_ptr<Pipeline::Made> pipeline;
+        Result<void> result;
+    };
+    std::vector<Job> jobs;
+    for (const std::shared_ptr<void>& waiting : compilation.waiting)
+        jobs.push_back({std::static_pointer_cast<Pipeline::Made>(waiting), {}});
+    compilation.waiting.clear();
+    // The longest first, so that none is left alone at the end.
+    std::vector<Job*> order;
+    for (Job& job : jobs)
+        order.push_back(&job);
+    std::ranges::stable_sort(order, std::greater(),
+                             [](const Job* job) { return job->pipeline->computeShader->words.size(); });
+    std::atomic<size_t> next = 0;
+    const auto work = [&] {
+        for (size_t i = next++; i < order.size(); i = next++)
+            order[i]->result = order[i]->pipeline->compile();
+    };
+    const size_t threads = std::min<size_t>(std::max(std::thread::hardware_concurrency(), 1u), jobs.size());
+    std::vector<std::jthread> others;
+    for (size_t i = 1; i < threads; ++i)
+        others.emplace_back(work);
+    work();
+    others.clear(); // waits for them
+    for (Job& job : jobs)
+        GLINT_CHECK(std::move(job.result));
     return {};
 }
 

@@ -61,7 +61,7 @@ public:
     static Result<Pipeline> raster(Context& context, const RasterDesc& desc);
 
     /// Compiles a pipeline that was to be compiled later; a second call has no effect. Takes up to 2 s on the software
-    /// driver. Errors: Unsupported.
+    /// driver. While a CompileBatch lives, its finish() compiles. Errors: Unsupported.
     Result<void> compile() const;
 
     explicit operator bool() const { return made_ != nullptr; }
@@ -75,6 +75,7 @@ public:
     std::span<const ShaderBinding> bindings() const { return it().bindings; } ///< set 0 only, both stages merged
 
 private:
+    friend class CompileBatch;
     /// The Vulkan objects and the description of a pipeline.
     struct Made {
         Context* context = nullptr;
@@ -96,11 +97,28 @@ private:
         Made& operator=(const Made&) = delete;
         Result<void> makeLayout(std::span<const EmbeddedShader* const> shaders, size_t wantedPushSize,
                                 VkDescriptorSetLayout tableLayout);
+        Result<void> compile();
     };
     explicit Pipeline(std::shared_ptr<Made> made) : made_(std::move(made)) {}
     const Made& it() const;
 
     std::shared_ptr<Made> made_; ///< null: not created
+};
+
+/// Compiles on all cores what its context's calls ask to compile while it lives. Among nested batches the outermost
+/// compiles. Pipelines must not be used before finish().
+class CompileBatch {
+public:
+    explicit CompileBatch(Context& context);
+    ~CompileBatch();
+    CompileBatch(const CompileBatch&) = delete;
+    CompileBatch& operator=(const CompileBatch&) = delete;
+
+    /// Call it once. Errors: those of Pipeline::compile, the first in the order of the calls.
+    Result<void> finish();
+
+private:
+    Context& context_;
 };
 
 } // namespace glint::gpu

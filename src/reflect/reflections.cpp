@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "gpu/pipeline.hpp"
 #include "reflect/composite/view_names.hpp"
 #include "reflect/frame.hpp"
 #include "reflect/input_checks.hpp"
@@ -103,7 +104,9 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
     GLINT_CHECK(checkFrameSize(desc.width, desc.height));
     GLINT_CHECK(validate(desc.settings));
     auto state = std::make_unique<State>(context.gpu());
+    gpu::CompileBatch batch(context.gpu());
     GLINT_TRY(frame, reflect::FrameStages::create(context.gpu(), desc));
+    GLINT_CHECK(batch.finish());
     state->frame = std::move(frame);
     return Reflections(std::move(state));
 }
@@ -113,8 +116,10 @@ Result<void> Reflections::resize(uint32_t width, uint32_t height) {
     ReflectionsDesc desc = state_->frame->desc();
     desc.width = width;
     desc.height = height;
+    gpu::CompileBatch batch(state_->frame->context());
     GLINT_TRY(frame, reflect::FrameStages::create(state_->frame->context(), desc));
     GLINT_CHECK(frame->takeSources(*state_->frame));
+    GLINT_CHECK(batch.finish());
     state_->outgoing.push_back(std::move(state_->frame));
     state_->frame = std::move(frame);
     state_->note();
@@ -126,7 +131,9 @@ Result<void> Reflections::setSettings(const Settings& settings) {
     if (const rays::Scene* scene = state_->frame->rayScene())
         GLINT_CHECK(reflect::checkBackend(settings, scene->backend()));
     GLINT_CHECK(reflect::checkOutputSettings(state_->frame->outputs(), settings));
+    gpu::CompileBatch batch(state_->frame->context());
     GLINT_CHECK(state_->frame->setSettings(settings));
+    GLINT_CHECK(batch.finish());
     state_->note();
     return {};
 }
@@ -148,7 +155,9 @@ Result<void> Reflections::setOutputs(const Outputs& outputs) {
 
 Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
     GLINT_CHECK(reflect::checkBackend(state_->frame->desc().settings, scene.backend()));
+    gpu::CompileBatch batch(state_->frame->context());
     GLINT_CHECK(state_->frame->setRays(scene.scene(), surfaces.state()));
+    GLINT_CHECK(batch.finish());
     state_->note();
     return {};
 }
