@@ -2,6 +2,7 @@
 // that reflects; or the cost of rays.
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "bench_base.hpp"
 #include "bench_output.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
@@ -11,6 +12,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <memory>
@@ -28,6 +30,8 @@ struct BenchOptions {
     int64_t warmUp = 10;
     double budget = 20;
     std::string json;
+    std::string check;
+    double tolerance = 50; ///< percent
     RayBenchOptions rays;
 };
 
@@ -117,7 +121,8 @@ Result<void> benchRays(const BenchOptions& options) {
     return measure::checkSameHits(result);
 }
 
-Result<void> bench(const BenchOptions& options) {
+/// The device lives as long as the result is made; the result refers to nothing of it.
+Result<measure::BenchResult> measureAll(const BenchOptions& options, std::unique_ptr<gpu::Context>* used = nullptr) {
     GLINT_TRY(plan, makePlan(options));
     std::vector<measure::BenchScene> scenes;
     for (const std::string& name : options.scenes.empty() ? std::vector<std::string>{"builtin:hall"} : options.scenes) {
@@ -127,7 +132,76 @@ Result<void> bench(const BenchOptions& options) {
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
     GLINT_TRY(result, measure::runBench(*context, scenes, plan, showProgress));
+    if (used)
+        *used = std::move(context);
+    return result;
+}
+
+Result<void> bench(const BenchOptions& options) {
+    std::unique_ptr<gpu::Context> context;
+    GLINT_TRY(result, measureAll(options, &context));
     return show(options, *context, benchText(result), benchJson(result));
+}
+
+template <class T>
+void addOnce(std::vector<T>& list, const T& value) {
+    if (std::ranges::find(list, value) == list.end())
+        list.push_back(value);
+}
+
+/// What the base measured: its scenes, configurations, sizes, shares and frames.
+BenchOptions optionsOf(const measure::BenchBase& base, const BenchOptions& options) {
+    BenchOptions all = options;
+    all.configs.clear();
+    all.shares.clear();
+    for (const measure::BenchFigure& figure : base.figures) {
+        addOnce(all.scenes, figure.scene);
+        addOnce(all.configs, figure.config);
+        if (figure.share)
+            addOnce(all.shares, fmt::format("{:.9g}", 100.0 * static_cast<double>(*figure.share)));
+        else
+            addOnce(all.sizes, fmt::format("{}x{}", figure.size.x, figure.size.y));
+    }
+    if (all.shares.empty())
+        all.shares = {"none"};
+    all.frames = base.frames;
+    all.warmUp = base.warmUp;
+    return all;
+}
+
+/// What seems too slow is measured again: a busy moment of the machine is no regression.
+Result<void> benchCheck(const BenchOptions& given) {
+    constexpr int kAttempts = 3;
+    constexpr size_t kLongest = 16U << 20;
+    if (!(given.tolerance > 0 && given.tolerance <= 1000))
+        return invalidArgument("--tolerance {:g}: expected a percentage above 0, at most 1000", given.tolerance);
+    GLINT_TRY(text, readFile(given.check, kLongest));
+    GLINT_TRY(base, readBenchBase(text, given.check));
+    const BenchOptions options = optionsOf(base, given);
+    measure::BenchTolerance tolerance;
+    tolerance.floors = given.tolerance / 100;
+    std::vector<measure::BenchFigure> best;
+    std::vector<measure::CheckedFigure> checked;
+    std::string device;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        GLINT_TRY(result, measureAll(options));
+        device = result.device;
+        if (best.empty())
+            best = measure::figuresOf(result);
+        else
+            measure::keepFaster(best, measure::figuresOf(result));
+        GLINT_TRY(figures, measure::checkFigures(base, best, device, tolerance));
+        checked = std::move(figures);
+        if (std::ranges::none_of(checked, &measure::CheckedFigure::slower))
+            break;
+    }
+    const std::string report = benchCheckText(checked, base.device, device);
+    std::fwrite(report.data(), 1, report.size(), stdout);
+    const auto bad = std::ranges::count_if(checked, [](const auto& figure) { return !figure.good(); });
+    if (bad > 0)
+        return makeError(ErrorCode::Unsupported, "{} of {} figures are larger than those of {}", bad, checked.size(),
+                         printable(given.check));
+    return {};
 }
 
 } // namespace
@@ -135,21 +209,24 @@ Result<void> bench(const BenchOptions& options) {
 void addBenchCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<BenchOptions>();
     CLI::App* const command = program.add_subcommand("bench", "Time the reflections pass by pass, or rays");
-    command->add_option("SCENE", options->scenes, sceneHelp() + " (default: builtin:hall)");
-    command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false)->capture_default_str();
+    CLI::Option* const scenes = command->add_option("SCENE", options->scenes, sceneHelp() + " (default: builtin:hall)");
+    CLI::Option* const configs =
+        command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false)->capture_default_str();
     command->add_option("--set", options->scene.settings.assignments, "KEY=VALUE for every config, weaker than its own")
         ->allow_extra_args(false);
-    command
-        ->add_option("--sizes", options->sizes,
-                     "WIDTHxHEIGHT,... (default: 640x360,1280x720; on a GPU also 1920x1080,3840x2160)")
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command
-        ->add_option("--shares", options->shares,
-                     "Percentages of the surfaces to make mirrors, one point each; none: leave these points out")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->capture_default_str();
+    CLI::Option* const sizes =
+        command
+            ->add_option("--sizes", options->sizes,
+                         "WIDTHxHEIGHT,... (default: 640x360,1280x720; on a GPU also 1920x1080,3840x2160)")
+            ->delimiter(',')
+            ->allow_extra_args(false);
+    CLI::Option* const shares =
+        command
+            ->add_option("--shares", options->shares,
+                         "Percentages of the surfaces to make mirrors, one point each; none: leave these points out")
+            ->delimiter(',')
+            ->allow_extra_args(false)
+            ->capture_default_str();
     command->add_option("--frames", options->frames, "Frames to time for each config")->capture_default_str();
     command->add_option("--warm-up", options->warmUp, "Frames before them")->capture_default_str();
     command->add_option("--budget", options->budget, "Seconds for each point, then fewer frames do; 0: no limit")
@@ -157,9 +234,21 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
     addSceneOptions(*command, options->scene);
     addSourceOptions(*command, options->scene);
     command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
+    command
+        ->add_option("--check", options->check,
+                     "Measure what this file of --json holds, and fail if floors or lookups have grown")
+        ->excludes(scenes, configs, sizes, shares);
+    command
+        ->add_option("--tolerance", options->tolerance,
+                     "With --check: percentage by which floors may be larger than the file's")
+        ->capture_default_str();
     addRayBenchOptions(*command, options->rays);
     command->callback([&chosen, options] {
-        chosen = [options] { return options->rays.asked ? benchRays(*options) : bench(*options); };
+        chosen = [options] {
+            if (options->rays.asked)
+                return benchRays(*options);
+            return options->check.empty() ? bench(*options) : benchCheck(*options);
+        };
     });
 }
 

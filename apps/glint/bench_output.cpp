@@ -85,6 +85,22 @@ std::string benchText(const BenchResult& result) {
     return text;
 }
 
+std::string benchCheckText(const std::vector<measure::CheckedFigure>& checked, const std::string& baseDevice,
+                           const std::string& device) {
+    std::string text;
+    if (device != baseDevice)
+        text = fmt::format("{}; the base is of {}: floors are not compared\n", device, baseDevice);
+    for (const measure::CheckedFigure& figure : checked) {
+        const std::string share =
+            figure.base.share ? fmt::format(", {:g} % mirrors", 100 * *figure.base.share) : std::string();
+        text += fmt::format("{}, {}x{}{}, {}: {:.1f} floors, base {:.1f}{}; {:.1f} lookups, base {:.1f}{}\n",
+                            figure.base.scene, figure.base.size.x, figure.base.size.y, share, figure.base.config,
+                            figure.now.floors, figure.base.floors, figure.slower ? ": SLOWER" : "", figure.now.lookups,
+                            figure.base.lookups, figure.moreLookups ? ": MORE" : "");
+    }
+    return text;
+}
+
 std::string benchJson(const BenchResult& result) {
     Json json;
     json["device"] = {{"name", result.device}, {"driver", result.driver}, {"software", result.software}};

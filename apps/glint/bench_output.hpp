@@ -1,7 +1,7 @@
 // Formats a benchmark as text and as JSON.
 #pragma once
 
-#include "measure/bench.hpp"
+#include "measure/bench_check.hpp"
 
 namespace glint::cli {
 
@@ -13,5 +13,9 @@ std::string benchText(const measure::BenchResult& result);
 ///  "floorMultiple", "passes": [{"name", "ms", "ms95"}], "rays", "rayShare", "lookupsPerRay", "lookups95",
 ///  "outcomes"}]}]}
 std::string benchJson(const measure::BenchResult& result);
+
+/// Returns a line for each figure, with the base's beside it.
+std::string benchCheckText(const std::vector<measure::CheckedFigure>& checked, const std::string& baseDevice,
+                           const std::string& device);
 
 } // namespace glint::cli
