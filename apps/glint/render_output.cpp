@@ -91,6 +91,17 @@ nlohmann::ordered_json sceneRaysJson(const Statistics::SceneRays& scene) {
             {"reusedLight", scene.reusedLight}};
 }
 
+namespace {
+
+Json memoryJson(const MemoryReport& memory) {
+    Json uses = Json::array();
+    for (const MemoryUse& use : memory.uses)
+        uses.push_back({{"name", use.name}, {"bytes", use.bytes}, {"count", use.count}});
+    return {{"bytes", memory.bytes}, {"taken", memory.taken}, {"uses", std::move(uses)}};
+}
+
+} // namespace
+
 std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured) {
     const render::RenderStats& stats = result.stats;
     Json json;
@@ -110,6 +121,7 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     if (!stats.passes.empty())
         json["gpuMs"] = total;
     json["passes"] = std::move(passes);
+    json["memory"] = memoryJson(stats.memory);
     json["rays"] = stats.rays;
     json["lookupsPerRay"] = stats.lookupsPerRay;
     json["lookups95"] = stats.lookups95;

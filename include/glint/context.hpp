@@ -52,6 +52,20 @@ GLINT_API void requireDeviceFeatures(VkPhysicalDeviceFeatures* core, VkPhysicalD
                                      VkPhysicalDeviceVulkan13Features* v13,
                                      DeviceDemands demands = DeviceDemands::Sources);
 
+/// Device memory of all images and buffers of one name.
+struct MemoryUse {
+    std::string name;
+    uint64_t bytes = 0;
+    uint32_t count = 0;
+};
+
+/// Device memory that the objects made from one Context use.
+struct MemoryReport {
+    std::vector<MemoryUse> uses; ///< the largest first
+    uint64_t bytes = 0;          ///< of all images and buffers
+    uint64_t taken = 0;          ///< of the driver, in blocks that images and buffers share
+};
+
 /// Glint on one device. A Context has its own dispatch table and memory allocator and uses no global state, so several
 /// contexts can coexist, with any Vulkan loader. Objects created from a Context share ownership of its internals, so
 /// the Context and these objects may be destroyed in any order. Threading: external synchronization.
@@ -70,6 +84,9 @@ public:
 
     const std::string& deviceName() const;
     const std::string& driver() const;
+
+    /// Returns the memory in use now, also by objects that wait for the GPU before they are freed.
+    MemoryReport memory() const;
 
     gpu::Context& gpu() { return *gpu_; } ///< for Glint's own classes
 

@@ -121,6 +121,13 @@ public:
     };
     Compilation& compilation() { return compilation_; }
 
+    /// Device memory of each image and buffer that exists.
+    struct MemoryUse {
+        std::string name;
+        VkDeviceSize bytes = 0;
+    };
+    std::map<const void*, MemoryUse>& memoryUses() { return memoryUses_; }
+
     bool supportsFormat(VkFormat format, VkFormatFeatureFlags2 features) const;
     /// True if an image of this format and usage supports this number of samples per pixel.
     bool supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const;
@@ -169,6 +176,7 @@ private:
     ShaderReplacements replacements_;
     std::map<std::string, std::shared_ptr<void>> pipelines_;
     Compilation compilation_;
+    std::map<const void*, MemoryUse> memoryUses_; ///< by allocation
     std::map<uint32_t, VkDescriptorSetLayout> tableLayouts_;
     std::vector<std::string> validationMessages_;
 };

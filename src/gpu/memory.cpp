@@ -46,6 +46,9 @@ VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice p
     info.instance = instance;
     info.vulkanApiVersion = VK_API_VERSION_1_3;
     info.pVulkanFunctions = &functions;
+    // Images of a frame get memory of their own (from half of a block on), which leaves nothing unused; VMA's default
+    // blocks, of up to 256 MiB, leave half of what they take.
+    info.preferredLargeHeapBlockSize = VkDeviceSize{8} << 20;
     return vma::vmaCreateAllocator(&info, &allocator);
 }
 
@@ -60,6 +63,21 @@ size_t allocatedBytes(vma::VmaAllocator_T* allocator) {
     for (const vma::VmaBudget& budget : budgets)
         sum += static_cast<size_t>(budget.statistics.allocationBytes);
     return sum;
+}
+
+size_t blockBytes(vma::VmaAllocator_T* allocator) {
+    vma::VmaBudget budgets[VK_MAX_MEMORY_HEAPS] = {};
+    vma::vmaGetHeapBudgets(allocator, budgets);
+    size_t sum = 0;
+    for (const vma::VmaBudget& budget : budgets)
+        sum += static_cast<size_t>(budget.statistics.blockBytes);
+    return sum;
+}
+
+VkDeviceSize bytesOf(vma::VmaAllocator_T* allocator, vma::VmaAllocation_T* allocation) {
+    vma::VmaAllocationInfo info = {};
+    vma::vmaGetAllocationInfo(allocator, allocation, &info);
+    return info.size;
 }
 
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,

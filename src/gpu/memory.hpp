@@ -15,6 +15,11 @@ void destroyAllocator(vma::VmaAllocator_T* allocator);
 /// Returns the bytes of all existing images and buffers, in all kinds of memory, mapped or not.
 size_t allocatedBytes(vma::VmaAllocator_T* allocator);
 
+/// Returns the bytes of the driver's allocations, which images and buffers share.
+size_t blockBytes(vma::VmaAllocator_T* allocator);
+/// Returns the bytes of one image or buffer, with what its alignment adds.
+VkDeviceSize bytesOf(vma::VmaAllocator_T* allocator, vma::VmaAllocation_T* allocation);
+
 VkResult createImage(vma::VmaAllocator_T* allocator, const VkImageCreateInfo& info, VkImage& image,
                      vma::VmaAllocation_T*& allocation);
 void destroyImage(vma::VmaAllocator_T* allocator, VkImage image, vma::VmaAllocation_T* allocation);

@@ -57,6 +57,7 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "image '{}' ({}x{}, {} mips) cannot be created: VkResult {}",
                          desc.name, desc.width, desc.height, desc.mips, static_cast<int>(result));
+    context.memoryUses()[image.allocation_] = {desc.name, bytesOf(context.allocator(), image.allocation_)};
     context.nameObject(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(image.image_), desc.name.c_str());
 
     const auto makeView = [&](VkImageViewType type, uint32_t baseMip, uint32_t mips, VkImageView& view) {
@@ -104,6 +105,7 @@ void Image::destroy() {
     for (VkImageView view : mipViews_)
         api.DestroyImageView(context_->device(), view, nullptr);
     api.DestroyImageView(context_->device(), view_, nullptr);
+    context_->memoryUses().erase(allocation_);
     destroyImage(context_->allocator(), image_, allocation_);
     image_ = VK_NULL_HANDLE;
 }
@@ -132,6 +134,7 @@ Result<Buffer> Buffer::create(Context& context, const BufferDesc& desc) {
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "buffer '{}' ({} bytes) cannot be created: VkResult {}", desc.name,
                          desc.size, static_cast<int>(result));
+    context.memoryUses()[buffer.allocation_] = {desc.name, bytesOf(context.allocator(), buffer.allocation_)};
     context.nameObject(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(buffer.buffer_), desc.name.c_str());
     return buffer;
 }
@@ -142,8 +145,10 @@ VkDeviceAddress Buffer::address() const {
 }
 
 void Buffer::destroy() {
-    if (context_ && buffer_)
+    if (context_ && buffer_) {
+        context_->memoryUses().erase(allocation_);
         destroyBuffer(context_->allocator(), buffer_, allocation_);
+    }
     buffer_ = VK_NULL_HANDLE;
 }
 

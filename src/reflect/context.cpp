@@ -3,6 +3,9 @@
 #include "base/text.hpp"
 #include "gpu/context.hpp"
 #include "gpu/device_requirements.hpp"
+#include "gpu/memory.hpp"
+
+#include <algorithm>
 
 namespace glint {
 
@@ -63,6 +66,23 @@ Result<Context> Context::adopt(const HostDevice& device, uint32_t headerVersion)
 
 const std::string& Context::deviceName() const {
     return gpu_->info().name;
+}
+
+MemoryReport Context::memory() const {
+    MemoryReport report;
+    for (const auto& [allocation, use] : gpu_->memoryUses()) {
+        auto known = std::ranges::find(report.uses, use.name, &MemoryUse::name);
+        if (known == report.uses.end())
+            known = report.uses.insert(known, {use.name, 0, 0});
+        known->bytes += use.bytes;
+        ++known->count;
+        report.bytes += use.bytes;
+    }
+    std::ranges::sort(report.uses, [](const MemoryUse& a, const MemoryUse& b) {
+        return a.bytes != b.bytes ? a.bytes > b.bytes : a.name < b.name;
+    });
+    report.taken = gpu::blockBytes(gpu_->allocator());
+    return report;
 }
 
 const std::string& Context::driver() const {

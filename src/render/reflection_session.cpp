@@ -194,6 +194,7 @@ RenderStats ReflectionSession::stats() const {
     stats.driver = context_->info().driver;
     stats.software = context_->info().software;
     stats.passes = passTimes_.medians();
+    stats.memory = objects_->library->memory();
     const Statistics counted = objects_->reflections->statistics();
     stats.rays = counted.rays;
     stats.lookupsPerRay = counted.lookupsMean;

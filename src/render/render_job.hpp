@@ -58,6 +58,7 @@ struct RenderStats {
     uint32_t lookups95 = 0;                                 ///< 95th percentile
     Statistics::SceneRays scene;                            ///< of the last frame
     std::vector<std::pair<std::string, uint64_t>> outcomes; ///< pixels; every name, including those with 0
+    MemoryReport memory;                                    ///< of the library, without the renderer
 };
 
 struct RenderResult {
