@@ -13,8 +13,13 @@ const std::vector<float>& viewOf(const render::RenderResult& result, std::string
     return view->rgba;
 }
 
-GBufferPicture gbufferPicture(const render::RenderResult& result) {
-    return {viewOf(result, "depth"), viewOf(result, "normal"), viewOf(result, "reflectivity")};
+/// The views "reflectivity" and "roughness" as GBufferPicture::material.
+std::vector<float> materialOf(const render::RenderResult& result) {
+    std::vector<float> material = viewOf(result, "reflectivity");
+    const std::vector<float>& roughness = viewOf(result, "roughness");
+    for (size_t i = 0; i < material.size(); i += 4)
+        material[i + 3] = roughness[i];
+    return material;
 }
 
 std::vector<float> copyOf(std::span<const float> values) {
@@ -36,7 +41,7 @@ render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
 }
 
 std::vector<std::string> hitViews() {
-    return {"depth", "normal", "reflectivity", "ray"};
+    return {"depth", "normal", "reflectivity", "ray", "roughness"};
 }
 
 render::RenderJob hitJob(const render::RenderJob& job) {
@@ -56,7 +61,8 @@ Result<HitReport> measureHits(const render::RenderJob& job, const render::Render
 
 Result<HitReport> TruthKeeper::judge(const render::JobInputs& inputs, const render::View& view,
                                      const render::RenderResult& traced) {
-    const GBufferPicture gbuffer = gbufferPicture(traced);
+    const std::vector<float> material = materialOf(traced);
+    const GBufferPicture gbuffer = {viewOf(traced, "depth"), viewOf(traced, "normal"), material};
     if (!oracle_) {
         GLINT_TRY(oracle, RayOracle::create(*inputs.scene, inputs.pose));
         oracle_ = std::move(oracle);

@@ -32,8 +32,9 @@ protected:
                 const glm::vec3 n = hit ? glm::vec3(hit->normalWS) : glm::vec3(0);
                 add(0, {hit ? static_cast<float>(camera.viewZ(hit->positionWS)) : 0.0f, 0, 0, 1});
                 add(1, {n.x, n.y, n.z, 1});
-                add(2, {1, 1, 1, 0});
+                add(2, {1, 1, 1, 1});
                 add(3, {0, 0, static_cast<float>(shared::kOutcomeSky), 7});
+                add(4, {y < kHeight / 2 ? 0.2f : 0.05f, 0, 0, 1});
             }
     }
     void add(size_t view, std::initializer_list<float> value) {
@@ -44,7 +45,7 @@ protected:
     render::RenderJob job_;
     render::JobInputs inputs_;
     render::View view_;
-    render::RenderResult result_; ///< depth, normal, reflectivity, ray
+    render::RenderResult result_; ///< depth, normal, reflectivity, ray, roughness
 };
 
 TEST_F(TruthKeeperTest, JudgesAsIfItHadTracedTheTruthEachTime) {
@@ -66,6 +67,15 @@ TEST_F(TruthKeeperTest, JudgesAsIfItHadTracedTheTruthEachTime) {
 
     std::fill(pixels(2).begin(), pixels(2).begin() + std::ptrdiff_t{kWidth} * kHeight * 2, 0.0f); // another G-buffer
     EXPECT_LT(expectFresh("the upper half reflects nothing").all.rays, none.all.rays);
+}
+
+TEST_F(TruthKeeperTest, CountsByTheRoughnessOfTheSurface) {
+    const HitReport report = std::move(measureHits(job_, result_)).value();
+    const auto rays = [&](RoughnessBand band) { return report.bands[static_cast<size_t>(band)].rays; };
+    EXPECT_GT(rays(RoughnessBand::Glossy), 100u);
+    EXPECT_GT(rays(RoughnessBand::Mirror), 100u);
+    EXPECT_EQ(rays(RoughnessBand::Rough), 0u);
+    EXPECT_EQ(rays(RoughnessBand::Glossy) + rays(RoughnessBand::Mirror), report.all.rays);
 }
 
 TEST(HitSettings, LetEveryReflectivePixelTraceItsMirrorRay) {
