@@ -61,6 +61,16 @@ Json finite(double value) {
     return std::isfinite(value) ? Json(value) : Json();
 }
 
+/// Bands without pixels are absent.
+Json bandsJson(const measure::ByBand<measure::BandError>& bands) {
+    constexpr std::array kNames = {"mirror", "glossy", "rough", "all"};
+    Json json = Json::object();
+    for (size_t band = 0; band < bands.size(); ++band)
+        if (bands[band].pixels > 0)
+            json[kNames[band]] = {{"pixels", bands[band].pixels}, {"relativeMse", finite(bands[band].relativeMse)}};
+    return json;
+}
+
 Json passesJson(const measure::EffectTimes& times) {
     Json passes = Json::array();
     for (const measure::PassSpread& pass : times.passes())
@@ -80,7 +90,8 @@ Json configJson(const measure::ConfigFigures& config) {
                              {"psnrMirrors", finite(config.reference->psnrMirrors)},
                              {"relativeMse", config.reference->relativeMse},
                              {"relativeMseMirrors", config.reference->relativeMseMirrors},
-                             {"mirrorPixels", config.reference->mirrorPixels}};
+                             {"mirrorPixels", config.reference->mirrorPixels},
+                             {"bands", bandsJson(config.reference->bands)}};
     if (config.settings.reflections.rays.enabled)
         json["sceneRays"] = sceneRaysJson(config.stats.scene);
     json["effectMs"] = config.times.total().median;

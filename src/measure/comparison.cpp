@@ -13,8 +13,9 @@ namespace {
 class Comparer {
 public:
     Comparer(gpu::Context& context, render::ReflectionSession session, const std::vector<ComparedConfig>& configs,
-             const std::optional<ComparedConfig>& reference, uint32_t frames)
-        : context_(context), session_(std::move(session)), configs_(configs), reference_(reference), frames_(frames) {}
+             const std::optional<ComparedConfig>& reference, uint32_t frames, uint32_t seeds)
+        : context_(context), session_(std::move(session)), configs_(configs), reference_(reference), frames_(frames),
+          seeds_(seeds) {}
 
     Result<Comparison> run(const std::function<void(const std::string&)>& progress) {
         result_.scene = configs_.front().job.scene;
@@ -38,8 +39,11 @@ public:
             figures.name = config.name;
             figures.settings = config.job.settings;
             GLINT_CHECK(session_.setSettings(config.job.settings));
-            GLINT_CHECK(timeFrames(figures));
+            GLINT_CHECK(useSeed(config.job.seed));
+            GLINT_CHECK(timeFrames(figures.times, config.job.settings));
             GLINT_CHECK(takePictures(figures));
+            for (uint32_t i = 1; i < seeds_; ++i)
+                GLINT_CHECK(addSeed(config.job.seed + i, figures));
             GLINT_CHECK(measureHits(figures));
             result_.configs.push_back(std::move(figures));
         }
@@ -64,17 +68,27 @@ private:
     Result<void> drawReference() {
         result_.reference = reference_->name;
         GLINT_CHECK(session_.setSettings(reference_->job.settings));
+        GLINT_CHECK(useSeed(reference_->job.seed));
         for (uint32_t frame = 0; frame < reference_->job.frames; ++frame)
             GLINT_CHECK(session_.renderFrame(frame));
         GLINT_TRY(picture, session_.readView("composite"));
         GLINT_TRY(roughness, session_.readView("roughness"));
         GLINT_TRY(reflectivity, session_.readView("reflectivity"));
+        result_.referencePicture = std::move(picture.rgb8);
         referencePicture_ = ReferencePicture(std::move(picture.rgba), roughness.rgba, reflectivity.rgba);
         return {};
     }
 
+    /// After setSettings, which starts without a history too.
+    Result<void> useSeed(uint32_t seed) {
+        if (seed == seed_)
+            return {};
+        seed_ = seed;
+        return session_.restart(seed);
+    }
+
     /// Draws the whole frame once, then the effect alone; finally the whole frame again, whose images are used.
-    Result<void> timeFrames(ConfigFigures& figures) {
+    Result<void> timeFrames(EffectTimes& measured, const render::ProgramSettings& settings) {
         render::FramePlan effect;
         effect.draw = false;
         effect.afterOpaque = [this](gpu::Frame& frame, render::GBuffer& gbuffer) { floor_.record(frame, gbuffer); };
@@ -82,12 +96,12 @@ private:
         GLINT_CHECK(session_.renderFrame(index++));
         for (uint32_t i = 0; i < frames_; ++i) {
             GLINT_TRY(times, session_.renderFrame(index++, effect));
-            figures.times.add(times);
+            measured.add(times);
         }
-        for (const uint32_t settled = render::settledFrames(figures.settings.reflections); index + 1 < settled;)
+        for (const uint32_t settled = render::settledFrames(settings.reflections); index + 1 < settled;)
             GLINT_CHECK(session_.renderFrame(index++, effect));
         GLINT_TRY(drawn, session_.renderFrame(index));
-        figures.times.addDrawn(drawn);
+        measured.addDrawn(drawn);
         return {};
     }
 
@@ -100,8 +114,31 @@ private:
             figures.reference = referencePicture_.errorOf(composite.rgba);
         GLINT_TRY(outcome, session_.readView("outcome"));
         figures.outcome = render::displayBytes(render::ViewKind::Fraction, outcome.rgba);
+        GLINT_TRY(source, session_.readView("source"));
+        figures.source = render::displayBytes(render::ViewKind::Fraction, source.rgba);
+        if (result_.withoutReflections.empty()) {
+            GLINT_TRY(scene, session_.readView("scene"));
+            result_.withoutReflections = std::move(scene.rgb8);
+        }
         figures.stats = session_.stats();
         figures.notes = session_.notes();
+        return {};
+    }
+
+    Result<void> addSeed(uint32_t seed, ConfigFigures& figures) {
+        SeedFigures again;
+        again.seed = seed;
+        EffectTimes times;
+        GLINT_CHECK(useSeed(seed));
+        GLINT_CHECK(timeFrames(times, figures.settings));
+        again.floorMultiple = times.floorMultiple();
+        GLINT_TRY(composite, session_.readView("composite"));
+        again.composite = std::move(composite.rgb8);
+        if (exact_)
+            again.exact = compareMirrors(*exact_, composite.rgba);
+        if (reference_)
+            again.reference = referencePicture_.errorOf(composite.rgba);
+        figures.seeds.push_back(std::move(again));
         return {};
     }
 
@@ -125,6 +162,8 @@ private:
     const std::vector<ComparedConfig>& configs_;
     const std::optional<ComparedConfig>& reference_;
     uint32_t frames_;
+    uint32_t seeds_;
+    uint32_t seed_ = configs_.front().job.seed; ///< of the session
     FloorPass floor_;
     std::optional<ExactPicture> exact_;
     TruthKeeper truth_;
@@ -136,12 +175,12 @@ private:
 
 Result<Comparison> compareConfigs(gpu::Context& context, const std::vector<ComparedConfig>& configs,
                                   const std::optional<ComparedConfig>& reference, uint32_t frames,
-                                  const std::function<void(const std::string&)>& progress) {
+                                  const std::function<void(const std::string&)>& progress, uint32_t seeds) {
     render::RenderJob first = configs.front().job;
     first.display = true;
     first.statistics = true;
     GLINT_TRY(session, render::openJob(context, first));
-    return Comparer(context, std::move(session), configs, reference, frames).run(progress);
+    return Comparer(context, std::move(session), configs, reference, frames, seeds).run(progress);
 }
 
 } // namespace glint::measure

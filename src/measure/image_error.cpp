@@ -31,6 +31,22 @@ double meanError(std::span<const float> reference, std::span<const float> test, 
     return colors > 0 ? sum / static_cast<double>(colors) : 0;
 }
 
+void checkSizes(const DisplayPicture& reference, const DisplayPicture& test) {
+    GLINT_ASSERT(reference.width == test.width && reference.height == test.height, "{} x {} and {} x {}",
+                 reference.width, reference.height, test.width, test.height);
+    GLINT_ASSERT(reference.pixels() > 0 && reference.rgb.size() == 3 * reference.pixels() &&
+                     test.rgb.size() == reference.rgb.size(),
+                 "{} and {} bytes for {} pixels", reference.rgb.size(), test.rgb.size(), reference.pixels());
+}
+
+/// Of a channel of a pixel, in bytes.
+int largestDifference(const DisplayPicture& reference, const DisplayPicture& test, size_t pixel) {
+    int largest = 0;
+    for (size_t i = 3 * pixel; i < 3 * pixel + 3; ++i)
+        largest = std::max(largest, std::abs(int(reference.rgb[i]) - int(test.rgb[i])));
+    return largest;
+}
+
 } // namespace
 
 double relativeMse(std::span<const float> reference, std::span<const float> test, std::span<const uint8_t> mask) {
@@ -46,22 +62,25 @@ double psnr(std::span<const float> reference, std::span<const float> test, std::
 }
 
 DisplayDifference displayDifference(const DisplayPicture& reference, const DisplayPicture& test, double tolerance) {
-    GLINT_ASSERT(reference.width == test.width && reference.height == test.height, "{} x {} and {} x {}",
-                 reference.width, reference.height, test.width, test.height);
-    GLINT_ASSERT(reference.pixels() > 0 && reference.rgb.size() == 3 * reference.pixels() &&
-                     test.rgb.size() == reference.rgb.size(),
-                 "{} and {} bytes for {} pixels", reference.rgb.size(), test.rgb.size(), reference.pixels());
+    checkSizes(reference, test);
     const auto allowed = static_cast<int>(std::floor(tolerance * 255 + 1e-6)); // 5 / 255.0 * 255 must allow 5
     DisplayDifference difference;
-    for (size_t i = 0; i < reference.rgb.size(); i += 3) {
-        int largest = 0;
-        for (size_t c = 0; c < 3; ++c)
-            largest = std::max(largest, std::abs(int(reference.rgb[i + c]) - int(test.rgb[i + c])));
+    for (size_t i = 0; i < reference.pixels(); ++i) {
+        const int largest = largestDifference(reference, test, i);
         difference.maxAbsDiff = std::max(difference.maxAbsDiff, largest / 255.0);
         difference.failingPixels += largest > allowed;
     }
     difference.failingFraction = double(difference.failingPixels) / double(reference.pixels());
     return difference;
+}
+
+std::vector<float> displayDifferenceMap(const DisplayPicture& reference, const DisplayPicture& test) {
+    checkSizes(reference, test);
+    std::vector<float> map;
+    map.reserve(reference.pixels());
+    for (size_t i = 0; i < reference.pixels(); ++i)
+        map.push_back(static_cast<float>(largestDifference(reference, test, i)) / 255);
+    return map;
 }
 
 } // namespace glint::measure

@@ -4,6 +4,8 @@
 
 #include "measure/display_picture.hpp"
 
+#include <vector>
+
 namespace glint::measure {
 
 /// Returns the mean over pixels and colours of (test - reference)^2 / (reference^2 + 0.01). Radiance is first clamped
@@ -29,5 +31,8 @@ struct DisplayDifference {
 
 /// `tolerance`  accepted difference of a channel, [0, 1] (bytes / 255)
 DisplayDifference displayDifference(const DisplayPicture& reference, const DisplayPicture& test, double tolerance);
+
+/// The largest difference of a channel for each pixel, [0, 1] (bytes / 255); rows from the top.
+std::vector<float> displayDifferenceMap(const DisplayPicture& reference, const DisplayPicture& test);
 
 } // namespace glint::measure

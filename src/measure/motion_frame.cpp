@@ -27,4 +27,12 @@ PixelBands pixelBands(std::span<const float> roughness, std::span<const float> r
     return bands;
 }
 
+std::vector<uint8_t> bandMask(const PixelBands& bands, size_t band) {
+    std::vector<uint8_t> mask(bands->size());
+    std::ranges::transform(*bands, mask.begin(), [&](uint8_t of) {
+        return static_cast<uint8_t>(of == band || (band == kBands && of != kNoBand));
+    });
+    return mask;
+}
+
 } // namespace glint::measure

@@ -30,6 +30,9 @@ constexpr size_t kBands = kRoughnessBands.size() + 1;
 /// `roughness`, `reflectivity`: the views of these names. A pixel is reflective if a channel of its F0 is not 0.
 PixelBands pixelBands(std::span<const float> roughness, std::span<const float> reflectivity);
 
+/// A byte per pixel for a mask: 1 where the pixel is in `band`, or reflective at all for kBands.
+std::vector<uint8_t> bandMask(const PixelBands& bands, size_t band);
+
 struct MotionFrame {
     uint32_t width = 0;
     uint32_t height = 0;

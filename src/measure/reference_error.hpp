@@ -1,5 +1,7 @@
-// The error of an image against a reference, over all pixels and over mirrors.
+// The error of an image against a reference: over all pixels, over mirrors, and by roughness.
 #pragma once
+
+#include "measure/motion_frame.hpp"
 
 #include <cstdint>
 #include <span>
@@ -10,12 +12,19 @@ namespace glint::measure {
 /// Pixels up to this perceptual roughness count as mirrors: their reflections are no wider than about a pixel.
 constexpr float kMirrorRoughness = 0.01f;
 
+/// Of the pixels of a roughness band.
+struct BandError {
+    uint64_t pixels = 0;
+    double relativeMse = 0;
+};
+
 struct ReferenceError {
     double psnr = 0;        ///< dB, of all pixels (measure::psnr)
     double psnrMirrors = 0; ///< dB, of mirrors: reflective pixels with perceptual roughness up to kMirrorRoughness
     double relativeMse = 0; ///< of all pixels
     double relativeMseMirrors = 0;
     uint64_t mirrorPixels = 0;
+    ByBand<BandError> bands = {}; ///< reflective pixels; their limits are those of the hits (measure/ray_hits.hpp)
 };
 
 class ReferencePicture {
@@ -32,6 +41,7 @@ public:
 private:
     std::vector<float> radiance_;
     std::vector<uint8_t> mirrors_; ///< of the reference's pixels
+    PixelBands bands_;
 };
 
 } // namespace glint::measure

@@ -30,10 +30,7 @@ ByBand<SpecularError> specularError(std::span<const float> tested, std::span<con
     const PixelBands bands = pixelBands(roughness, reflectivity);
     ByBand<SpecularError> errors;
     for (size_t band = 0; band <= kBands; ++band) {
-        std::vector<uint8_t> mask(bands->size());
-        std::ranges::transform(*bands, mask.begin(), [&](uint8_t of) {
-            return static_cast<uint8_t>(of == band || (band == kBands && of != kNoBand));
-        });
+        const std::vector<uint8_t> mask = bandMask(bands, band);
         SpecularError& error = errors[band];
         error.pixels = static_cast<uint64_t>(std::ranges::count(mask, uint8_t{1}));
         if (error.pixels == 0)

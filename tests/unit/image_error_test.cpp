@@ -82,6 +82,12 @@ TEST(DisplayDifference, CountsPixelsNotChannels) {
     EXPECT_EQ(difference.failingFraction, 0.5);
 }
 
+TEST(DisplayDifference, MapHasTheLargestChannelOfEachPixel) {
+    const std::vector<uint8_t> reference = {10, 20, 30, 40, 50, 60, 0, 0, 0};
+    const std::vector<uint8_t> test = {10, 20, 30, 45, 44, 111, 0, 255, 0};
+    EXPECT_EQ(displayDifferenceMap({3, 1, reference}, {3, 1, test}), (std::vector<float>{0, 0.2f, 1}));
+}
+
 TEST(DisplayDifference, OfEqualPicturesIsNone) {
     const std::vector<uint8_t> picture = {1, 2, 3, 250, 251, 252};
     const DisplayDifference difference = displayDifference({2, 1, picture}, {2, 1, picture}, 0);

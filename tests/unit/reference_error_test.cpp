@@ -27,5 +27,21 @@ TEST(ReferenceError, CountsMirrorsApart) {
     EXPECT_NEAR(error.relativeMseMirrors, 0.01 / 0.26 / 2, 1e-6);
 }
 
+TEST(ReferenceError, IsKnownByRoughness) {
+    // A mirror, a glossy and two rough surfaces, and one that reflects nothing.
+    const ReferencePicture reference(grey({0.5f, 0.5f, 0.5f, 0.5f, 0.5f}), grey({0, 0.2f, 0.5f, 1, 0}),
+                                     grey({1, 0.04f, 1, 1, 0}));
+    const ReferenceError error = reference.errorOf(grey({0.5f, 0.4f, 0.5f, 0.3f, 0}));
+    const auto& bands = error.bands;
+    EXPECT_EQ(bands[0].pixels, 1u);
+    EXPECT_EQ(bands[0].relativeMse, 0);
+    EXPECT_EQ(bands[1].pixels, 1u);
+    EXPECT_NEAR(bands[1].relativeMse, 0.01 / 0.26, 1e-6);
+    EXPECT_EQ(bands[2].pixels, 2u);
+    EXPECT_NEAR(bands[2].relativeMse, 0.04 / 0.26 / 2, 1e-6);
+    EXPECT_EQ(bands[kBands].pixels, 4u);
+    EXPECT_NEAR(bands[kBands].relativeMse, 0.05 / 0.26 / 4, 1e-6);
+}
+
 } // namespace
 } // namespace glint::measure
