@@ -21,6 +21,7 @@ void addTraceCommand(CLI::App& program, Command& chosen);
 void addSequenceCommand(CLI::App& program, Command& chosen);
 void addBakeCommand(CLI::App& program, Command& chosen);
 void addBenchCommand(CLI::App& program, Command& chosen);
+void addReportCommand(CLI::App& program, Command& chosen);
 void addSettingsCommand(CLI::App& program, Command& chosen);
 void addDevicesCommand(CLI::App& program, Command& chosen);
 

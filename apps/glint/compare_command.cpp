@@ -2,10 +2,12 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "base/text.hpp"
+#include "command_text.hpp"
 #include "commands.hpp"
 #include "comparison_output.hpp"
 #include "config_option.hpp"
 #include "render_options.hpp"
+#include "report_page.hpp"
 
 #include <unistd.h>
 
@@ -24,6 +26,7 @@ struct CompareOptions {
     int referenceFrames = 0; ///< 0: chosen by makeReference
     std::string report;
     std::string json;
+    std::string command; ///< as the user wrote it
 };
 
 /// Checks all that can be checked before the scene is read.
@@ -46,13 +49,21 @@ Result<std::optional<measure::ComparedConfig>> makeReference(const CompareOption
     return std::optional<measure::ComparedConfig>(measure::ComparedConfig{options.reference, std::move(job)});
 }
 
+/// `--report` with a file's name, not a folder's.
+bool isPage(const std::string& report) {
+    return report.ends_with(".html");
+}
+
 Result<void> checkOutputs(const CompareOptions& options) {
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(checkFolder("--json", options.json));
+    if (isPage(options.report))
+        GLINT_CHECK(checkFolder("--report", options.report));
     std::error_code ignored;
-    if (!options.report.empty() && std::filesystem::exists(options.report, ignored) &&
+    if (!options.report.empty() && !isPage(options.report) && std::filesystem::exists(options.report, ignored) &&
         !std::filesystem::is_directory(options.report, ignored))
-        return invalidArgument("--report {}: this is a file, not a folder", printable(options.report));
+        return invalidArgument("--report {}: this is a file, not a folder; a page's name ends in .html",
+                               printable(options.report));
     if (options.frames < 1 || options.frames > 10000)
         return invalidArgument("--frames {}: expected 1 to 10000", options.frames);
     if (options.referenceFrames < 0 || options.referenceFrames > 100000)
@@ -63,6 +74,19 @@ Result<void> checkOutputs(const CompareOptions& options) {
 void showProgress(const std::string& config) {
     if (isatty(fileno(stderr)))
         fmt::print(stderr, "measuring {}\n", printable(config));
+}
+
+Result<void> writeReports(const CompareOptions& options, measure::Comparison comparison) {
+    if (!isPage(options.report))
+        GLINT_CHECK(writeComparisonFolder(options.report, comparison));
+    std::vector<std::string> commands;
+    for (const std::string& config : options.configs)
+        commands.push_back(
+            renderCommand(options.scene, options.scene.scene, config, comparison.width, comparison.height));
+    Report report;
+    report.command = options.command;
+    report.scenes.push_back(reportScene(std::move(comparison), std::move(commands), options.scene.camera));
+    return writeReportPage(isPage(options.report) ? options.report : options.report + "/index.html", report);
 }
 
 Result<void> compare(const CompareOptions& options) {
@@ -79,7 +103,7 @@ Result<void> compare(const CompareOptions& options) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(writeFile(options.json, comparisonJson(comparison)));
-    return options.report.empty() ? Result<void>() : writeReport(options.report, comparison);
+    return options.report.empty() ? Result<void>() : writeReports(options, std::move(comparison));
 }
 
 } // namespace
@@ -100,9 +124,13 @@ void addCompareCommand(CLI::App& program, Command& chosen) {
                         "Hold the pictures against this config's: preset reference, say");
     command->add_option("--reference-frames", options->referenceFrames,
                         "Frames of the reference (default: 1, or 16 where it averages over frames)");
-    command->add_option("--report", options->report, "Folder for pictures and index.html");
+    command->add_option("--report", options->report,
+                        "Page to write (.html), or a folder for it, the pictures and the figures");
     command->add_option("--json", options->json, "Write the figures as JSON; - prints them instead of the text");
-    command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
+    command->callback([&chosen, options, command] {
+        options->command = commandText(*command);
+        chosen = [options] { return compare(*options); };
+    });
 }
 
 } // namespace glint::cli

@@ -1,4 +1,4 @@
-// Formats a comparison as text, as JSON and as a page with images.
+// Formats a comparison as text, as JSON and as a folder with images. report_page.hpp makes a page of it.
 #pragma once
 
 #include "measure/comparison.hpp"
@@ -14,9 +14,9 @@ std::string comparisonText(const measure::Comparison& comparison);
 /// "exact" is absent where no exact picture exists, and "noExact" says why.
 std::string comparisonJson(const measure::Comparison& comparison);
 
-/// Writes the images of each config (composite, outcome, hits: measure::classColors) and index.html with the figures
-/// into `folder`, which is created if necessary. Errors: Io.
-Result<void> writeReport(const std::string& folder, const measure::Comparison& comparison);
+/// Writes the images of each config (composite, outcome, hits: measure::classColors) as PNG and figures.json into
+/// `folder`, which is created if necessary. Errors: Io.
+Result<void> writeComparisonFolder(const std::string& folder, const measure::Comparison& comparison);
 
 /// Returns a sentence about the meaning of a device's times.
 std::string clockWords(bool software);

@@ -62,6 +62,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     addTraceCommand(program, chosen);
     addBakeCommand(program, chosen);
     addBenchCommand(program, chosen);
+    addReportCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);
     if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "config_option.hpp"
 #include "measure/sequence.hpp"
+#include "motion_option.hpp"
 #include "render_options.hpp"
 #include "sequence_files.hpp"
 #include "sequence_output.hpp"
@@ -42,19 +43,7 @@ struct SequenceOptions {
 };
 
 Result<measure::SequencePath> sequencePath(const SequenceOptions& options) {
-    measure::SequencePath path;
-    const auto moves = scene::cameraMoves();
-    const auto move = std::ranges::find(moves, options.path);
-    if (move != moves.end()) {
-        path.move = static_cast<scene::CameraMove>(move - moves.begin());
-    } else if (options.path.ends_with(".json")) {
-        GLINT_TRY(keys, scene::readPathFile(options.path));
-        path.keys = std::move(keys);
-    } else {
-        const std::vector<std::string> names(moves.begin(), moves.end());
-        return invalidArgument("--path {}: expected {} or a .json file", printable(options.path),
-                               joinText(names, ", "));
-    }
+    GLINT_TRY(path, readPath(options.path));
     path.pixelsPerFrame = options.speed;
     if (options.stop >= 0)
         path.stop = static_cast<uint32_t>(options.stop);
@@ -104,17 +93,11 @@ Result<std::vector<measure::ComparedConfig>> sequenceConfigs(const SequenceOptio
     return configs;
 }
 
-/// Enough frames for the samples of --reference-samples. Errors: InvalidArgument if its frames are not averaged.
 Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceOptions& options) {
     if (options.referenceSamples == 0)
         return std::optional<measure::ComparedConfig>();
-    GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, options.reference));
-    const auto perFrame = static_cast<int64_t>(job.settings.reflections.rays.samples);
-    job.frames = static_cast<uint32_t>((options.referenceSamples + perFrame - 1) / perFrame);
-    if (job.frames > 1 && !(job.settings.reflections.rays.enabled && job.settings.reflections.rays.accumulate))
-        return invalidArgument("--reference {}: {} samples need rays.enabled and rays.accumulate; it has {} per frame",
-                               printable(options.reference), options.referenceSamples, perFrame);
-    return std::optional<measure::ComparedConfig>(measure::ComparedConfig{options.reference, std::move(job)});
+    GLINT_TRY(reference, motionReference(options.scene, options.reference, options.referenceSamples));
+    return std::optional<measure::ComparedConfig>(std::move(reference));
 }
 
 /// Writes the frames of a sequence as they come.
@@ -216,11 +199,7 @@ void addSequenceCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<SequenceOptions>();
     CLI::App* const command = program.add_subcommand("sequence", "Render and measure moving pictures");
     command->add_option("SCENE", options->scene.scene, sceneHelp())->required();
-    const std::vector<std::string> moves(scene::cameraMoves().begin(), scene::cameraMoves().end());
-    command
-        ->add_option("--path", options->path,
-                     "Movement of the camera: " + joinText(moves, ", ") + ", or a path file (.json)")
-        ->capture_default_str();
+    command->add_option("--path", options->path, pathHelp())->capture_default_str();
     command
         ->add_option("--speed", options->speed,
                      "Pixels per frame by which a movement shifts what is at the centre of the scene")

@@ -1,13 +1,20 @@
 // Compares settings on a built-in scene: the figures are as expected, and the report is complete.
+#include "base/file.hpp"
 #include "comparison_output.hpp"
 #include "config_option.hpp"
 #include "gpu/context.hpp"
+#include "report_figures.hpp"
+#include "report_legends.hpp"
+#include "report_page.hpp"
 #include "support/must.hpp"
 #include "support/temp_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -33,7 +40,7 @@ const measure::Comparison& comparison() {
             {config("builtin:exact", "screen.march=linear,fade.border=none"),
              config("builtin:exact", "babylon+gbuffer.depthFormat=float,screen.step=16,screen.smooth=false"),
              config("builtin:exact", "screen.enabled=false")},
-            config("builtin:exact", "screen.march=linear,fade.border=none"), 2));
+            config("builtin:exact", "screen.march=linear,fade.border=none"), 2, {}, 2));
         for (const std::string& message : context->validationMessages())
             ADD_FAILURE() << "validation: " << message;
         return result;
@@ -55,6 +62,8 @@ TEST(Compare, FiguresFollowTheSettings) {
     EXPECT_EQ(none.visibleTruths, fine.visibleTruths);
     EXPECT_EQ(none.reported, 0u);
     EXPECT_EQ(none.recall(), 0);
+    EXPECT_EQ(configs[0].hits.bands[static_cast<size_t>(measure::RoughnessBand::Mirror)].rays, fine.rays)
+        << "every surface is a perfect mirror";
     ASSERT_TRUE(configs[0].exact && configs[1].exact && configs[2].exact);
     EXPECT_LT(configs[0].exact->oneBounceShare(), configs[1].exact->oneBounceShare());
     EXPECT_EQ(configs[2].exact->share(), 1); // without reflections every reflecting pixel is wrong
@@ -87,16 +96,16 @@ TEST(Compare, TimesAreThoseOfTheEffectAlone) {
     EXPECT_GT(fine.floorMultiple(), 1);
 }
 
-TEST(Compare, TheReportHasEveryPictureItShows) {
+TEST(Compare, TheFolderHasPicturesAndFigures) {
     const TempFolder temp;
     const std::string folder = temp + "report";
-    ASSERT_TRUE(cli::writeReport(folder, comparison()));
+    ASSERT_TRUE(cli::writeComparisonFolder(folder, comparison()));
     size_t pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         pictures += entry.path().extension() == ".png";
     EXPECT_EQ(pictures, 9u);
-    EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
     EXPECT_TRUE(std::filesystem::exists(folder + "/1-screen.march-linear-fade.border-none.hits.png"));
+    EXPECT_EQ(must(readFile(folder + "/figures.json", 1 << 20)), cli::comparisonJson(comparison()));
 
     const auto json = nlohmann::json::parse(cli::comparisonJson(comparison()));
     ASSERT_EQ(json["configs"].size(), 3u);
@@ -108,6 +117,67 @@ TEST(Compare, TheReportHasEveryPictureItShows) {
     const std::string text = cli::comparisonText(comparison());
     for (const char* part : {"precision", "recall", "floors", "wrong", "outcomes hit"})
         EXPECT_NE(text.find(part), text.npos) << part;
+}
+
+TEST(Compare, SeedsAreTheSameWithoutNoise) {
+    for (const measure::ConfigFigures& figures : comparison().configs) {
+        ASSERT_EQ(figures.seeds.size(), 1u);
+        EXPECT_EQ(figures.seeds[0].composite, figures.composite) << "no setting of this config draws numbers";
+        EXPECT_EQ(figures.seeds[0].reference->relativeMse, figures.reference->relativeMse);
+        EXPECT_EQ(figures.seeds[0].exact->share(), figures.exact->share());
+        EXPECT_GT(figures.seeds[0].floorMultiple, 0);
+    }
+}
+
+/// The share of pixels whose colour is not in the legend. A hit has any shade of green.
+double strangers(const std::vector<uint8_t>& rgb, const nlohmann::ordered_json& legend, bool shadesOfGreen) {
+    std::vector<std::array<int, 3>> colors;
+    for (const auto& entry : legend) {
+        const int color = std::stoi(entry["color"].get<std::string>().substr(1), nullptr, 16);
+        colors.push_back({color >> 16, color >> 8 & 255, color & 255});
+    }
+    size_t strange = 0;
+    for (size_t i = 0; i < rgb.size(); i += 3) {
+        const auto near = [&](const std::array<int, 3>& color) {
+            return std::abs(color[0] - rgb[i]) <= 1 && std::abs(color[1] - rgb[i + 1]) <= 1 &&
+                   std::abs(color[2] - rgb[i + 2]) <= 1;
+        };
+        const bool hit = shadesOfGreen && rgb[i] == 0 && rgb[i + 2] == 0;
+        strange += !hit && std::ranges::none_of(colors, near);
+    }
+    return static_cast<double>(strange) / (static_cast<double>(rgb.size()) / 3);
+}
+
+TEST(Compare, LegendsHaveTheColoursOfTheMaps) {
+    const nlohmann::ordered_json legends = cli::legendsJson();
+    for (const measure::ConfigFigures& figures : comparison().configs) {
+        EXPECT_EQ(strangers(figures.outcome, legends["outcome"], true), 0);
+        EXPECT_EQ(strangers(figures.source, legends["source"], false), 0);
+        EXPECT_EQ(strangers(measure::classColors(figures.hits.classes), legends["hits"], false), 0);
+    }
+    const auto& outcomes = comparison().configs[0].stats.outcomes;
+    ASSERT_EQ(legends["outcome"].size(), outcomes.size());
+    for (const auto& [name, pixels] : outcomes)
+        EXPECT_TRUE(std::ranges::any_of(legends["outcome"], [&](const auto& entry) { return entry["name"] == name; }))
+            << name;
+}
+
+TEST(Compare, APageIsMadeOfIt) {
+    cli::Report report;
+    report.scenes.push_back(cli::reportScene(comparison(), {"a", "b", "c"}, "1"));
+    const std::vector<measure::ComparisonMaps>& maps = report.scenes[0].maps;
+    EXPECT_EQ(maps[0].flipMean, 0) << "it is the reference";
+    EXPECT_GT(maps[2].flipMean, maps[1].flipMean);
+    const std::string page = must(cli::reportPage(report));
+    EXPECT_LT(page.size(), 3000000u);
+    EXPECT_NE(page.find("builtin:exact 320x180 camera 1"), page.npos);
+    // Every figure is known with its noise, and most have none here.
+    const std::vector<measure::Figure> figures = cli::reportFigures(report.scenes);
+    for (const char* name :
+         {"hits.recall.all", "exact.oneBounceWrong", "error.relativeMse.mirror", "error.flip", "time.floors"})
+        EXPECT_EQ(std::ranges::count(figures, name, &measure::Figure::name), 3) << name;
+    for (const measure::Figure& figure : figures)
+        EXPECT_TRUE(figure.name == "time.floors" || figure.estimate.standardError == 0) << figure.name;
 }
 
 } // namespace

@@ -302,10 +302,37 @@ TEST_F(CliTest, CompareFindsBadArgumentsBeforeAnyWork) {
         {{"--config", "fast", "--size", "0x0"}, "--size 0x0"},
         {{"--config", "fast", "--frames", "0"}, "--frames 0: expected 1 to"},
         {{"--config", "fast", "--json", folder_ + "none/a.json"}, "--json"},
+        {{"--config", "fast", "--report", folder_ + "none/a.html"}, "there is no folder"},
         {{"--config", "fast", "--set", "screen.step=0"}, "out of range"},
     };
     for (auto [arguments, part] : cases) {
         arguments.insert(arguments.begin(), {"compare", "builtin:exact"});
+        expectError(run(arguments), kBadInput, part);
+    }
+}
+
+TEST_F(CliTest, ReportFindsBadArgumentsBeforeAnyWork) {
+    const std::string page = folder_ + "a.html";
+    const std::pair<std::vector<std::string>, std::string_view> cases[] = {
+        {{"-o", folder_ + "a.png"}, "the name must end in .html"},
+        {{"-o", folder_ + "none/a.html"}, "there is no folder"},
+        {{"-o", page, "--json", folder_ + "none/a.json"}, "there is no folder"},
+        {{"-o", page, "--config", "slow"}, "--config slow: no preset of this name"},
+        {{"-o", page, "--reference", "slow"}, "slow: no preset of this name"},
+        {{"-o", page, "--seeds", "1"}, "--seeds 1: expected 2 to 64"},
+        {{"-o", page, "--frames", "0"}, "--frames 0: expected 1 to"},
+        {{"-o", page, "--reference-frames", "0"}, "--reference-frames 0: expected 1 to"},
+        {{"-o", page, "--motion-frames", "1"}, "nothing moves in one frame"},
+        {{"-o", page, "--motion-size", "0x0"}, "--size 0x0"},
+        {{"-o", page, "--path", "zoom"}, "--path zoom: expected still"},
+        {{"-o", page, "--threshold", "nan"}, "--threshold nan"},
+        {{"-o", page, "--time-threshold", "-1"}, "--time-threshold -1"},
+        {{"-o", page, "--curve", folder_ + "none.json"}, "--curve"},
+        {{"-o", page, "--against", folder_ + "none.json"}, "--against"},
+        {{"-o", page, "--set", "screen.step=0"}, "out of range"},
+    };
+    for (auto [arguments, part] : cases) {
+        arguments.insert(arguments.begin(), {"report", "builtin:exact"});
         expectError(run(arguments), kBadInput, part);
     }
 }

@@ -1,0 +1,29 @@
+/** Builds the page from the report's values. */
+function showReport(data) {
+  const main = document.getElementById("main"), nav = document.getElementById("sections");
+  const first = data.scenes[0];
+  document.getElementById("header").append(h("h1", {}, `Glint report: ${data.scenes.map(scene => scene.title).join(", ")}`),
+    h("p", {class: "dim"}, `${data.device.name}, Glint ${data.glint}. Settings compared: `,
+      first.configs.map((config, i) => h("span", {}, key(i), config.name, i + 1 < first.configs.length ? ", " : ""))));
+
+  const section = (title, short, content) => {
+    const id = newId();
+    main.append(h("section", {"aria-labelledby": id}, h("h2", {id}, title), ...content.filter(Boolean)));
+    nav.append(h("a", {href: `#${id}`}, short));
+  };
+  if (data.changes) section("Changes since the earlier report", "Changes", changesSection(data.changes));
+  for (const scene of data.scenes) {
+    const named = text => data.scenes.length > 1 ? `${text}: ${scene.title}` : text;
+    section(named("Images"), named("Images"), splitView(data, scene));
+    section(named("Maps"), named("Maps"), mapsSection(data, scene));
+    section(named("Rays against exact rays"), named("Hits"), [...hitsSection(scene), ...exactSection(scene)]);
+    section(named("Error by roughness"), named("Error"), errorSection(scene));
+    section(named("Time"), named("Time"), timesSection(scene, data.clock));
+    if (scene.motion) section(named("Motion"), named("Motion"), motionSection(data, scene));
+    section(named("Settings and commands"), named("Settings"), settingsSection(scene));
+  }
+  if (data.curve) section("Cost and error", "Curve", curveSection(data.curve));
+  section("Machine and command", "Machine", originSection(data));
+  setZoom(1);
+  addEventListener("resize", () => setZoom(zoom.scale));
+}
