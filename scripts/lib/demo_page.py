@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""demo_page.py FOLDER: writes FOLDER/index.html from the pictures and --stats files that scripts/demo made there.
+"""demo_page.py FOLDER: writes FOLDER/index.html from the pictures and --stats files that scripts/demo made there, with a
+link to report.html.
 
 Read from each stats file, where present:  device (a name, or an object with one), rays, lookupsPerRay,
 passes ([{name, ms}] or {name: ms}), outcomes ({name: rays}).  A figure that is missing is left out of the page.
@@ -104,6 +105,7 @@ TEMPLATE = """<!doctype html>
 body { margin: 0 auto; max-width: 1320px; padding: 3rem 1.25rem 5rem; background: #0d1117; color: #e6edf3;
        font: 16px/1.55 system-ui, sans-serif; }
 h1 { margin: 0; font-size: 2.6rem; font-weight: 650; letter-spacing: -.03em; }
+header a { color: #58a6ff; }
 header p { margin: .4rem 0 2rem; color: var(--dim); max-width: 46rem; }
 h2 { margin: 1.1rem 0 .4rem; font-size: 1.2rem; } h2 small { color: var(--dim); font-weight: 400; margin-left: .5rem; }
 h3 { margin: 0 0 .5rem; font-size: .8rem; font-weight: 600; color: var(--dim); text-transform: uppercase; letter-spacing: .08em; }
@@ -134,7 +136,8 @@ main { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(420px, 
 article { min-width: 0; } article .columns { grid-template-columns: 1fr; }
 </style></head><body>
 <header><h1>Glint</h1><p>Reflections for any Vulkan renderer. Drag across the picture to see the same frame without and with
-them, and choose below it which technique or view lies on the right. @DEVICE@</p></header>
+them, and choose below it which technique or view lies on the right. <a href="report.html">The report</a> has the measurements.
+@DEVICE@</p></header>
 @COMPARE@
 <main>@CARDS@</main>
 <script>

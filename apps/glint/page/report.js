@@ -23,6 +23,7 @@ function showReport(data) {
     section(named("Settings and commands"), named("Settings"), settingsSection(scene));
   }
   if (data.curve) section("Cost and error", "Curve", curveSection(data.curve));
+  if (data.figures.length) section("Figures under watch", "Watched", watchedSection(data.figures));
   section("Machine and command", "Machine", originSection(data));
   setZoom(1);
   addEventListener("resize", () => setZoom(zoom.scale));
