@@ -89,7 +89,6 @@ function barChart({label, axis, rows}) {
       const title = `${part.number} ${part.name}: ${digits(part.value)}`;
       const rect = svg("rect", {x: x(at), y, width: Math.max(width, 0), height: 26, class: "gap"});
       rect.style.fill = seriesColor(row.index);
-      rect.style.fillOpacity = part.number % 2 ? 1 : 0.78;
       const group = svg("g", {role: "img", "aria-label": title}, svg("title", {}, title), rect);
       if (width > 10 + textWidth(part.number))
         group.append(svg("text", {x: x(at) + width / 2, y: y + 18, "text-anchor": "middle", class: "on-mark"}, String(part.number)));

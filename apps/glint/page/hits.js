@@ -29,7 +29,7 @@ function hitsSection(scene) {
 /** Wrong mirror pixels against the exact picture, where the scene has one. */
 function exactSection(scene) {
   if (!scene.configs.some(config => config.exact))
-    return [h("p", {class: "dim"}, `No exact picture: ${scene.noExact}.`)];
+    return [h("p", {class: "dim"}, `Wrong mirror pixels: ${scene.noExact}.`)];
   return [table("Wrong mirror pixels against the exact picture", ["settings", "one bounce", "wrong", "all bounces", "wrong"],
     scene.configs.map((config, i) => [h("span", {}, key(i), config.name), grouped(config.exact.oneBouncePixels),
       percent(config.exact.oneBounceWrongShare, 2), grouped(config.exact.mirrorPixels), percent(config.exact.wrongShare, 2)]))];

@@ -16,7 +16,7 @@ function ramp(data, low, high) {
 }
 
 function mapsSection(data, scene) {
-  const base = scene.reference ? `the reference, ${scene.reference}` : `${letter(0)} ${scene.configs[0].name}`;
+  const base = scene.reference ? `the reference (${scene.reference})` : `${letter(0)} ${scene.configs[0].name}`;
   const shares = outcomes => {
     const sum = Object.values(outcomes).reduce((total, count) => total + count, 0);
     return Object.fromEntries(Object.entries(outcomes).map(([name, count]) => [name, count / Math.max(1, sum)]));

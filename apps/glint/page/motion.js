@@ -41,7 +41,7 @@ const meanOf = figure => figure ? figure.mean : null;
 const shareOf = (list, index) => list && list[index] ? list[index].share : null;
 
 function motionTable(motion) {
-  return table("Motion of the reflected radiance", ["settings", "surfaces", "relative MSE", "bias", "noise", "flicker", "swim",
+  return knownTable("Motion of the reflected radiance", ["settings", "surfaces", "relative MSE", "bias", "noise", "flicker", "swim",
     "lag90, frames", "trail4", "ghost4", "sharp", "energy", "fireflies a million"],
     bandRows(motion.configs, config => config.figures && config.figures.reflection, band => [
       digits(meanOf(band.relMse)), digits(meanOf(band.bias)), digits(meanOf(band.noise)), digits(meanOf(band.flicker)),

@@ -24,7 +24,7 @@ function applyZoom(view) {
 const pixelSize = view => zoom.scale * view.clientWidth / view.imageWidth;
 
 function zoomText(view) {
-  return zoom.scale === 1 ? "whole image" : `1 pixel = ${digits(pixelSize(view), 2)}`;
+  return zoom.scale === 1 ? "whole image" : `1 pixel is ${digits(pixelSize(view), 2)} wide`;
 }
 
 /** Zooms so that what is under (x, y), in window coordinates, stays there. */

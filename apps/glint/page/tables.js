@@ -28,3 +28,11 @@ function bandRows(configs, bandsOf, cells) {
     }));
   });
 }
+
+/** A table without the columns whose every cell is unknown. */
+function knownTable(caption, columns, rows) {
+  const cells = row => row.cells || row;
+  const kept = columns.map((_, i) => i === 0 || rows.some(row => cells(row)[i] !== kUnknown));
+  const only = list => list.filter((_, i) => kept[i]);
+  return table(caption, only(columns), rows.map(row => ({first: row.first, cells: only(cells(row))})));
+}
