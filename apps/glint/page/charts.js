@@ -18,20 +18,20 @@ function linearTicks(most) {
   return ticks;
 }
 
-/** Powers of ten around the values, with 2 and 5 between them where there are few. */
-function logScale(values) {
+/** Powers of ten, with 2 and 5 between them where their texts have room in `width`. */
+function logScale(values, width) {
   const some = values.filter(value => value > 0);
   if (!some.length) return null;
   let low = Math.min(...some), high = Math.max(...some);
   if (high / low < 4) { low /= 2; high *= 2; }
   low /= 1.15; high *= 1.15;
-  const ticks = [];
-  const factors = high / low > 1000 ? [1] : [1, 2, 5];
-  for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power)
-    for (const factor of factors) {
-      const value = factor * 10 ** power;
-      if (value >= low && value <= high) ticks.push(value);
-    }
+  const ticksOf = factors => {
+    const ticks = [];
+    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); ++power)
+      ticks.push(...factors.map(factor => factor * 10 ** power).filter(value => value >= low && value <= high));
+    return ticks;
+  };
+  const ticks = [[1, 2, 5], [1, 3], [1]].map(ticksOf).find((list, i) => i === 2 || list.length * 48 <= width);
   return {at: value => (Math.log(value) - Math.log(low)) / (Math.log(high) - Math.log(low)), ticks};
 }
 
@@ -50,9 +50,9 @@ function letterMark(x, y, index, title) {
 
 /** rows: [{name, marks: [{index, name, value}]}] */
 function dotChart({label, axis, rows}) {
-  const scale = logScale(rows.flatMap(row => row.marks.map(mark => mark.value)));
-  if (!scale) return h("p", {class: "dim"}, `${label}: nothing differs.`);
   const left = 20 + Math.max(...rows.map(row => textWidth(row.name))), right = chartWidth() - 20, step = 46;
+  const scale = logScale(rows.flatMap(row => row.marks.map(mark => mark.value)), right - left);
+  if (!scale) return h("p", {class: "dim"}, `${label}: nothing differs.`);
   const x = value => left + scale.at(value) * (right - left);
   const bottom = 12 + rows.length * step;
   const content = scale.ticks.map(tick => [svg("line", {x1: x(tick), x2: x(tick), y1: 8, y2: bottom, class: "rule"}),

@@ -2,9 +2,11 @@
 function curveSection(curve) {
   const unit = {floors: "multiples of the floor", ms: "milliseconds", lookups: "depth lookups a ray"}[curve.unit] || curve.unit;
   const everything = [...curve.points, ...curve.presets];
-  const scaleOf = values => Math.max(...values) > 20 * Math.min(...values) && Math.min(...values) > 0 ? logScale(values) : linearScale(values);
-  const across = scaleOf(everything.map(point => point.cost)), up = scaleOf(everything.map(point => point.error));
   const left = 60, right = chartWidth() - 20, top = 12, bottom = 372;
+  const scaleOf = (values, width) => Math.min(...values) > 0 && Math.max(...values) > 20 * Math.min(...values)
+    ? logScale(values, width) : linearScale(values);
+  const across = scaleOf(everything.map(point => point.cost), right - left);
+  const up = scaleOf(everything.map(point => point.error), 2 * (bottom - top));
   const x = cost => left + across.at(cost) * (right - left), y = error => bottom - up.at(error) * (bottom - top);
 
   const detail = h("div", {class: "detail", "aria-live": "polite"});
