@@ -2,7 +2,7 @@
 // The host's Vulkan device, which Glint uses but does not own.
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/error.hpp"
 #include "glint/version.hpp"
 
@@ -27,6 +27,9 @@ enum class DeviceDemands : uint8_t {
     Sources, ///< Screen, and probes, planar mirrors and rays
 };
 
+/// Receives a message for the host's log: one line of UTF-8, valid during the call. `user`: HostDevice::messageUser.
+using MessageCallback = void (*)(void* user, const char* text);
+
 /// The host's Vulkan handles. They must outlive every Glint object created from them: destroy the device last.
 struct HostDevice {
     VkInstance instance = VK_NULL_HANDLE;
@@ -38,6 +41,16 @@ struct HostDevice {
     /// rays use Glint's own hierarchy (RayBackend::Bvh).
     bool rayQuery = false;
     DeviceDemands demands = DeviceDemands::Sources; ///< the host enabled their features (requireDeviceFeatures)
+    /// The host's cache for Glint's pipelines, so that a program's next run need not compile them: the host loads and
+    /// stores its data. It must outlive the Context and must not be used by other threads during create calls. Null:
+    /// none.
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;
+    /// Host memory of every Vulkan object that Glint creates, as Vulkan defines it. The struct is copied. Null: the
+    /// driver's own.
+    const VkAllocationCallbacks* allocationCallbacks = nullptr;
+    /// Receives each note of every Reflections (Reflections::notes) when it is made. Null: none.
+    MessageCallback message = nullptr;
+    void* messageUser = nullptr;
 };
 
 /// Returns the device extensions that the host must enable in addition to Vulkan 1.3.

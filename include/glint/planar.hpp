@@ -3,7 +3,7 @@
 // a clip plane; the host provides the drawn image and its depth. Optional. docs/techniques/planar.md.
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/view.hpp"

@@ -3,7 +3,7 @@
 // for reflections. Optional. docs/techniques/probes.md.
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 

@@ -2,7 +2,7 @@
 // The host's triangles and instances for ray tracing. Optional: without a RayScene the source `rays` is not available.
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/context.hpp"
 #include "glint/ray_backend.hpp"
 #include "glint/view.hpp"

@@ -2,7 +2,7 @@
 // The main class of the library: it takes the host's G-buffer and returns the lit image with reflections.
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
 #include "glint/inspection.hpp"

@@ -3,7 +3,7 @@
 // settings_list.hpp holds each setting's default, range, unit and meaning; docs/settings.md shows them as a table.
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/error.hpp"
 #include "glint/ray_backend.hpp"
 #include "glint/setting_info.hpp"

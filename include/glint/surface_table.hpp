@@ -4,7 +4,7 @@
 // (glint/ray_hits.hpp).
 #pragma once
 
-#include "glint/api.hpp"
+#include "glint/api.h"
 #include "glint/context.hpp"
 #include "glint/view.hpp"
 

@@ -74,7 +74,7 @@ Result<void> AccelerationStructure::allocate(Context& context, std::string name,
     info.size = sizes.accelerationStructureSize;
     info.type = type_;
     if (const VkResult result =
-            context.api().CreateAccelerationStructureKHR(context.device(), &info, nullptr, &handle_);
+            context.api().CreateAccelerationStructureKHR(context.device(), &info, context.callbacks(), &handle_);
         result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "acceleration structure '{}' cannot be created: VkResult {}",
                          storage_.name(), static_cast<int>(result));
@@ -108,7 +108,7 @@ void AccelerationStructure::recordBuild(VkCommandBuffer commands, Buffer& scratc
 
 void AccelerationStructure::destroy() {
     if (context_ && handle_)
-        context_->api().DestroyAccelerationStructureKHR(context_->device(), handle_, nullptr);
+        context_->api().DestroyAccelerationStructureKHR(context_->device(), handle_, context_->callbacks());
     handle_ = VK_NULL_HANDLE;
 }
 

@@ -2,9 +2,8 @@
 
 #include "base/text.hpp"
 #include "gpu/device_requirements.hpp"
+#include "gpu/loader.hpp"
 #include "gpu/memory.hpp"
-
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <charconv>
@@ -21,14 +20,6 @@ Error vulkanError(const char* what, VkResult result) {
                            : result == VK_ERROR_OUT_OF_DEVICE_MEMORY ? ErrorCode::OutOfMemory
                                                                      : ErrorCode::Unsupported;
     return makeError(code, "{} failed with VkResult {}", what, static_cast<int>(result));
-}
-
-Result<void*> openLoader() {
-    for (const char* name : {"libvulkan.so.1", "libvulkan.so"})
-        if (void* loader = dlopen(name, RTLD_NOW | RTLD_LOCAL))
-            return loader;
-    return makeError(ErrorCode::NotFound,
-                     "no Vulkan loader (libvulkan.so.1): install libvulkan1, or start the program with scripts/glint");
 }
 
 DeviceInfo describe(const Api& api, VkPhysicalDevice device, Demands demands) {
@@ -102,6 +93,11 @@ Result<std::unique_ptr<Context>> Context::adopt(const AdoptedDevice& host) {
     if (host.rayQuery && host.demands == Demands::Screen)
         return invalidArgument("ray queries on a device that was made for the screen's reflections alone");
     context->rayQuery_ = host.rayQuery;
+    context->pipelineCache_ = host.pipelineCache;
+    if (host.allocationCallbacks)
+        context->callbacks_ = *host.allocationCallbacks;
+    context->message_ = host.message;
+    context->messageUser_ = host.messageUser;
     GLINT_CHECK(context->finish());
     return context;
 }
@@ -109,8 +105,7 @@ Result<std::unique_ptr<Context>> Context::adopt(const AdoptedDevice& host) {
 Result<void> Context::createInstance(const ContextDesc& desc) {
     GLINT_TRY(loader, openLoader());
     loader_ = loader;
-    const auto getInstanceProcAddr =
-        reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(loader_, "vkGetInstanceProcAddr"));
+    const PFN_vkGetInstanceProcAddr getInstanceProcAddr = instanceProcAddr(loader_);
     const auto createInstance =
         reinterpret_cast<PFN_vkCreateInstance>(getInstanceProcAddr(nullptr, "vkCreateInstance"));
     const auto enumerateExtensions = reinterpret_cast<PFN_vkEnumerateInstanceExtensionProperties>(
@@ -314,7 +309,8 @@ Result<void> Context::finish() {
         scratchAlignment_ = std::max(structures.minAccelerationStructureScratchOffsetAlignment, 1u);
     }
 
-    if (const VkResult result = createAllocator(api_, instance_, physicalDevice_, device_, hasTables(), allocator_);
+    if (const VkResult result =
+            createAllocator(api_, instance_, physicalDevice_, device_, hasTables(), callbacks(), allocator_);
         result != VK_SUCCESS)
         return vulkanError("creating the memory allocator", result);
 
@@ -331,7 +327,8 @@ Result<void> Context::finish() {
             info.compareEnable = VK_TRUE;
             info.compareOp = VK_COMPARE_OP_GREATER_OR_EQUAL; // reversed depth: lit if no occluder is nearer
         }
-        if (const VkResult result = api_.CreateSampler(device_, &info, nullptr, &samplers_[i]); result != VK_SUCCESS)
+        if (const VkResult result = api_.CreateSampler(device_, &info, callbacks(), &samplers_[i]);
+            result != VK_SUCCESS)
             return vulkanError("vkCreateSampler", result);
     }
     if (!owned_)
@@ -358,10 +355,10 @@ Result<void> Context::finish() {
 Context::~Context() {
     pipelines_.clear();
     for (const auto& [size, layout] : tableLayouts_)
-        api_.DestroyDescriptorSetLayout(device_, layout, nullptr);
+        api_.DestroyDescriptorSetLayout(device_, layout, callbacks());
     if (device_ && api_.DestroySampler)
         for (VkSampler sampler : samplers_)
-            api_.DestroySampler(device_, sampler, nullptr);
+            api_.DestroySampler(device_, sampler, callbacks());
     if (allocator_)
         destroyAllocator(allocator_);
     if (owned_) {
@@ -379,7 +376,7 @@ Context::~Context() {
         if (instance_)
             api_.DestroyInstance(instance_, nullptr);
         if (loader_)
-            dlclose(loader_);
+            closeLoader(loader_);
     }
 }
 

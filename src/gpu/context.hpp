@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,8 +51,12 @@ struct AdoptedDevice {
     VkDevice device = VK_NULL_HANDLE;
     uint32_t queueFamily = 0;
     PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
-    bool rayQuery = false;              ///< the host enabled rayQueryExtensions() and RayQueryFeatures
-    Demands demands = Demands::Sources; ///< demands whose features the host enabled
+    bool rayQuery = false;                          ///< the host enabled rayQueryExtensions() and RayQueryFeatures
+    Demands demands = Demands::Sources;             ///< demands whose features the host enabled
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE; ///< null: none
+    const VkAllocationCallbacks* allocationCallbacks = nullptr; ///< copied; null: the driver's
+    void (*message)(void* user, const char* text) = nullptr;    ///< null: none
+    void* messageUser = nullptr;
 };
 
 enum class SamplerKind : uint8_t { LinearClamp, NearestClamp, LinearRepeat, ShadowCompare, Count };
@@ -73,6 +78,14 @@ public:
     uint64_t nextRecording() { return ++recordings_; } ///< Returns a unique number for each command buffer's Frame.
 
     const Api& api() const { return api_; }
+    VkPipelineCache pipelineCache() const { return pipelineCache_; }
+    /// For every vkCreate... and vkDestroy... of this device's objects.
+    const VkAllocationCallbacks* callbacks() const { return callbacks_ ? &*callbacks_ : nullptr; }
+    /// Gives a line to the host's log, if the host asked for it.
+    void message(const std::string& text) const {
+        if (message_)
+            message_(messageUser_, text.c_str());
+    }
     const DeviceInfo& info() const { return info_; }
     VkInstance instance() const { return instance_; }
     VkPhysicalDevice physicalDevice() const { return physicalDevice_; }
@@ -150,7 +163,11 @@ private:
 
     Api api_;
     DeviceInfo info_;
-    void* loader_ = nullptr; ///< dlopen handle, created contexts only
+    VkPipelineCache pipelineCache_ = VK_NULL_HANDLE;
+    std::optional<VkAllocationCallbacks> callbacks_;
+    void (*message_)(void* user, const char* text) = nullptr;
+    void* messageUser_ = nullptr;
+    void* loader_ = nullptr; ///< gpu/loader.hpp; created contexts only
     bool owned_ = false;
     bool rayQuery_ = false;
     bool anisotropy_ = false;

@@ -35,7 +35,7 @@ namespace glint::gpu::vma {
 namespace glint::gpu {
 
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         bool addresses, vma::VmaAllocator_T*& allocator) {
+                         bool addresses, const VkAllocationCallbacks* callbacks, vma::VmaAllocator_T*& allocator) {
     vma::VmaVulkanFunctions functions = {};
     functions.vkGetInstanceProcAddr = api.GetInstanceProcAddr;
     functions.vkGetDeviceProcAddr = api.GetDeviceProcAddr;
@@ -49,6 +49,7 @@ VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice p
     // Images of a frame get memory of their own (from half of a block on), which leaves nothing unused; VMA's default
     // blocks, of up to 256 MiB, leave half of what they take.
     info.preferredLargeHeapBlockSize = VkDeviceSize{8} << 20;
+    info.pAllocationCallbacks = callbacks;
     return vma::vmaCreateAllocator(&info, &allocator);
 }
 

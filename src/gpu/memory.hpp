@@ -10,7 +10,7 @@ namespace glint::gpu {
 /// `addresses`: allows buffer device addresses, which acceleration structures and the vertices of ray hits need;
 /// requires the feature bufferDeviceAddress.
 VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice physicalDevice, VkDevice device,
-                         bool addresses, vma::VmaAllocator_T*& allocator);
+                         bool addresses, const VkAllocationCallbacks* callbacks, vma::VmaAllocator_T*& allocator);
 void destroyAllocator(vma::VmaAllocator_T* allocator);
 /// Returns the bytes of all existing images and buffers, in all kinds of memory, mapped or not.
 size_t allocatedBytes(vma::VmaAllocator_T* allocator);

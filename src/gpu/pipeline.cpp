@@ -28,9 +28,9 @@ public:
         VkShaderModuleCreateInfo info = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
         info.codeSize = shader.words.size_bytes();
         info.pCode = shader.words.data();
-        result_ = context.api().CreateShaderModule(context.device(), &info, nullptr, &module_);
+        result_ = context.api().CreateShaderModule(context.device(), &info, context.callbacks(), &module_);
     }
-    ~Module() { context_.api().DestroyShaderModule(context_.device(), module_, nullptr); }
+    ~Module() { context_.api().DestroyShaderModule(context_.device(), module_, context_.callbacks()); }
     Module(const Module&) = delete;
     Module& operator=(const Module&) = delete;
     bool ok() const { return result_ == VK_SUCCESS; }
@@ -122,7 +122,7 @@ Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> s
     setInfo.bindingCount = static_cast<uint32_t>(layoutBindings.size());
     setInfo.pBindings = layoutBindings.data();
     const Api& api = context->api();
-    VkResult result = api.CreateDescriptorSetLayout(context->device(), &setInfo, nullptr, &setLayout);
+    VkResult result = api.CreateDescriptorSetLayout(context->device(), &setInfo, context->callbacks(), &setLayout);
 
     const VkPushConstantRange range = {stages, 0, static_cast<uint32_t>(wantedPushSize)};
     const std::array<VkDescriptorSetLayout, 2> sets = {setLayout, tableLayout};
@@ -132,7 +132,7 @@ Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> s
     info.pushConstantRangeCount = wantedPushSize > 0 ? 1 : 0;
     info.pPushConstantRanges = &range;
     if (result == VK_SUCCESS)
-        result = api.CreatePipelineLayout(context->device(), &info, nullptr, &layout);
+        result = api.CreatePipelineLayout(context->device(), &info, context->callbacks(), &layout);
     if (result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "{}: its layout cannot be created (VkResult {})", name,
                          static_cast<int>(result));
@@ -190,9 +190,10 @@ Result<void> Pipeline::Made::compile() {
                   "main",
                   &specialization.info};
     info.layout = layout;
-    const VkResult result = module.ok() ? context->api().CreateComputePipelines(context->device(), VK_NULL_HANDLE, 1,
-                                                                                &info, nullptr, &pipeline)
-                                        : VK_ERROR_OUT_OF_HOST_MEMORY;
+    const VkResult result = module.ok()
+                                ? context->api().CreateComputePipelines(context->device(), context->pipelineCache(), 1,
+                                                                        &info, context->callbacks(), &pipeline)
+                                : VK_ERROR_OUT_OF_HOST_MEMORY;
     if (result != VK_SUCCESS)
         return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})", name,
                          static_cast<int>(result));
@@ -324,8 +325,8 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
     info.pColorBlendState = &blend;
     info.pDynamicState = &dynamic;
     info.layout = pipeline.layout;
-    if (const VkResult result = context.api().CreateGraphicsPipelines(context.device(), VK_NULL_HANDLE, 1, &info,
-                                                                      nullptr, &pipeline.pipeline);
+    if (const VkResult result = context.api().CreateGraphicsPipelines(context.device(), context.pipelineCache(), 1,
+                                                                      &info, context.callbacks(), &pipeline.pipeline);
         result != VK_SUCCESS)
         return makeError(ErrorCode::Unsupported, "{}: the driver cannot make this pipeline (VkResult {})",
                          pipeline.name, static_cast<int>(result));
@@ -338,9 +339,9 @@ Pipeline::Made::~Made() {
     if (!context)
         return;
     const Api& api = context->api();
-    api.DestroyPipeline(context->device(), pipeline, nullptr);
-    api.DestroyPipelineLayout(context->device(), layout, nullptr);
-    api.DestroyDescriptorSetLayout(context->device(), setLayout, nullptr);
+    api.DestroyPipeline(context->device(), pipeline, context->callbacks());
+    api.DestroyPipelineLayout(context->device(), layout, context->callbacks());
+    api.DestroyDescriptorSetLayout(context->device(), setLayout, context->callbacks());
 }
 
 const Pipeline::Made& Pipeline::it() const {

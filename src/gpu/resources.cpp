@@ -66,7 +66,7 @@ Result<Image> Image::create(Context& context, const ImageDesc& desc) {
         viewInfo.viewType = type;
         viewInfo.format = desc.format;
         viewInfo.subresourceRange = {image.aspect(), baseMip, mips, 0, desc.layers};
-        const VkResult result = context.api().CreateImageView(context.device(), &viewInfo, nullptr, &view);
+        const VkResult result = context.api().CreateImageView(context.device(), &viewInfo, context.callbacks(), &view);
         if (result == VK_SUCCESS)
             context.nameObject(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view), desc.name.c_str());
         return result == VK_SUCCESS;
@@ -103,8 +103,8 @@ void Image::destroy() {
         return;
     const Api& api = context_->api();
     for (VkImageView view : mipViews_)
-        api.DestroyImageView(context_->device(), view, nullptr);
-    api.DestroyImageView(context_->device(), view_, nullptr);
+        api.DestroyImageView(context_->device(), view, context_->callbacks());
+    api.DestroyImageView(context_->device(), view_, context_->callbacks());
     context_->memoryUses().erase(allocation_);
     destroyImage(context_->allocator(), image_, allocation_);
     image_ = VK_NULL_HANDLE;

@@ -20,7 +20,7 @@ Result<VkSampler> makeSampler(Context& context, const SamplerDesc& desc) {
         info.maxAnisotropy = 8; // floors are seen at grazing angles; beyond 8, no difference is visible
     }
     VkSampler sampler = VK_NULL_HANDLE;
-    if (context.api().CreateSampler(context.device(), &info, nullptr, &sampler) != VK_SUCCESS)
+    if (context.api().CreateSampler(context.device(), &info, context.callbacks(), &sampler) != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "a texture's sampler cannot be created");
     context.nameObject(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<uint64_t>(sampler), "textures/sampler");
     return sampler;
@@ -39,7 +39,8 @@ Result<VkDescriptorSetLayout> layoutOf(Context& context, uint32_t count) {
     VkDescriptorSetLayoutCreateInfo info = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, &flags};
     info.bindingCount = 1;
     info.pBindings = &binding;
-    const VkResult result = context.api().CreateDescriptorSetLayout(context.device(), &info, nullptr, &layout);
+    const VkResult result =
+        context.api().CreateDescriptorSetLayout(context.device(), &info, context.callbacks(), &layout);
     if (result != VK_SUCCESS)
         return makeError(ErrorCode::OutOfMemory, "a table of {} textures cannot be created (VkResult {})", count,
                          static_cast<int>(result));
@@ -88,7 +89,7 @@ Result<TextureTable> TextureTable::create(Context& context, std::span<const VkDe
     poolInfo.maxSets = 1;
     poolInfo.poolSizeCount = 1;
     poolInfo.pPoolSizes = &size;
-    VkResult result = api.CreateDescriptorPool(context.device(), &poolInfo, nullptr, &table.pool_);
+    VkResult result = api.CreateDescriptorPool(context.device(), &poolInfo, context.callbacks(), &table.pool_);
     if (result == VK_SUCCESS) {
         const VkDescriptorSetAllocateInfo allocate = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr,
                                                       table.pool_, 1, &table.layout_};
@@ -114,8 +115,8 @@ void TextureTable::destroy() {
         return;
     const Api& api = context_->api();
     for (const auto& [desc, sampler] : samplers_)
-        api.DestroySampler(context_->device(), sampler, nullptr);
-    api.DestroyDescriptorPool(context_->device(), pool_, nullptr);
+        api.DestroySampler(context_->device(), sampler, context_->callbacks());
+    api.DestroyDescriptorPool(context_->device(), pool_, context_->callbacks());
 }
 
 void TextureTable::swap(TextureTable& other) {

@@ -13,7 +13,7 @@ Result<std::unique_ptr<Timers>> Timers::create(Context& context) {
         VkQueryPoolCreateInfo info = {VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
         info.queryType = VK_QUERY_TYPE_TIMESTAMP;
         info.queryCount = 2 * kMaxPasses;
-        if (context.api().CreateQueryPool(context.device(), &info, nullptr, &slot.pool) != VK_SUCCESS)
+        if (context.api().CreateQueryPool(context.device(), &info, context.callbacks(), &slot.pool) != VK_SUCCESS)
             return makeError(ErrorCode::OutOfMemory, "the timestamp queries cannot be created");
         context.nameObject(VK_OBJECT_TYPE_QUERY_POOL, reinterpret_cast<uint64_t>(slot.pool), "glint/timers");
         GLINT_TRY(results, Buffer::create(context, {"glint/timers", kMarkOffset + sizeof(uint32_t),
@@ -27,7 +27,7 @@ Result<std::unique_ptr<Timers>> Timers::create(Context& context) {
 Timers::~Timers() {
     for (FrameSlot& slot : slots_)
         if (slot.pool)
-            context_.api().DestroyQueryPool(context_.device(), slot.pool, nullptr);
+            context_.api().DestroyQueryPool(context_.device(), slot.pool, context_.callbacks());
 }
 
 void Timers::beginFrame(VkCommandBuffer commands) {

@@ -56,7 +56,9 @@ Context& Context::operator=(Context&&) noexcept = default;
 Result<Context> Context::adopt(const HostDevice& device, uint32_t headerVersion) {
     GLINT_CHECK(checkHeaders(headerVersion));
     GLINT_TRY(context, gpu::Context::adopt({device.instance, device.physicalDevice, device.device, device.queueFamily,
-                                            device.getInstanceProcAddr, device.rayQuery, toDemands(device.demands)}));
+                                            device.getInstanceProcAddr, device.rayQuery, toDemands(device.demands),
+                                            device.pipelineCache, device.allocationCallbacks, device.message,
+                                            device.messageUser}));
     if (!context->info().usable())
         return makeError(ErrorCode::Unsupported, "{} cannot run Glint: it lacks {}", context->info().name,
                          joinText(context->info().missing, ", "));

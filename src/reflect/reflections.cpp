@@ -38,12 +38,21 @@ struct Reflections::State : gpu::KeepsContext {
     bool refused = false; ///< `notes` says why record did nothing
 
     void note();
+    void collectNotes();
     Result<void> checkRecord(VkCommandBuffer commands, const View& view) const;
     void refuse(const Error& why);
 };
 
-/// Notes which inputs the settings lack.
+/// Notes which inputs the settings lack; those that are new go to the host's log too.
 void Reflections::State::note() {
+    const std::vector<std::string> before = std::move(notes);
+    collectNotes();
+    for (const std::string& text : notes)
+        if (std::ranges::find(before, text) == before.end())
+            frame->context().message(text);
+}
+
+void Reflections::State::collectNotes() {
     notes.clear();
     refused = false;
     const Settings& settings = frame->desc().settings;
@@ -88,8 +97,10 @@ Result<void> Reflections::State::checkRecord(VkCommandBuffer commands, const Vie
 
 void Reflections::State::refuse(const Error& why) {
     frame->forget();
-    if (!refused)
+    if (!refused) {
         notes.push_back(why.message);
+        frame->context().message(why.message);
+    }
     refused = true;
 }
 
