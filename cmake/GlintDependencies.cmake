@@ -1,22 +1,21 @@
 # What the library itself needs, by package (scripts/lib/setup.sh installs them).
-find_package(VulkanHeaders REQUIRED)
-find_package(fmt REQUIRED)
-find_package(glm REQUIRED)
-find_package(nlohmann_json REQUIRED)
 find_program(GLSLC glslc REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
-# VMA is one header; Debian 12 has no package of it, so the set-up unpacks Debian 13's into .deps/.
-find_path(VMA_INCLUDE_DIR vk_mem_alloc.h HINTS ${PROJECT_SOURCE_DIR}/.deps/vma/include
-    PATH_SUFFIXES vma include)
+if(CMAKE_CROSSCOMPILING AND WIN32)
+    include(GlintHostHeaders)
+else()
+    find_package(VulkanHeaders REQUIRED)
+    find_package(fmt REQUIRED)
+    find_package(glm REQUIRED)
+    find_package(nlohmann_json REQUIRED)
+    # VMA is one header; Debian 12 has no package of it, so the set-up unpacks Debian 13's into .deps/.
+    find_path(VMA_INCLUDE_DIR vk_mem_alloc.h HINTS ${PROJECT_SOURCE_DIR}/.deps/vma/include
+        PATH_SUFFIXES vma include)
+endif()
 if(NOT VMA_INCLUDE_DIR)
     message(FATAL_ERROR "vk_mem_alloc.h, the Vulkan Memory Allocator, is not found: install libvulkan-memory-allocator-dev "
         "(Debian 13, Ubuntu 24.04), or say where it is with -DVMA_INCLUDE_DIR=<folder>; scripts/test brings its own")
 endif()
 add_library(glint_vma INTERFACE)
 target_include_directories(glint_vma SYSTEM INTERFACE $<BUILD_INTERFACE:${VMA_INCLUDE_DIR}>)
-
-# SPIR-V is reflected at build time, and in the viewer where it compiles shaders anew; never in the library. Debian ships
-# SPIRV-Cross as a C library.
-find_library(SPIRV_CROSS_C spirv-cross-c-shared REQUIRED)
-find_path(SPIRV_CROSS_C_INCLUDE_DIR spirv_cross_c.h PATH_SUFFIXES spirv_cross REQUIRED)

@@ -1,15 +1,18 @@
 # GLSL -> SPIR-V (validated) -> one C++ file per set, with the reflected bindings beside the words.
 
-# Shared with the viewer, which reflects what it compiles while it runs.
-add_library(glint_shader_reflection STATIC ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_reflection.cpp
-    ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_variants.cpp)
-target_include_directories(glint_shader_reflection PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
-target_include_directories(glint_shader_reflection SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
-target_link_libraries(glint_shader_reflection PUBLIC fmt::fmt PRIVATE ${SPIRV_CROSS_C} glint_warnings)
-
-add_executable(glint_shader_pack ${PROJECT_SOURCE_DIR}/src/gpu/embed/shader_pack.cpp)
-target_link_libraries(glint_shader_pack PRIVATE glint_shader_reflection glint_warnings)
-set_target_properties(glint_shader_pack PROPERTIES CROSSCOMPILING_EMULATOR "")
+if(CMAKE_CROSSCOMPILING AND NOT CMAKE_HOST_SYSTEM_NAME STREQUAL CMAKE_SYSTEM_NAME)
+    include(ExternalProject)
+    set(shader_pack_folder ${CMAKE_BINARY_DIR}/shader_pack)
+    ExternalProject_Add(glint_shader_pack_build SOURCE_DIR ${PROJECT_SOURCE_DIR}/cmake/shader_pack
+        BINARY_DIR ${shader_pack_folder} INSTALL_COMMAND "" BUILD_ALWAYS ON
+        CMAKE_ARGS -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
+        BUILD_BYPRODUCTS ${shader_pack_folder}/glint_shader_pack)
+    add_executable(glint_shader_pack IMPORTED)
+    set_target_properties(glint_shader_pack PROPERTIES IMPORTED_LOCATION ${shader_pack_folder}/glint_shader_pack)
+    add_dependencies(glint_shader_pack glint_shader_pack_build)
+else()
+    include(GlintShaderPack)
+endif()
 
 # One shader: `file`, its name with its stage's suffix, is compiled from `source` with the macros in ARGN. The SPIR-V file
 # is added to the list `spirv_files`. apps/view/shader_reload.cpp compiles in the same way.

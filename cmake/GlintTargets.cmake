@@ -25,6 +25,12 @@ function(glint_sources target)
     endif()
 endfunction()
 
+function(glint_without_source target source)
+    get_target_property(sources ${target} SOURCES)
+    list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${source})
+    set_property(TARGET ${target} PROPERTY SOURCES ${sources})
+endfunction()
+
 # Compiles up to GLINT_UNITY of the sources as one where that is possible (unity_groups.py), and looks at an edited source
 # anew, since it may not be possible any more.
 function(glint_unity target)
@@ -80,8 +86,15 @@ function(glint_library target)
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_compile_features(${target} PUBLIC cxx_std_20)
     if(BUILD_SHARED_LIBS)
-        target_compile_definitions(${target} PUBLIC GLINT_SHARED) # include/glint/api.hpp
+        target_compile_definitions(${target} INTERFACE GLINT_SHARED) # include/glint/api.h
+        foreach(built ${target} ${arg_PARTS})
+            target_compile_definitions(${built} PRIVATE GLINT_SHARED GLINT_BUILDING)
+        endforeach()
         set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
             SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}) # before 1.0 a minor version may break
+        if(UNIX AND NOT APPLE)
+            target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/cmake/glint.map)
+            set_target_properties(${target} PROPERTIES LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/glint.map)
+        endif()
     endif()
 endfunction()
