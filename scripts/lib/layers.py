@@ -2,6 +2,7 @@
 """The layer rules of the house, checked on #include lines and on calls of Vulkan. Prints each breach, fails on any.
 
     include/glint <- base <- gpu <- rays <- reflect             the library
+                     base <- c_api                              its interface for C, made of include/glint alone
                           gpu <- scene <- render <- measure <- apps
 Left never includes right; the library never sees scene, render, measure or apps, and render, measure and apps reach
 reflect only through include/glint/. Only src/gpu calls Vulkan; apps/view alone sees GLFW and Dear ImGui.
@@ -18,6 +19,7 @@ ALLOWED = {
     "gpu": {"include", "base"},
     "rays": {"include", "base", "gpu"},
     "reflect": {"include", "base", "gpu", "rays"},
+    "c_api": {"include", "base"},
     "scene": {"include", "base", "gpu"},
     "render": {"include", "base", "gpu", "scene"},
     "measure": {"include", "base", "gpu", "scene", "render"},

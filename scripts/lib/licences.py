@@ -10,9 +10,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-COPIED = ("include/glint", "examples/embed")
+COPIED = ("include/glint", "examples/embed", "examples/embed-c")
 SPDX = "SPDX-License-Identifier: MIT"
-COMMENT = {".hpp": "//", ".cpp": "//", ".txt": "#"}
+COMMENT = {".hpp": "//", ".cpp": "//", ".h": "//", ".c": "//", ".txt": "#"}
 
 
 def without_licence():

@@ -1,4 +1,5 @@
 // Cost of Reflections::record for the calling thread: no allocation, no waiting.
+#include "c_api/struct_reading.hpp"
 #include "gpu/support/allocations.hpp"
 #include "gpu/support/frames_in_flight.hpp"
 #include "gpu/support/library_test.hpp"
@@ -120,6 +121,47 @@ TEST_F(RecordCostTest, AllocatesNothing) {
     const uint64_t before = allocations();
     const std::string longer(100, '-');
     EXPECT_GT(allocations(), before) << longer;
+}
+
+TEST_F(RecordCostTest, AllocatesNothingThroughTheCInterface) {
+    if (!countsAllocations())
+        GTEST_SKIP() << "a sanitizer has the heap";
+    const SyntheticGBuffer gbuffer = SyntheticGBuffer::render(*context_, SurfaceScene::seenBy(scene_), camera_, 64, 48);
+    const gpu::AdoptedDevice handles = context_->handles();
+    HostDevice device = {handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
+                         handles.getInstanceProcAddr};
+    const GlintContextDesc contextDesc = c_api::toC(device);
+    GlintContext* context = nullptr;
+    ASSERT_EQ(glint_context_adopt(&contextDesc, GLINT_C_ABI, &context), GLINT_SUCCESS) << glint_last_error();
+    GlintReflectionsDesc desc = c_api::toC(ReflectionsDesc{64, 48});
+    GlintReflections* reflections = nullptr;
+    ASSERT_EQ(glint_reflections_create(context, &desc, &reflections), GLINT_SUCCESS) << glint_last_error();
+    const GlintImage depth = c_api::toC(gbuffer.gbuffer.depth);
+    const GlintImage normal = c_api::toC(gbuffer.gbuffer.normal);
+    const GlintImage material = c_api::toC(gbuffer.gbuffer.material);
+    const GlintImage lit = c_api::toC(gbuffer.gbuffer.litRadiance);
+    GlintGBuffer images = c_api::toC(GBuffer());
+    images.depth = &depth;
+    images.normal = &normal;
+    images.material = &material;
+    images.litRadiance = &lit;
+    ASSERT_EQ(glint_reflections_set_inputs(reflections, &images, nullptr), GLINT_SUCCESS) << glint_last_error();
+    uint64_t most = 0;
+    for (uint32_t frame = 1; frame <= 3; ++frame) {
+        View view = camera_.view(64, 48);
+        view.frameIndex = frame;
+        const GlintView camera = c_api::toC(view);
+        GlintImage result = c_api::toC(HostImage());
+        must(context_->submitAndWait([&](VkCommandBuffer commands) {
+            const uint64_t before = allocations();
+            EXPECT_EQ(glint_reflections_record(reflections, commands, &camera, &result), GLINT_SUCCESS);
+            most = std::max(most, allocations() - before);
+        }));
+        EXPECT_EQ(result.width, 64u);
+    }
+    EXPECT_EQ(most, 0u);
+    glint_reflections_destroy(reflections);
+    glint_context_destroy(context);
 }
 
 TEST_F(RecordCostTest, DoesNotWaitForTheGpu) {

@@ -1,0 +1,488 @@
+// The C interface beside the C++ interface: the same calls give the same bits, with every source.
+#include "c_api/struct_reading.hpp"
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/surface_scene.hpp"
+
+#include <gmock/gmock.h>
+
+#include <deque>
+
+namespace glint::test {
+namespace {
+
+using c_api::toC;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr uint32_t kWidth = 64;
+constexpr uint32_t kHeight = 40;
+
+void must(GlintResult result) {
+    if (result != GLINT_SUCCESS)
+        throw std::runtime_error(glint_last_error());
+}
+
+template <class C>
+C initialized(void (*init)(C*, uint32_t)) {
+    C c;
+    init(&c, sizeof c);
+    return c;
+}
+
+/// Structs of a C host that point to each other; pointers into a deque stay valid.
+struct HostStructs {
+    std::deque<GlintImage> images;
+    std::deque<GlintMaterialChannel> channels;
+    GlintConventions conventions;
+
+    const GlintImage* image(const HostImage& image) { return image ? &images.emplace_back(toC(image)) : nullptr; }
+    const GlintMaterialChannel* channel(const MaterialChannel& channel) {
+        GlintMaterialChannel& c = channels.emplace_back(toC(channel));
+        c.image = image(channel.image);
+        return &c;
+    }
+    GlintGBuffer gbuffer(const GBuffer& gbuffer) {
+        GlintGBuffer c = toC(gbuffer);
+        c.depth = image(gbuffer.depth);
+        c.normal = image(gbuffer.normal);
+        c.material = image(gbuffer.material);
+        c.roughness = channel(gbuffer.roughness);
+        c.metallic = channel(gbuffer.metallic);
+        c.specular = channel(gbuffer.specular);
+        c.occlusion = channel(gbuffer.occlusion);
+        c.litRadiance = image(gbuffer.litRadiance);
+        c.fallbackSpecular = image(gbuffer.fallbackSpecular);
+        conventions = toC(gbuffer.conventions);
+        c.conventions = &conventions;
+        return c;
+    }
+    GlintEnvironmentMap environment(const EnvironmentMap& map) {
+        GlintEnvironmentMap c = toC(map);
+        c.cube = image(map.cube);
+        c.diffuse = image(map.diffuse);
+        return c;
+    }
+};
+
+class CApiTest : public LibraryTest {
+protected:
+    void SetUp() override {
+        LibraryTest::SetUp();
+        const gpu::AdoptedDevice handles = gpu().handles();
+        device_ = initialized(glint_context_desc_init);
+        device_.instance = handles.instance;
+        device_.physicalDevice = handles.physicalDevice;
+        device_.device = handles.device;
+        device_.queueFamily = handles.queueFamily;
+        device_.getInstanceProcAddr = handles.getInstanceProcAddr;
+        device_.rayQuery = handles.rayQuery ? VK_TRUE : VK_FALSE;
+        must(glint_context_adopt(&device_, GLINT_C_ABI, &context_));
+        must(glint_settings_create(&settings_));
+        scene_.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.2f));
+        scene_.addQuad({-2, 0, -2}, {4, 0, 0}, {0, 3, 0}, emitting({1, 0.5f, 0.25f}));
+        scene_.addQuad({3, -3, 6}, {-6, 0, 0}, {0, 6, 0}, emitting({0.25f, 0.5f, 1}));
+        environment_ = TestEnvironment::make(gpu(), 8, 4, [](const glm::dvec3& direction, uint32_t) {
+            return glm::vec3(0.5f + 0.4f * static_cast<float>(direction.y));
+        });
+        gbuffer_ = SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene_), camera_, kWidth, kHeight);
+    }
+    void TearDown() override {
+        glint_reflections_destroy(reflections_);
+        glint_settings_destroy(settings_);
+        glint_context_destroy(context_);
+        LibraryTest::TearDown();
+    }
+
+    void setAll(const Settings& settings) {
+        const std::string json = toJson(settings);
+        must(glint_settings_from_json(settings_, json.data(), json.size(), "the test", nullptr));
+    }
+    void create(const Settings& settings, bool transparentLayers = false) {
+        setAll(settings);
+        GlintReflectionsDesc desc = initialized(glint_reflections_desc_init);
+        desc.width = kWidth;
+        desc.height = kHeight;
+        desc.settings = settings_;
+        desc.statistics = desc.views = VK_TRUE;
+        desc.transparentLayers = transparentLayers ? VK_TRUE : VK_FALSE;
+        desc.framesInFlight = 1;
+        must(glint_reflections_create(context_, &desc, &reflections_));
+    }
+    void setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
+        HostStructs structs;
+        const GlintGBuffer images = structs.gbuffer(gbuffer);
+        const GlintEnvironmentMap map = structs.environment(environment);
+        must(glint_reflections_set_inputs(reflections_, &images, &map));
+    }
+    View view(uint32_t frame) const {
+        View view = camera_.view(kWidth, kHeight);
+        view.frameIndex = frame;
+        return view;
+    }
+    HostImage recordC(VkCommandBuffer commands, uint32_t frame) {
+        const GlintView camera = toC(view(frame));
+        GlintImage result = initialized(glint_image_init);
+        must(glint_reflections_record(reflections_, commands, &camera, &result));
+        return test::must(c_api::readStruct<HostImage>(&result));
+    }
+    std::vector<float> frameOfC(uint32_t frame) {
+        HostImage image;
+        run([&](VkCommandBuffer commands) { image = recordC(commands, frame); });
+        return download(gpu(), image);
+    }
+    std::vector<float> viewOfC(const char* name) {
+        GlintImage image = initialized(glint_image_init);
+        run([&](VkCommandBuffer commands) {
+            must(glint_reflections_record_view(reflections_, commands, name, &image));
+        });
+        return download(gpu(), test::must(c_api::readStruct<HostImage>(&image)));
+    }
+
+    GlintContextDesc device_ = {};
+    GlintContext* context_ = nullptr;
+    GlintSettings* settings_ = nullptr;
+    GlintReflections* reflections_ = nullptr;
+    SurfaceScene scene_;
+    SyntheticCamera camera_ = {.position = {0, 1, 4}, .target = {0, 0.3, 0}};
+    TestEnvironment environment_;
+    SyntheticGBuffer gbuffer_;
+};
+
+TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
+    Settings settings;
+    settings.rays.enabled = true;
+    settings.rays.backend = RayBackend::Bvh;
+    settings.probes.enabled = true;
+    settings.planar.enabled = true;
+
+    // C++.
+    SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Bvh);
+    Probe probe;
+    probe.cube = environment_.map.cube;
+    probe.influence.halfExtents = probe.proxyVolume.halfExtents = {3, 3, 3};
+    Probes probes = test::must(Probes::create(library(), {{&probe, 1}, 16}));
+    const PlanarMirror mirror = {{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1}, 0};
+    PlanarMirrors mirrors =
+        test::must(PlanarMirrors::create(library(), {.mirrors = {&mirror, 1}, .width = 32, .height = 20}));
+    PlanarPicture picture;
+    picture.radiance = gbuffer_.gbuffer.litRadiance; // what a mirror shows matters not here, but that both show it
+    picture.depth = gbuffer_.gbuffer.depth;
+    picture.view = mirroredView(view(1), mirror);
+    Reflections cpp = LibraryTest::reflections(kWidth, kHeight, settings);
+    test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));
+    test::must(cpp.setRays(world.rays, world.surfaces));
+    test::must(cpp.setProbes(probes));
+    test::must(cpp.setPlanar(mirrors));
+    run([&](VkCommandBuffer commands) {
+        world.rays.record(commands);
+        world.surfaces.record(commands);
+        probes.record(commands);
+        test::must(mirrors.record(commands, 0, picture));
+    });
+
+    // C. The streams of vertices are the same buffers.
+    std::vector<GlintRayMesh> rayMeshes;
+    std::vector<GlintSurfaceMesh> meshes;
+    std::vector<GlintSurfaceMaterial> materials;
+    std::vector<GlintRayInstance> rayInstances;
+    std::vector<GlintSurfaceInstance> instances;
+    auto buffer = world.buffers.begin();
+    for (const TestMesh& mesh : scene_.triangles.meshes) {
+        GlintRayMesh& rayMesh = rayMeshes.emplace_back(initialized(glint_ray_mesh_init));
+        rayMesh.positions = &mesh.positions.front().x;
+        rayMesh.vertexCount = static_cast<uint32_t>(mesh.positions.size());
+        rayMesh.indices = mesh.indices.data();
+        rayMesh.indexCount = static_cast<uint32_t>(mesh.indices.size());
+        GlintSurfaceMesh& surface = meshes.emplace_back(initialized(glint_surface_mesh_init));
+        surface.positions = {(buffer++)->address(), sizeof(glm::vec3), 0};
+        surface.indices = (buffer++)->address();
+        const auto i = static_cast<uint32_t>(instances.size());
+        rayInstances.push_back(toC(scene_.triangles.instances[i]));
+        materials.push_back(toC(scene_.materials[i]));
+        instances.push_back(toC(SurfaceInstance{i, i, kIdentity}));
+    }
+    GlintRaySceneDesc rayDesc = initialized(glint_ray_scene_desc_init);
+    rayDesc.meshes = rayMeshes.data();
+    rayDesc.meshCount = static_cast<uint32_t>(rayMeshes.size());
+    rayDesc.instances = rayInstances.data();
+    rayDesc.instanceCount = static_cast<uint32_t>(rayInstances.size());
+    rayDesc.backend = GLINT_RAY_BACKEND_BVH;
+    GlintRayScene* rayScene = nullptr;
+    must(glint_ray_scene_create(context_, &rayDesc, &rayScene));
+    EXPECT_EQ(glint_ray_scene_backend(rayScene), GLINT_RAY_BACKEND_BVH);
+    GlintSurfaceTableDesc tableDesc = initialized(glint_surface_table_desc_init);
+    tableDesc.materials = materials.data();
+    tableDesc.materialCount = static_cast<uint32_t>(materials.size());
+    tableDesc.meshes = meshes.data();
+    tableDesc.meshCount = static_cast<uint32_t>(meshes.size());
+    tableDesc.instances = instances.data();
+    tableDesc.instanceCount = static_cast<uint32_t>(instances.size());
+    GlintSurfaceTable* table = nullptr;
+    must(glint_surface_table_create(context_, &tableDesc, &table));
+    HostStructs structs;
+    GlintProbe cProbe = toC(probe);
+    cProbe.cube = structs.image(probe.cube);
+    GlintProbesDesc probesDesc = initialized(glint_probes_desc_init);
+    probesDesc.probes = &cProbe;
+    probesDesc.probeCount = 1;
+    probesDesc.faceSize = 16;
+    GlintProbes* cProbes = nullptr;
+    must(glint_probes_create(context_, &probesDesc, &cProbes));
+    const GlintPlanarMirror cMirror = toC(mirror);
+    GlintPlanarMirrorsDesc mirrorsDesc = initialized(glint_planar_mirrors_desc_init);
+    mirrorsDesc.mirrors = &cMirror;
+    mirrorsDesc.mirrorCount = 1;
+    mirrorsDesc.width = 32;
+    mirrorsDesc.height = 20;
+    GlintPlanarMirrors* cMirrors = nullptr;
+    must(glint_planar_mirrors_create(context_, &mirrorsDesc, &cMirrors));
+    const GlintView camera = toC(view(1));
+    GlintView mirrored = initialized(glint_view_init);
+    must(glint_mirrored_view(&camera, &cMirror, &mirrored));
+    GlintPlanarPicture cPicture = initialized(glint_planar_picture_init);
+    cPicture.radiance = structs.image(picture.radiance);
+    cPicture.depth = structs.image(picture.depth);
+    cPicture.view = &mirrored;
+    create(settings);
+    setInputs(gbuffer_.gbuffer, environment_.map);
+    must(glint_reflections_set_rays(reflections_, rayScene, table));
+    must(glint_reflections_set_probes(reflections_, cProbes));
+    must(glint_reflections_set_planar(reflections_, cMirrors));
+    run([&](VkCommandBuffer commands) {
+        glint_ray_scene_record(rayScene, commands);
+        glint_surface_table_record(table, commands);
+        glint_probes_record(cProbes, commands);
+        must(glint_planar_mirrors_record(cMirrors, commands, 0, &cPicture));
+    });
+
+    for (uint32_t frame = 1; frame <= 2; ++frame) {
+        const Picture expected = trace(cpp, view(frame));
+        EXPECT_EQ(frameOfC(frame), expected.composite) << frame;
+        EXPECT_EQ(viewOfC("reflection"), expected.reflection);
+        EXPECT_EQ(viewOfC("outcome"), expected.outcomeColor);
+        GlintStatistics statistics = initialized(glint_statistics_init);
+        must(glint_reflections_statistics(reflections_, &statistics));
+        EXPECT_EQ(statistics.rays, expected.statistics.rays);
+        EXPECT_EQ(statistics.sceneRays, expected.statistics.scene.rays);
+        EXPECT_GT(statistics.sceneRays, 0u);
+        ASSERT_EQ(statistics.outcomeCount, expected.statistics.outcomes.size());
+        for (uint32_t i = 0; i < statistics.outcomeCount; ++i) {
+            EXPECT_EQ(statistics.outcomes[i].name, expected.statistics.outcomes[i].name);
+            EXPECT_EQ(statistics.outcomes[i].count, expected.statistics.outcomes[i].count);
+        }
+        ASSERT_EQ(glint_reflections_read_pass_times(reflections_), expected.passTimes.size());
+        for (uint32_t i = 0; i < expected.passTimes.size(); ++i)
+            EXPECT_EQ(glint_reflections_pass_name(reflections_, i), expected.passTimes[i].name);
+    }
+    // Each source took part: with one source fewer the picture is another.
+    const std::vector<float> all = frameOfC(3);
+    for (const char* source : {"rays.enabled", "probes.enabled", "planar.enabled"}) {
+        must(glint_settings_set(settings_, source, "false", nullptr));
+        must(glint_reflections_set_settings(reflections_, settings_));
+        EXPECT_NE(frameOfC(3), all) << source;
+        must(glint_settings_set(settings_, source, "true", nullptr));
+    }
+
+    GlintImage cube = initialized(glint_image_init);
+    uint32_t mips = 0;
+    must(glint_probes_cube(cProbes, 0, &cube, &mips));
+    EXPECT_EQ(mips, probes.cubeMips(0));
+    EXPECT_EQ(cube.width, 16u);
+    EXPECT_EQ(glint_probes_cube(cProbes, 1, &cube, &mips), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_planar_mirrors_skip(cMirrors, 1), GLINT_ERROR_INVALID_ARGUMENT);
+
+    glint_reflections_destroy(reflections_);
+    reflections_ = nullptr;
+    glint_planar_mirrors_destroy(cMirrors);
+    glint_probes_destroy(cProbes);
+    glint_surface_table_destroy(table);
+    glint_ray_scene_destroy(rayScene);
+}
+
+TEST_F(CApiTest, LayersGiveTheBitsOfCpp) {
+    TransparentLayer layer;
+    layer.depth = gbuffer_.gbuffer.depth;
+    layer.normal = gbuffer_.gbuffer.normal;
+    layer.material = gbuffer_.gbuffer.material;
+    layer.radiance = layer.transmittance = layer.absorption = layer.body = gbuffer_.gbuffer.litRadiance;
+    ReflectionsDesc desc = {kWidth, kHeight};
+    desc.transparentLayers = true;
+    desc.framesInFlight = 1;
+    Reflections cpp = test::must(Reflections::create(library(), desc));
+    test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));
+    create({}, true);
+    setInputs(gbuffer_.gbuffer, environment_.map);
+    HostStructs structs;
+    GlintTransparentLayer c = initialized(glint_transparent_layer_init);
+    c.depth = structs.image(layer.depth);
+    c.normal = structs.image(layer.normal);
+    c.material = structs.image(layer.material);
+    c.radiance = c.transmittance = c.absorption = c.body = structs.image(layer.radiance);
+
+    HostImage expected;
+    HostImage result;
+    run([&](VkCommandBuffer commands) {
+        expected = test::must(cpp.recordLayer(commands, layer, cpp.record(commands, view(1))));
+        GlintImage image = toC(recordC(commands, 1));
+        must(glint_reflections_record_layer(reflections_, commands, &c, &image, &image));
+        result = test::must(c_api::readStruct<HostImage>(&image));
+    });
+    EXPECT_EQ(download(gpu(), result), download(gpu(), expected));
+}
+
+TEST_F(CApiTest, AHostMayShadeHitsItself) {
+    GlintRayMesh mesh = initialized(glint_ray_mesh_init);
+    const TestMesh& triangles = scene_.triangles.meshes[2];
+    mesh.positions = &triangles.positions.front().x;
+    mesh.vertexCount = static_cast<uint32_t>(triangles.positions.size());
+    mesh.indices = triangles.indices.data();
+    mesh.indexCount = static_cast<uint32_t>(triangles.indices.size());
+    GlintRayInstance instance = initialized(glint_ray_instance_init);
+    GlintRaySceneDesc desc = initialized(glint_ray_scene_desc_init);
+    desc.meshes = &mesh;
+    desc.instances = &instance;
+    desc.meshCount = desc.instanceCount = 1;
+    desc.backend = GLINT_RAY_BACKEND_BVH;
+    GlintRayScene* scene = nullptr;
+    must(glint_ray_scene_create(context_, &desc, &scene));
+    Settings settings;
+    settings.rays.enabled = true;
+    settings.rays.backend = RayBackend::Bvh;
+    create(settings);
+    setInputs(gbuffer_.gbuffer, environment_.map);
+    struct Seen {
+        int calls = 0;
+        GlintRayHits hits = {};
+        GlintImage answer = {};
+        VkCommandBuffer commands = VK_NULL_HANDLE;
+    } seen;
+    must(glint_reflections_set_shaded_rays(
+        reflections_, scene,
+        [](void* user, VkCommandBuffer commands, const GlintRayHits* hits) {
+            auto* to = static_cast<Seen*>(user);
+            ++to->calls;
+            to->hits = *hits;
+            to->answer = *hits->answer;
+            to->commands = commands;
+        },
+        &seen));
+    run([&](VkCommandBuffer commands) {
+        glint_ray_scene_record(scene, commands);
+        recordC(commands, 1);
+        EXPECT_EQ(seen.commands, commands);
+    });
+    EXPECT_EQ(seen.calls, 1);
+    EXPECT_EQ(seen.hits.size, sizeof seen.hits);
+    EXPECT_NE(seen.hits.arguments, VkBuffer(VK_NULL_HANDLE));
+    EXPECT_NE(seen.hits.hits, VkBuffer(VK_NULL_HANDLE));
+    EXPECT_EQ(seen.hits.hitsSize % sizeof(GlintRayHit), 0u);
+    EXPECT_EQ(seen.answer.format, VK_FORMAT_R16G16B16A16_SFLOAT);
+    EXPECT_EQ(seen.answer.layout, VK_IMAGE_LAYOUT_GENERAL);
+    GlintRaySceneTimes times = initialized(glint_ray_scene_times_init);
+    must(glint_ray_scene_times(scene, &times));
+    EXPECT_GT(times.cpuBuildMs, 0);
+    glint_ray_scene_release_staging(scene);
+    must(glint_ray_scene_set_instances(scene, &instance, 1));
+    EXPECT_EQ(glint_ray_scene_set_instances(scene, &instance, 2), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_ray_scene_deform(scene, 0, mesh.positions, mesh.vertexCount, 12), GLINT_ERROR_INVALID_ARGUMENT)
+        << "the mesh does not deform";
+    glint_reflections_destroy(reflections_);
+    reflections_ = nullptr;
+    glint_ray_scene_destroy(scene);
+}
+
+TEST_F(CApiTest, OutputsSizesNotesAndNames) {
+    create({});
+    HostImage before;
+    run([&](VkCommandBuffer commands) { before = recordC(commands, 1); });
+    EXPECT_FALSE(before) << "no inputs yet";
+    ASSERT_EQ(glint_reflections_read_notes(reflections_), 1u);
+    EXPECT_THAT(glint_reflections_note(reflections_, 0), HasSubstr("setInputs"));
+    EXPECT_EQ(glint_reflections_note(reflections_, 1), nullptr);
+
+    setInputs(gbuffer_.gbuffer, {});
+    const std::vector<float> expected = frameOfC(1);
+    gpu::Image image = test::must(gpu::Image::create(
+        gpu(), {"test/output", VK_FORMAT_R16G16B16A16_SFLOAT, kWidth, kHeight, 1, 1, gpu::ImageShape::Flat,
+                VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    run([&](VkCommandBuffer commands) {
+        gpu::Frame(gpu(), commands)
+            .hand(image, {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_READ_BIT,
+                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    });
+    HostStructs structs;
+    GlintOutputs outputs = initialized(glint_outputs_init);
+    outputs.composite = structs.image(asHostImage(image));
+    must(glint_reflections_set_outputs(reflections_, &outputs));
+    must(glint_reflections_set_settings(reflections_, settings_));
+    HostImage result;
+    run([&](VkCommandBuffer commands) { result = recordC(commands, 1); });
+    EXPECT_EQ(result.image, image.handle());
+
+    const uint32_t images = glint_reflections_read_pass_images(reflections_);
+    ASSERT_GT(images, 3u);
+    EXPECT_FALSE(viewOfC(glint_reflections_pass_image(reflections_, images - 1)).empty());
+    EXPECT_EQ(glint_reflections_pass_image(reflections_, images), nullptr);
+    ASSERT_EQ(glint_view_name_count(), Reflections::viewNames().size());
+    EXPECT_EQ(glint_view_name(0), Reflections::viewNames()[0]);
+    EXPECT_EQ(glint_view_name(glint_view_name_count()), nullptr);
+
+    must(glint_reflections_resize(reflections_, kWidth / 2, kHeight));
+    EXPECT_EQ(glint_reflections_resize(reflections_, 0, kHeight), GLINT_ERROR_INVALID_ARGUMENT);
+    must(glint_reflections_resize(reflections_, kWidth, kHeight));
+    outputs.composite = nullptr;
+    must(glint_reflections_set_outputs(reflections_, &outputs));
+    setInputs(gbuffer_.gbuffer, {});
+    EXPECT_EQ(frameOfC(1), expected);
+}
+
+TEST_F(CApiTest, MistakesAreErrors) {
+    GlintContext* none = context_;
+    EXPECT_EQ(glint_context_adopt(&device_, GLINT_C_ABI + 1, &none), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_THAT(glint_last_error(), HasSubstr("compile it again"));
+    EXPECT_EQ(none, nullptr);
+    GlintContextDesc broken = device_;
+    broken.device = VK_NULL_HANDLE;
+    EXPECT_EQ(glint_context_adopt(&broken, GLINT_C_ABI, &none), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_context_adopt(nullptr, GLINT_C_ABI, &none), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_version(), GLINT_VERSION);
+    EXPECT_EQ(glint_context_device_name(context_), library().deviceName());
+    EXPECT_EQ(glint_context_driver(context_), library().driver());
+
+    create({});
+    GlintReflectionsDesc desc = initialized(glint_reflections_desc_init);
+    GlintReflections* nothing = reflections_;
+    EXPECT_EQ(glint_reflections_create(context_, &desc, &nothing), GLINT_ERROR_INVALID_ARGUMENT) << "no size";
+    EXPECT_EQ(nothing, nullptr);
+    HostStructs structs;
+    GlintGBuffer images = structs.gbuffer(gbuffer_.gbuffer);
+    images.normal = nullptr;
+    EXPECT_EQ(glint_reflections_set_inputs(reflections_, &images, nullptr), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_THAT(glint_last_error(), HasSubstr("normal"));
+    GlintImage unset = {};
+    images.normal = &unset;
+    EXPECT_EQ(glint_reflections_set_inputs(reflections_, &images, nullptr), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_THAT(glint_last_error(), StartsWith("GlintGBuffer::normal: GlintImage::size is 0"));
+    setInputs(gbuffer_.gbuffer, {});
+    run([&](VkCommandBuffer commands) {
+        GlintView camera = toC(view(1));
+        GlintImage result = initialized(glint_image_init);
+        camera.size = 1;
+        EXPECT_EQ(glint_reflections_record(reflections_, commands, &camera, &result), GLINT_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(result.image, VkImage(VK_NULL_HANDLE));
+        EXPECT_EQ(glint_reflections_record(nullptr, commands, &camera, &result), GLINT_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(glint_reflections_record_view(reflections_, commands, "no such view", &result),
+                  GLINT_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(glint_reflections_record_view(reflections_, commands, "normal", &unset),
+                  GLINT_ERROR_INVALID_ARGUMENT);
+    });
+    EXPECT_EQ(glint_reflections_set_rays(reflections_, nullptr, nullptr), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_THAT(glint_last_error(), HasSubstr("scene is null"));
+    EXPECT_EQ(glint_reflections_set_planar(reflections_, nullptr), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_reflections_set_probes(reflections_, nullptr), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_reflections_read_notes(nullptr), 0u);
+    EXPECT_EQ(glint_reflections_pass_milliseconds(reflections_, 99), 0);
+}
+
+} // namespace
+} // namespace glint::test
