@@ -3,8 +3,14 @@
 find_package(fmt REQUIRED)
 
 # SPIR-V is reflected at build time, and in the viewer where it compiles shaders anew; never in the library. Debian ships
-# SPIRV-Cross as a C library.
-find_library(SPIRV_CROSS_C spirv-cross-c-shared REQUIRED)
+# SPIRV-Cross as one library with a C interface, vcpkg as static libraries with a CMake package each.
+find_library(SPIRV_CROSS_C spirv-cross-c-shared)
+if(NOT SPIRV_CROSS_C)
+    foreach(part core glsl cpp msl hlsl reflect util c)
+        find_package(spirv_cross_${part} CONFIG REQUIRED)
+    endforeach()
+    set(SPIRV_CROSS_C spirv-cross-c)
+endif()
 find_path(SPIRV_CROSS_C_INCLUDE_DIR spirv_cross_c.h PATH_SUFFIXES spirv_cross REQUIRED)
 
 get_filename_component(glint_root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
