@@ -45,8 +45,8 @@ struct HostDevice {
     /// stores its data. It must outlive the Context and must not be used by other threads during create calls. Null:
     /// none.
     VkPipelineCache pipelineCache = VK_NULL_HANDLE;
-    /// Host memory of every Vulkan object that Glint creates, as Vulkan defines it. The struct is copied. Null: the
-    /// driver's own.
+    /// Host memory of every Vulkan object that Glint creates, as Vulkan defines it. The struct is copied. Calls that
+    /// create pipelines use it on several threads at once. Null: the driver's own.
     const VkAllocationCallbacks* allocationCallbacks = nullptr;
     /// Receives each note of every Reflections (Reflections::notes) when it is made. Null: none.
     MessageCallback message = nullptr;

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <mutex>
 
 namespace glint::test {
 namespace {
@@ -23,12 +24,16 @@ struct CacheSpy {
     static inline PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
     static inline PFN_vkGetDeviceProcAddr getDeviceProcAddr = nullptr;
     static inline PFN_vkCreateComputePipelines createComputePipelines = nullptr;
+    static inline std::mutex mutex; ///< pipelines compile on several threads
     static inline std::vector<VkPipelineCache> caches;
 
     static VkResult VKAPI_CALL create(VkDevice device, VkPipelineCache cache, uint32_t count,
                                       const VkComputePipelineCreateInfo* infos, const VkAllocationCallbacks* callbacks,
                                       VkPipeline* pipelines) {
-        caches.push_back(cache);
+        {
+            const std::lock_guard lock(mutex);
+            caches.push_back(cache);
+        }
         return createComputePipelines(device, cache, count, infos, callbacks, pipelines);
     }
     static PFN_vkVoidFunction VKAPI_CALL ofDevice(VkDevice device, const char* name) {
