@@ -6,7 +6,7 @@
 #include "lib/octahedral.glsl"
 
 struct SentRay {
-    vec3 directionVS; // to 5e-5 radians
+    vec3 directionVS; // to 6.5e-5 radians
     float nearness;   // 1 / metres to where it ended; 0: infinitely far
     bool sent;
 };
