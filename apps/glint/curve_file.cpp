@@ -56,13 +56,13 @@ Result<void> addAssignments(const Place& place, const std::string& prefix, int d
     if (!place.json.is_object() || depth > kDeepestSettings)
         return invalidInput("{} is no object of settings", place.name);
     for (const auto& [key, value] : place.json.items()) {
-        const std::string name = prefix.empty() ? key : prefix + "." + key;
+        const std::string name = prefix.empty() ? key : fmt::format("{}.{}", prefix, key);
         if (value.is_object())
             GLINT_CHECK(addAssignments({value, fmt::format("{}.{}", place.name, key)}, name, depth + 1, assignments));
         else if (value.is_string())
-            assignments.push_back(name + "=" + value.get<std::string>());
+            assignments.push_back(fmt::format("{}={}", name, value.get<std::string>()));
         else if (value.is_number() || value.is_boolean())
-            assignments.push_back(name + "=" + value.dump());
+            assignments.push_back(fmt::format("{}={}", name, value.dump()));
         else
             return invalidInput("{}.{} is no number, text, true or false", place.name, printable(key));
     }

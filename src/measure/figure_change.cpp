@@ -55,7 +55,7 @@ Estimate Estimate::of(std::span<const double> values) {
     for (const double value : values)
         sum += value;
     const double mean = sum / count;
-    if (std::ranges::all_of(values, [&](double value) { return value == values.front(); }))
+    if (std::ranges::all_of(values, [&](double one) { return one == values.front(); }))
         return {values.front(), 0, 0}; // not the rounded mean
     for (const double value : values)
         squares += (value - mean) * (value - mean);
