@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <deque>
 
 namespace glint::test {
@@ -383,7 +384,8 @@ TEST_F(CApiTest, AHostMayShadeHitsItself) {
     EXPECT_GT(times.cpuBuildMs, 0);
     glint_ray_scene_release_staging(scene);
     must(glint_ray_scene_set_instances(scene, &instance, 1));
-    EXPECT_EQ(glint_ray_scene_set_instances(scene, &instance, 2), GLINT_ERROR_INVALID_ARGUMENT);
+    const std::array<GlintRayInstance, 2> two = {instance, instance};
+    EXPECT_EQ(glint_ray_scene_set_instances(scene, two.data(), 2), GLINT_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(glint_ray_scene_deform(scene, 0, mesh.positions, mesh.vertexCount, 12), GLINT_ERROR_INVALID_ARGUMENT)
         << "the mesh does not deform";
     glint_reflections_destroy(reflections_);
