@@ -8,10 +8,6 @@ void PassTimes::add(const std::string& name, double milliseconds) {
     if (times_.find(name) == times_.end())
         order_.push_back(name);
     std::vector<double>& all = times_[name];
-    if (all.size() == 1 && !counted_[name]) { // the first time holds what the driver compiles then
-        all.clear();
-        counted_[name] = true;
-    }
     if (all.size() >= kMostFrames)
         all.erase(all.begin(), all.begin() + kMostFrames / 2);
     all.push_back(milliseconds);

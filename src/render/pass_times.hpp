@@ -13,7 +13,7 @@ public:
     void clear() { *this = {}; }
     void add(const std::string& name, double milliseconds);
     /// Returns the median of each pass, in the order in which passes were first added. For an even number of frames it
-    /// is the upper median. A pass's first time, which may hold the driver's compiling, counts only while it is alone.
+    /// is the upper median.
     std::vector<std::pair<std::string, double>> medians() const;
 
     static constexpr size_t kMostFrames =
@@ -22,7 +22,6 @@ public:
 private:
     std::vector<std::string> order_;
     std::map<std::string, std::vector<double>> times_;
-    std::map<std::string, bool> counted_; ///< true: the first time was left out
 };
 
 } // namespace glint::render

@@ -10,7 +10,7 @@ using Times = std::vector<std::pair<std::string, double>>;
 
 TEST(PassTimes, AreMediansInTheOrderInWhichPassesRun) {
     PassTimes times;
-    for (const double milliseconds : {1000.0, 5.0, 1.0, 100.0}) {
+    for (const double milliseconds : {5.0, 1.0, 100.0}) {
         times.add("trace/hiz", milliseconds);
         times.add("composite", milliseconds / 2);
     }
@@ -20,17 +20,6 @@ TEST(PassTimes, AreMediansInTheOrderInWhichPassesRun) {
     EXPECT_EQ(times.medians(), (Times{{"trace/hiz", 6}, {"composite", 2.5}, {"a pass that came later", 3}}));
     times.clear();
     EXPECT_EQ(times.medians(), Times());
-}
-
-TEST(PassTimes, LeaveOutTheFirstTimeWhichHoldsTheDriversCompiling) {
-    PassTimes times;
-    times.add("in every frame", 500);
-    times.add("in the first frame", 20);
-    EXPECT_EQ(times.medians(), (Times{{"in every frame", 500}, {"in the first frame", 20}}));
-    times.add("in every frame", 2);
-    EXPECT_EQ(times.medians(), (Times{{"in every frame", 2}, {"in the first frame", 20}}));
-    times.add("in every frame", 1);
-    EXPECT_EQ(times.medians(), (Times{{"in every frame", 2}, {"in the first frame", 20}}));
 }
 
 TEST(PassTimes, ForgetTheOlderHalfOfManyFrames) {
