@@ -1,4 +1,4 @@
-// Reads the curve of cost and error that `glint tune` writes.
+// Reads a curve of cost against error from a file (docs/report.md).
 #pragma once
 
 #include "base/result.hpp"

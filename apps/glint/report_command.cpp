@@ -286,7 +286,8 @@ void addReportCommand(CLI::App& program, Command& chosen) {
         ->add_option("--motion-samples", options->motionSamples,
                      "Samples per pixel, frame and seed of their reference; 0: none")
         ->capture_default_str();
-    command->add_option("--curve", options->curve, "File of cost and error that glint tune wrote");
+    command->add_option("--curve", options->curve,
+                        "JSON file with a curve of cost against error, to be drawn (docs/report.md)");
     command->add_option("--against", options->against,
                         "JSON of an earlier report: says what is better, worse or noise; fails past the threshold");
     command->add_option("--threshold", options->threshold, "Percent, or percentage points of shares, for --against")

@@ -1,4 +1,4 @@
-// The curve of `glint tune`, read with every value checked.
+// A curve of cost against error, read with every value checked.
 #include "curve_file.hpp"
 
 #include "base/file.hpp"
