@@ -45,6 +45,29 @@ struct SettingAlias {
     int component = 0;                           ///< 0 red, 1 green, 2 blue
 };
 
+/// How a search varies a setting (`glint tune`).
+struct SettingSearch {
+    enum class Scale {
+        None,   ///< not varied
+        Linear, ///< equal steps count alike
+        Log,    ///< equal ratios count alike
+        Choice, ///< any value of an enum
+        Switch, ///< on and off
+    };
+    /// Another setting whose value this one needs to have an effect.
+    struct Condition {
+        std::string key;
+        std::vector<std::string> values; ///< one of these, as text; empty: any number above `above`
+        double above = 0;
+    };
+    Scale scale = Scale::None;
+    double min = 0; ///< Linear, Log: the interval worth searching, inside the range
+    double max = 0;
+    std::vector<Condition> conditions; ///< all of them, and those of the settings that they name
+    bool motionOnly = false;           ///< matters only where something moves
+    int cost = 0;                      ///< 1: larger values cost more; -1: less; 0: either
+};
+
 struct SettingInfo {
     std::string key; ///< "screen.maxDistance": group and name
     SettingType type = SettingType::Boolean;
@@ -54,13 +77,14 @@ struct SettingInfo {
     std::string meaning;              ///< one line
     std::vector<std::string> choices; ///< Enum: the values' names, in order
     std::vector<SettingAlias> aliases;
+    SettingSearch search;
     size_t offset = 0; ///< bytes into the struct that the list makes
 };
 
 } // namespace glint
 
 /// One row of a list as a member of its struct: `float maxDistance = 1000;`.
-#define GLINT_SETTING_MEMBER(type, name, initial, range, unit, meaning, aliases) type name = initial;
+#define GLINT_SETTING_MEMBER(type, name, initial, range, unit, meaning, ...) type name = initial;
 
 /// An enum that settings may have as their type. Its values' names in files begin in lower case: Linear is "linear". A
 /// trailing underscore keeps a value apart from another library's macro (X11 defines None); files do not have it.

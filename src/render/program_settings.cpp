@@ -64,7 +64,11 @@ std::string settingsPage() {
         const auto json = nlohmann::json::parse(*presetJson(name), nullptr, false);
         page += fmt::format("| `{}` | {} |\n", name, json.value("description", ""));
     }
-    return page + "\n" + settingsMarkdown(allSettings());
+    return page + "\n" + settingsMarkdown(allSettings()) +
+           "\n## What `glint tune` varies\n\n"
+           "The settings of the [search](tune.md), the values worth searching, and when a setting has an effect: the\n"
+           "settings that it depends on must have one themselves.\n\n" +
+           searchMarkdown(allSettings());
 }
 
 } // namespace glint::render

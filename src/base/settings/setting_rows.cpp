@@ -113,6 +113,73 @@ SettingAlias readAlias(const SettingInfo& info, std::string_view text) {
     return alias;
 }
 
+std::string_view trimmed(std::string_view text) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    return text.substr(0, text.find_last_not_of(' ') + 1);
+}
+
+/// "screen.march=hiz|linear", "reuse.samples>0"
+SettingSearch::Condition readCondition(const SettingInfo& info, std::string_view text) {
+    const size_t mark = text.find_first_of("=>");
+    if (mark == text.npos || mark == 0)
+        malformed(info.key, text);
+    SettingSearch::Condition condition;
+    condition.key = text.substr(0, mark);
+    const std::string_view value = text.substr(mark + 1);
+    if (text[mark] == '>')
+        condition.above = readNumber(info.key, value);
+    else
+        for (const std::string_view choice : split(value, '|'))
+            condition.values.emplace_back(choice);
+    if (text[mark] == '=' && condition.values.empty())
+        malformed(info.key, text);
+    return condition;
+}
+
+/// "0.1..1", inside the setting's range.
+void readInterval(const SettingInfo& info, std::string_view text, SettingSearch& search) {
+    const size_t dots = text.find("..");
+    if (dots == text.npos)
+        malformed(info.key, text);
+    search.min = readNumber(info.key, text.substr(0, dots));
+    search.max = readNumber(info.key, text.substr(dots + 2));
+    const bool inside = search.min >= info.range.min && search.max <= info.range.max;
+    if (!inside || search.min >= search.max || (search.scale == SettingSearch::Scale::Log && search.min <= 0))
+        malformed(info.key, text);
+}
+
+/// "log 8..512; if screen.march=hiz; cost +"
+SettingSearch readSearch(const SettingInfo& info, std::string_view text) {
+    using Scale = SettingSearch::Scale;
+    const bool number = info.type == SettingType::Int || info.type == SettingType::Float;
+    SettingSearch search;
+    for (const std::string_view whole : split(text, ';')) {
+        const std::string_view part = trimmed(whole);
+        const size_t space = std::min(part.find(' '), part.size());
+        const std::string_view word = part.substr(0, space);
+        const std::string_view rest = trimmed(part.substr(space));
+        if ((word == "linear" || word == "log") && number) {
+            search.scale = word == "log" ? Scale::Log : Scale::Linear;
+            readInterval(info, rest, search);
+        } else if (word == "choice" && info.type == SettingType::Enum && rest.empty()) {
+            search.scale = Scale::Choice;
+        } else if (word == "switch" && info.type == SettingType::Boolean && rest.empty()) {
+            search.scale = Scale::Switch;
+        } else if (word == "if") {
+            search.conditions.push_back(readCondition(info, rest));
+        } else if (word == "motion" && rest.empty()) {
+            search.motionOnly = true;
+        } else if (word == "cost" && (rest == "+" || rest == "-")) {
+            search.cost = rest == "+" ? 1 : -1;
+        } else {
+            malformed(info.key, part);
+        }
+    }
+    if (search.scale == Scale::None)
+        malformed(info.key, text);
+    return search;
+}
+
 } // namespace
 
 SettingInfo makeSettingInfo(std::string key, SettingType type, double defaultValue, size_t offset,
@@ -131,6 +198,8 @@ SettingInfo makeSettingInfo(std::string key, SettingType type, double defaultVal
         malformed(info.key, texts.range);
     for (std::string_view alias : split(texts.aliases, ' '))
         info.aliases.push_back(readAlias(info, alias));
+    if (!texts.search.empty())
+        info.search = readSearch(info, texts.search);
     return info;
 }
 

@@ -11,6 +11,7 @@ namespace glint {
 /// The texts of one row, as the list writes them.
 struct SettingTexts {
     std::string_view range, unit, meaning, aliases;
+    std::string_view search = {}; ///< a row may leave it out
 };
 
 /// Parses the row's texts. A malformed row is a programmer's mistake: it ends the program with the key and the text.
@@ -34,9 +35,9 @@ SettingInfo makeSetting(std::string key, size_t offset, T defaultValue, const Se
 } // namespace glint
 
 /// One row of a list; used inside GLINT_SETTING_GROUP only.
-#define GLINT_SETTING_ROW(type, name, initial, range, unit, meaning, aliases)                                          \
+#define GLINT_SETTING_ROW(type, name, initial, range, unit, meaning, ...)                                              \
     rows.push_back(::glint::makeSetting<type>(groupKey + "." #name, groupOffset + offsetof(Group, name), initial,      \
-                                              {range, unit, meaning, aliases}));
+                                              {range, unit, meaning, __VA_ARGS__}));
 
 /// Appends the rows of one group to `rows`: `GLINT_SETTING_GROUP(rows, Settings, screen, GLINT_SCREEN_SETTINGS)`.
 #define GLINT_SETTING_GROUP(rows, Whole, group, LIST)                                                                  \

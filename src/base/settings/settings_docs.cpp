@@ -82,6 +82,50 @@ std::string_view groupOf(const SettingInfo& info) {
     return std::string_view(info.key).substr(0, info.key.rfind('.'));
 }
 
+std::string_view scaleName(SettingSearch::Scale scale) {
+    switch (scale) {
+    case SettingSearch::Scale::Linear: return "linear";
+    case SettingSearch::Scale::Log: return "log";
+    case SettingSearch::Scale::Choice: return "choice";
+    case SettingSearch::Scale::Switch: return "switch";
+    case SettingSearch::Scale::None: break;
+    }
+    return "none";
+}
+
+/// "screen.march = hiz or linear", "reuse.samples > 0"
+std::string conditionText(const SettingSearch::Condition& condition) {
+    if (condition.values.empty())
+        return fmt::format("{} > {:g}", condition.key, condition.above);
+    return fmt::format("{} = {}", condition.key, listText(condition.values, " or "));
+}
+
+std::vector<std::string> conditionTexts(const SettingSearch& search) {
+    std::vector<std::string> texts;
+    for (const SettingSearch::Condition& condition : search.conditions)
+        texts.push_back(conditionText(condition));
+    return texts;
+}
+
+bool hasInterval(const SettingSearch& search) {
+    return search.scale == SettingSearch::Scale::Linear || search.scale == SettingSearch::Scale::Log;
+}
+
+Json searchJson(const SettingSearch& search) {
+    Json json = {{"scale", scaleName(search.scale)}};
+    if (hasInterval(search)) {
+        json["min"] = search.min;
+        json["max"] = search.max;
+    }
+    if (!search.conditions.empty())
+        json["if"] = conditionTexts(search);
+    if (search.motionOnly)
+        json["motionOnly"] = true;
+    if (search.cost != 0)
+        json["cost"] = search.cost > 0 ? "+" : "-";
+    return json;
+}
+
 Json infoJson(const SettingInfo& info) {
     const std::string value = defaultText(info);
     Json json = {{"key", info.key}, {"type", typeName(info.type)}};
@@ -104,6 +148,8 @@ Json infoJson(const SettingInfo& info) {
             entry["transform"] = transformText(info, alias);
         json["aliases"].push_back(std::move(entry));
     }
+    if (info.search.scale != SettingSearch::Scale::None)
+        json["search"] = searchJson(info.search);
     return json;
 }
 
@@ -125,6 +171,27 @@ std::string settingsMarkdown(SettingsTables tables) {
                 aliases.push_back(aliasMarkdown(info, alias));
             text += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.key, defaultText(info), allowed(info),
                                 info.meaning, joinText(aliases, ", "));
+        }
+    }
+    return text;
+}
+
+std::string searchMarkdown(SettingsTables tables) {
+    std::string text = "| Key | Varied | Has an effect only if | Larger values cost |\n|---|---|---|---|\n";
+    for (const auto& table : tables) {
+        for (const SettingInfo& info : table) {
+            const SettingSearch& search = info.search;
+            if (search.scale == SettingSearch::Scale::None)
+                continue;
+            std::vector<std::string> conditions = conditionTexts(search);
+            if (search.motionOnly)
+                conditions.emplace_back("something moves");
+            text += fmt::format("| `{}` | {}{} | {} | {} |\n", info.key, scaleName(search.scale),
+                                hasInterval(search) ? fmt::format(" {:g} to {:g}", search.min, search.max) : "",
+                                joinText(conditions, ", "),
+                                search.cost > 0   ? "more"
+                                : search.cost < 0 ? "less"
+                                                  : "");
         }
     }
     return text;
