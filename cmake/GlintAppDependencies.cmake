@@ -14,6 +14,9 @@ target_link_libraries(glint_image_libraries INTERFACE OpenEXR::OpenEXR PkgConfig
 add_library(glint_mesh_libraries INTERFACE)
 target_link_libraries(glint_mesh_libraries INTERFACE meshoptimizer::meshoptimizer draco::draco)
 
+# pagmo is the optimiser of glint tune (src/tune).
+find_package(Pagmo REQUIRED)
+
 # Embree is the oracle that figures are measured against (src/measure); 3 on Debian 12, 4 later.
 find_library(EMBREE_LIBRARY NAMES embree4 embree3 REQUIRED)
 add_library(glint_embree INTERFACE)

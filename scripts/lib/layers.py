@@ -3,8 +3,8 @@
 
     include/glint <- base <- gpu <- rays <- reflect             the library
                      base <- c_api                              its interface for C, made of include/glint alone
-                          gpu <- scene <- render <- measure <- apps
-Left never includes right; the library never sees scene, render, measure or apps, and render, measure and apps reach
+                          gpu <- scene <- render <- measure <- tune <- apps
+Left never includes right; the library never sees scene, render, measure, tune or apps, and those four beside scene reach
 reflect only through include/glint/. Only src/gpu calls Vulkan; apps/view alone sees GLFW and Dear ImGui.
 """
 import re
@@ -23,7 +23,8 @@ ALLOWED = {
     "scene": {"include", "base", "gpu"},
     "render": {"include", "base", "gpu", "scene"},
     "measure": {"include", "base", "gpu", "scene", "render"},
-    "apps": {"include", "base", "gpu", "scene", "render", "measure"},
+    "tune": {"include", "base", "gpu", "scene", "render", "measure"},
+    "apps": {"include", "base", "gpu", "scene", "render", "measure", "tune"},
     "examples": {"include"},
 }
 SOURCE = {".hpp", ".cpp", ".h", ".inl"}

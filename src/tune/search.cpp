@@ -1,0 +1,222 @@
+#include "tune/search.hpp"
+
+#include "base/hash.hpp"
+#include "base/text.hpp"
+#include "tune/generation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <unordered_map>
+
+namespace glint::tune {
+namespace {
+
+/// Candidates dearer than this multiple of the dearest preset belong to no curve.
+constexpr double kDearest = 1.25;
+
+/// How far a setting with a scale is moved, as a fraction of it, to see what it does.
+constexpr double kProbe = 0.35;
+
+uint32_t seedOf(uint32_t seed, uint32_t generation) {
+    return static_cast<uint32_t>(Hash().value(seed).value(generation).result());
+}
+
+class Searcher {
+public:
+    Searcher(const SearchPlan& plan, const SearchHooks& hooks, SearchSpace space)
+        : plan_(plan), hooks_(hooks), space_(std::move(space)), random_(seedOf(plan.seed, 0)) {
+        outcome_.mostCost = std::numeric_limits<double>::infinity();
+    }
+
+    Result<SearchOutcome> run() {
+        GLINT_CHECK(tryPresets());
+        GLINT_CHECK(probeSettings());
+        GLINT_TRY(population, firstPopulation());
+        GLINT_CHECK(generationDone());
+        while (outcome_.generations < plan_.generations && (!hooks_.mayGoOn || hooks_.mayGoOn())) {
+            const uint32_t generation = outcome_.generations + 1;
+            begin(generation, plan_.population);
+            GLINT_TRY(next, nextGeneration(space_, population, seedOf(plan_.seed, generation),
+                                           [this](const Genes& genes) { return tryGenes(genes); }));
+            population = std::move(next);
+            outcome_.generations = generation;
+            GLINT_CHECK(generationDone());
+        }
+        return std::move(outcome_);
+    }
+
+private:
+    Result<void> tryPresets() {
+        begin(0, static_cast<uint32_t>(plan_.presets.size()) + 1 + probeCount());
+        GLINT_TRY(start, trySettings(plan_.start));
+        double dearest = start.cost;
+        for (const NamedSettings& preset : plan_.presets) {
+            GLINT_TRY(figures, trySettings(preset.settings));
+            dearest = std::max(dearest, figures.cost);
+        }
+        outcome_.mostCost = std::min(dearest * kDearest, plan_.mostCost);
+        return {};
+    }
+
+    /// The values to which a setting is moved, alone, from the start.
+    std::vector<double> probes(size_t dimension) const {
+        const Dimension& d = space_[dimension];
+        const double start = space_.encode(space_.start())[dimension];
+        std::vector<double> values;
+        if (d.isWhole()) {
+            for (int choice = 0; choice < d.choices(); ++choice)
+                if (choice != static_cast<int>(d.start))
+                    values.push_back(choice);
+            return values;
+        }
+        for (const double moved : {start - kProbe, start + kProbe})
+            if (moved > -kProbe / 2 && moved < 1 + kProbe / 2)
+                values.push_back(std::clamp(moved, 0.0, 1.0));
+        return values;
+    }
+
+    uint32_t probeCount() const {
+        size_t count = 0;
+        for (size_t i = 0; i < space_.size(); ++i)
+            if (space_.acts(i, space_.start()))
+                count += probes(i).size();
+        return static_cast<uint32_t>(count);
+    }
+
+    /// Moves each setting alone. Those that change nothing in these scenes are not varied.
+    Result<void> probeSettings() {
+        const Evaluation start = outcome_.tried.front().evaluation;
+        std::vector<size_t> idle;
+        for (size_t i = 0; i < space_.size(); ++i) {
+            if (!space_.acts(i, space_.start()))
+                continue; // it may have an effect elsewhere
+            bool changes = false;
+            for (const double gene : probes(i)) {
+                Genes genes = space_.encode(space_.start());
+                genes[i] = gene;
+                GLINT_CHECK(tryGenes(genes));
+                changes |= !same(at(space_.settings(space_.decode(genes))), start);
+            }
+            if (!changes) {
+                idle.push_back(i);
+                outcome_.withoutEffect.push_back(space_[i].info->key);
+            }
+        }
+        if (idle.size() < space_.size())
+            space_.drop(idle);
+        return {};
+    }
+
+    bool same(const Evaluation& a, const Evaluation& b) const {
+        if (a.views.size() != b.views.size())
+            return false; // one was given up
+        for (size_t i = 0; i < a.views.size(); ++i) {
+            const Figures& x = a.views[i].figures;
+            const Figures& y = b.views[i].figures;
+            if (x.error != y.error || std::abs(x.cost - y.cost) > plan_.costNoise * y.cost)
+                return false;
+        }
+        return true;
+    }
+
+    /// The best of what was tried so far, and settings between those: each gene from one of two of them, or any value.
+    Result<std::vector<Individual>> firstPopulation() {
+        std::vector<Genes> parents;
+        for (const size_t i : bestTried()) {
+            const Genes genes = space_.encode(space_.nearest(outcome_.tried[i].settings));
+            if (std::ranges::find(parents, genes) == parents.end())
+                parents.push_back(genes);
+        }
+        std::vector<Genes> chosen(parents.begin(),
+                                  parents.begin() + std::min<ptrdiff_t>(std::ssize(parents), plan_.population / 2));
+        while (chosen.size() < plan_.population)
+            chosen.push_back(between(parents[below(parents.size())], parents[below(parents.size())]));
+        std::vector<Individual> population;
+        for (const Genes& genes : chosen) {
+            GLINT_TRY(figures, tryGenes(genes));
+            population.push_back({genes, figures});
+        }
+        return population;
+    }
+
+    /// The start and the presets first, then the curve of what was tried.
+    std::vector<size_t> bestTried() const {
+        std::vector<size_t> best;
+        for (size_t i = 0; i <= plan_.presets.size() && i < outcome_.tried.size(); ++i)
+            best.push_back(i);
+        std::vector<Figures> figures;
+        for (const Tried& tried : outcome_.tried)
+            figures.push_back(tried.evaluation.figures);
+        for (const size_t i : paretoFront(figures))
+            if (std::ranges::find(best, i) == best.end())
+                best.push_back(i);
+        return best;
+    }
+
+    Genes between(const Genes& a, const Genes& b) {
+        constexpr double kAnyValue = 0.12;
+        Genes genes;
+        for (size_t i = 0; i < a.size(); ++i) {
+            const double any = space_[i].isWhole() ? std::floor(unit() * space_[i].choices()) : unit();
+            const double parent = unit() < 0.5 ? a[i] : b[i];
+            genes.push_back(unit() < kAnyValue ? any : parent);
+        }
+        return genes;
+    }
+
+    /// [0, 1); the standard's distributions differ from library to library.
+    double unit() { return static_cast<double>(random_()) * 0x1p-32; }
+    size_t below(size_t count) { return static_cast<size_t>(unit() * static_cast<double>(count)); }
+
+    Result<Figures> tryGenes(const Genes& genes) { return trySettings(space_.settings(space_.decode(genes))); }
+
+    Result<Figures> trySettings(const Settings& settings) {
+        const std::string key = joinText(differences(plan_.start, settings), "\n");
+        if (const auto known = known_.find(key); known != known_.end()) {
+            count();
+            return outcome_.tried[known->second].evaluation.figures;
+        }
+        GLINT_TRY(evaluation, hooks_.evaluate(settings, outcome_.mostCost));
+        known_.emplace(key, outcome_.tried.size());
+        outcome_.tried.push_back({settings, std::move(evaluation)});
+        count();
+        return outcome_.tried.back().evaluation.figures;
+    }
+
+    const Evaluation& at(const Settings& settings) const {
+        return outcome_.tried[known_.at(joinText(differences(plan_.start, settings), "\n"))].evaluation;
+    }
+
+    void begin(uint32_t generation, uint32_t toTry) {
+        progress_ = {generation, 0, toTry};
+        if (hooks_.progress)
+            hooks_.progress(progress_);
+    }
+
+    void count() {
+        progress_.tried = std::min(progress_.tried + 1, progress_.toTry);
+        if (hooks_.progress)
+            hooks_.progress(progress_);
+    }
+
+    Result<void> generationDone() { return hooks_.generationDone ? hooks_.generationDone() : Result<void>(); }
+
+    const SearchPlan& plan_;
+    const SearchHooks& hooks_;
+    SearchSpace space_;
+    std::mt19937 random_;
+    SearchOutcome outcome_;
+    std::unordered_map<std::string, size_t> known_; ///< by what differs from the start
+    SearchProgress progress_;
+};
+
+} // namespace
+
+Result<SearchOutcome> searchSettings(const SearchPlan& plan, const SearchHooks& hooks) {
+    GLINT_TRY(space, SearchSpace::create(plan.start, plan.vary, plan.motion));
+    return Searcher(plan, hooks, std::move(space)).run();
+}
+
+} // namespace glint::tune

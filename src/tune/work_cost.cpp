@@ -1,0 +1,136 @@
+#include "tune/work_cost.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace glint::tune {
+namespace {
+
+/// What a pass's work grows with; all relative to the frame's pixels.
+enum class Unit : uint8_t {
+    Pixels,    ///< of the frame
+    Traced,    ///< pixels of the traced image: screen.resolutionScale
+    Rays,      ///< screen-space rays
+    Lookups,   ///< their depth lookups
+    SceneRays, ///< rays through triangles
+    Rough,     ///< pixels that the denoiser averages
+    Reused,    ///< their neighbours' rays: reuse.samples
+    Filtered,  ///< these pixels, where denoise.maxRadius is above 0
+    BlurTaps,  ///< these pixels in the blurred image, times taps
+    BackFaces, ///< pixels of the back-face image
+    Triangles, ///< of the scene
+};
+
+struct UnitCost {
+    std::string_view pass; ///< without the ray back end
+    Unit unit = Unit::Pixels;
+    double floors = 0;
+};
+
+// Measured with glint bench on builtin:hall and builtin:exact at 320x180, rays at 160x90, llvmpipe 25 on 2 cores
+// (docs/tune.md).
+constexpr std::array kUnitCosts = {
+    UnitCost{"render/back_faces", Unit::BackFaces, 0.5},
+    UnitCost{"render/back_faces", Unit::Triangles, 1.6},
+    UnitCost{"render/back_faces_masked", Unit::BackFaces, 0.3},
+    UnitCost{"prepare/surface", Unit::Pixels, 1},
+    UnitCost{"prepare/back_faces", Unit::Pixels, 0.9},
+    UnitCost{"prepare/pyramid", Unit::Pixels, 1.1},
+    UnitCost{"trace/classify", Unit::Traced, 0.8},
+    UnitCost{"trace/list", Unit::Traced, 0.3},
+    UnitCost{"trace/hiz", Unit::Rays, 3},
+    UnitCost{"trace/hiz", Unit::Lookups, 0.85},
+    UnitCost{"trace/linear", Unit::Rays, 3},
+    UnitCost{"trace/linear", Unit::Lookups, 0.3},
+    UnitCost{"trace/adaptive", Unit::Rays, 3},
+    UnitCost{"trace/adaptive", Unit::Lookups, 0.28},
+    UnitCost{"trace/proxy", Unit::Rays, 5},
+    UnitCost{"rays/list", Unit::Pixels, 2.2},
+    UnitCost{"rays/reflect", Unit::SceneRays, 300},
+    UnitCost{"rays/reflect_lights", Unit::SceneRays, 480},
+    UnitCost{"rays/sentinels", Unit::Rough, 55},
+    UnitCost{"denoise/gather", Unit::Pixels, 0.8},
+    UnitCost{"denoise/gather", Unit::Rough, 1.1},
+    UnitCost{"denoise/change", Unit::Pixels, 0.2},
+    UnitCost{"denoise/reuse", Unit::Pixels, 0.7},
+    UnitCost{"denoise/reuse", Unit::Reused, 2},
+    UnitCost{"denoise/accumulate", Unit::Pixels, 1.2},
+    UnitCost{"denoise/accumulate", Unit::Rough, 9},
+    UnitCost{"denoise/filter", Unit::Pixels, 0.9},
+    UnitCost{"denoise/filter", Unit::Rough, 1.3},
+    UnitCost{"denoise/filter", Unit::Filtered, 16},
+    UnitCost{"denoise/upsample", Unit::Pixels, 4.5},
+    UnitCost{"denoise/blur", Unit::Pixels, 1},
+    UnitCost{"denoise/blur", Unit::BlurTaps, 0.9},
+    UnitCost{"hierarchy/combine", Unit::Pixels, 1},
+    UnitCost{"hierarchy/combine", Unit::Rough, 2.5},
+    UnitCost{"composite/composite", Unit::Pixels, 1.5},
+    UnitCost{"composite/composite", Unit::Rough, 2.5},
+    UnitCost{"composite/remember", Unit::Pixels, 0.1},
+    UnitCost{"refraction/solidPicture", Unit::Pixels, 0.4},
+};
+
+/// A pass that no row knows: as a pass over all pixels.
+constexpr double kOtherPass = 2;
+
+/// Figures count these (measure::effectSum), so they are not part of the effect.
+constexpr std::array<std::string_view, 3> kNotCounted = {"composite/statistics", "rays/statistics", "prepare/dfg"};
+
+/// By blur.quality (src/reflect/denoise/denoise.cpp).
+constexpr std::array kBlurTaps = {9, 21, 41};
+
+double square(double x) {
+    return x * x;
+}
+
+double amount(Unit unit, const FrameWork& work) {
+    const Settings& settings = *work.settings;
+    const double rays = static_cast<double>(work.stats.rays) / work.pixels;
+    switch (unit) {
+    case Unit::Pixels: return 1;
+    case Unit::Traced: return settings.denoise.enabled ? 1 : square(settings.screen.resolutionScale);
+    case Unit::Rays: return rays;
+    case Unit::Lookups: return rays * work.stats.lookupsPerRay;
+    case Unit::SceneRays: return static_cast<double>(work.stats.scene.rays) / work.pixels;
+    case Unit::Rough: return work.rough;
+    case Unit::Reused: return work.rough * settings.reuse.samples;
+    case Unit::Filtered: return settings.denoise.maxRadius > 0 ? work.rough : 0;
+    case Unit::BlurTaps:
+        return work.rough * square(settings.screen.resolutionScale / static_cast<float>(settings.blur.downsample + 1)) *
+               kBlurTaps[static_cast<size_t>(std::clamp(settings.blur.quality, 1, 3) - 1)];
+    case Unit::BackFaces: return 1 / square(settings.screen.backfaceDownsample + 1);
+    case Unit::Triangles: return work.triangles / work.pixels;
+    }
+    return 0;
+}
+
+/// "rays/reflect_query" and "rays/reflect_bvh" are one pass, by its back end.
+std::string_view withoutBackEnd(std::string_view pass) {
+    for (const std::string_view end : {"_query", "_bvh"})
+        if (pass.ends_with(end))
+            pass.remove_suffix(end.size());
+    return pass;
+}
+
+} // namespace
+
+double countedFloors(const FrameWork& work) {
+    double floors = 0;
+    for (const std::string_view pass : work.passes) {
+        if (std::ranges::find(kNotCounted, pass) != kNotCounted.end())
+            continue;
+        bool known = false;
+        for (const UnitCost& row : kUnitCosts) {
+            if (row.pass != withoutBackEnd(pass))
+                continue;
+            floors += row.floors * amount(row.unit, work);
+            known = true;
+        }
+        floors += known ? 0 : kOtherPass;
+    }
+    return floors;
+}
+
+} // namespace glint::tune
