@@ -22,6 +22,7 @@ void addSequenceCommand(CLI::App& program, Command& chosen);
 void addBakeCommand(CLI::App& program, Command& chosen);
 void addBenchCommand(CLI::App& program, Command& chosen);
 void addReportCommand(CLI::App& program, Command& chosen);
+void addTuneCommand(CLI::App& program, Command& chosen);
 void addSettingsCommand(CLI::App& program, Command& chosen);
 void addDevicesCommand(CLI::App& program, Command& chosen);
 

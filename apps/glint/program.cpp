@@ -63,6 +63,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     addBakeCommand(program, chosen);
     addBenchCommand(program, chosen);
     addReportCommand(program, chosen);
+    addTuneCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);
     if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())

@@ -1,0 +1,33 @@
+// Formats the result of a search as text, as JSON and as a settings file.
+#pragma once
+
+#include "tune/tune.hpp"
+
+#include <string>
+#include <vector>
+
+namespace glint::cli {
+
+/// The options that the output repeats.
+struct TuneNames {
+    std::vector<std::string> scenes;
+    std::string start;
+    uint32_t seed = 0;
+};
+
+/// Returns text for the terminal: the curve, the presets, the choice and what mattered.
+std::string tuneText(const tune::TuneResult& result, const TuneNames& names);
+
+/// {"glint", "device", "driver", "scenes", "size": [w, h], "seed", "generations", "tried", "start",
+///  "cost": {"unit": "floors"|"ms", "counted"}, "target": {"cost"|"error"}, "met", "heldUp",
+///  "points": [{"settings": {key: value}, "cost", "error", "held": {"cost", "error"}, "preset", "chosen",
+///    "measured": {"floors", "ms"}, "views": [{"view", "cost", "error"}]}],
+///  "choice": as a point, "presets": [{"name", "cost", "error", "held", "measured"}],
+///  "sensitivities": [{"setting", "value", "start", "error", "cost"}], "withoutEffect": [keys]}
+/// Points are ordered by cost, and none is dominated. "settings" has what differs from the start.
+std::string tuneJson(const tune::TuneResult& result, const TuneNames& names);
+
+/// Returns a settings file for `--settings`: what differs from the default preset, so that it stands alone.
+std::string tunedSettings(const tune::TuneResult& result, const TuneNames& names);
+
+} // namespace glint::cli
