@@ -31,7 +31,10 @@ Json evaluationJson(ViewSet set, const std::string& key, const Evaluation& evalu
     for (const ViewFigures& view : evaluation.views)
         views.push_back({view.view, view.figures.cost,
                          std::isfinite(view.figures.error) ? Json(view.figures.error) : Json(nullptr)});
-    return {{"set", setName(set)}, {"settings", key}, {"views", std::move(views)}};
+    Json json = {{"set", setName(set)}, {"settings", key}, {"views", std::move(views)}};
+    if (evaluation.views.empty())
+        json["limit"] = evaluation.limit;
+    return json;
 }
 
 /// Reads one view's figures. Throws Json::exception for another type.
@@ -45,7 +48,12 @@ Evaluation readEvaluation(const Json& json) {
     Evaluation evaluation;
     for (const Json& view : json.at("views"))
         evaluation.views.push_back(readView(view));
-    evaluation.figures = evaluation.views.empty() ? Figures{kInfinite, kInfinite} : combine(evaluation.views);
+    if (evaluation.views.empty()) {
+        evaluation.figures = {kInfinite, kInfinite};
+        evaluation.limit = json.at("limit").get<double>();
+    } else {
+        evaluation.figures = combine(evaluation.views);
+    }
     return evaluation;
 }
 

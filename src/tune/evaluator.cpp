@@ -77,7 +77,10 @@ public:
         GLINT_CHECK(session_.setSettings(program));
         for (size_t i = 0; i < views_[index(set)].size(); ++i) {
             const TuneView& view = views_[index(set)][i];
-            GLINT_CHECK(session_.restart(view.seed));
+            if (i == 0)
+                session_.restartAccumulation(view.seed); // new settings have no history
+            else
+                GLINT_CHECK(session_.restart(view.seed));
             GLINT_TRY(judged, judge(settings, set, view, references_[index(set)][i], left));
             if (!judged)
                 return false;
@@ -255,7 +258,7 @@ Result<Evaluation> Evaluator::evaluate(const Settings& settings, ViewSet set, do
     for (Stage& stage : state_->stages) {
         GLINT_TRY(judged, stage.evaluate(settings, set, left, evaluation.views));
         if (!judged)
-            return Evaluation{{kInfinite, kInfinite}, {}};
+            return Evaluation{{kInfinite, kInfinite}, {}, mostCost};
     }
     evaluation.figures = combine(evaluation.views);
     return evaluation;

@@ -32,6 +32,7 @@ struct ViewFigures {
 struct Evaluation {
     Figures figures;
     std::vector<ViewFigures> views; ///< empty if the candidate was given up: figures are infinite then
+    double limit = 0;               ///< of a candidate that was given up: the cost that it exceeds
 };
 
 /// Times of the effect, for tables: they have the machine's noise.

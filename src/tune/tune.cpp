@@ -276,7 +276,7 @@ private:
 
     Result<Evaluation> evaluate(const Settings& settings, ViewSet set, double mostCost) {
         const Evaluation* const known = store_.find(settings, set);
-        if (known && (!known->views.empty() || std::isfinite(mostCost)))
+        if (known && (!known->views.empty() || mostCost <= known->limit))
             return *known;
         GLINT_TRY(evaluation, evaluator_.evaluate(settings, set, mostCost));
         store_.add(settings, set, evaluation);

@@ -467,5 +467,27 @@ TEST_F(CliTest, BakeSaysWhatItCannotDo) {
     EXPECT_EQ(run({"bake", "builtin:mirror", "--probes", "no_such_places.json"}).code, kBadInput);
 }
 
+TEST_F(CliTest, TuneRefusesWhatItCannotSearch) {
+    const auto refused = [this](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"tune", "builtin:exact"});
+        const Ended ended = run(std::move(arguments));
+        EXPECT_EQ(ended.code, kBadInput) << ended.error;
+        return ended.error;
+    };
+    EXPECT_NE(refused({}).find("exactly one of --budget-ms"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "0.5", "--max-error", "1"}).find("exactly one of"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "-1"}).find("above 0"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "--population", "10"}).find("--population 10"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "--paths", "walk"}).find("--paths walk"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "--start", "slow"}).find("--start slow"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "--presets", "slow"}).find("--presets slow"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "--vary", "hiz.foo"}).find("--vary hiz.foo"), std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "--reference", "balanced"}).find("--reference-frames 1"), std::string::npos);
+    EXPECT_NE(refused({"builtin:hall", "builtin:mirror", "--camera", "0", "--camera", "own", "--budget", "1"})
+                  .find("2 cameras for 3 scenes"),
+              std::string::npos);
+    EXPECT_NE(refused({"--budget", "1", "-o", "/no/such/folder/a.json"}).find("-o"), std::string::npos);
+}
+
 } // namespace
 } // namespace glint::cli

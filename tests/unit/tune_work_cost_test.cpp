@@ -1,0 +1,67 @@
+// The counted cost grows with what a frame did.
+#include "tune/work_cost.hpp"
+
+#include <gtest/gtest.h>
+
+namespace glint::tune {
+namespace {
+
+class TuneWorkCost : public testing::Test {
+protected:
+    TuneWorkCost() {
+        work_.settings = &settings_;
+        work_.pixels = 10000;
+        work_.rough = 0.5;
+        work_.triangles = 1000;
+        work_.stats.rays = 5000;
+        work_.stats.lookupsPerRay = 20;
+        work_.passes = {"trace/hiz", "composite/statistics"};
+    }
+    double floors() const { return countedFloors(work_); }
+
+    Settings settings_;
+    FrameWork work_;
+};
+
+TEST_F(TuneWorkCost, TracingCostsItsLookups) {
+    const double once = floors();
+    work_.stats.lookupsPerRay = 40;
+    const double twice = floors();
+    EXPECT_GT(twice, once * 1.5);
+    EXPECT_LT(twice, once * 2);
+    work_.stats.rays = 10000;
+    EXPECT_DOUBLE_EQ(floors(), twice * 2);
+}
+
+TEST_F(TuneWorkCost, FiguresAreNoPartOfTheEffect) {
+    const double with = floors();
+    work_.passes.pop_back();
+    EXPECT_EQ(floors(), with);
+}
+
+TEST_F(TuneWorkCost, EveryOtherPassCostsSomething) {
+    const double without = floors();
+    for (const char* pass : {"denoise/reuse", "denoise/upsample", "rays/reflect_query", "render/back_faces",
+                             "refraction/refract", "some/new_pass"}) {
+        work_.stats.scene.rays = 3000;
+        work_.passes.emplace_back(pass);
+        EXPECT_GT(floors(), without) << pass;
+        work_.passes.pop_back();
+    }
+}
+
+TEST_F(TuneWorkCost, RaysCostTheSameWithEitherBackEnd) {
+    work_.stats.scene.rays = 3000;
+    work_.passes = {"rays/reflect_query"};
+    const double query = floors();
+    work_.passes = {"rays/reflect_bvh"};
+    EXPECT_EQ(floors(), query);
+    settings_.reuse.samples = 0;
+    work_.passes = {"denoise/reuse"};
+    const double alone = floors();
+    settings_.reuse.samples = 8;
+    EXPECT_GT(floors(), alone * 5);
+}
+
+} // namespace
+} // namespace glint::tune
