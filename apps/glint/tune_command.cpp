@@ -36,6 +36,7 @@ struct TuneOptions {
     std::string start = "balanced";
     std::string reference = "reference";
     int64_t referenceFrames = 8;
+    std::string metric = "flip";
     std::string cost = "auto";
     std::string resume;
     std::string output;
@@ -68,6 +69,8 @@ Result<void> checkCounts(const TuneOptions& options) {
         return invalidArgument("--time {:g}: expected seconds, 0 for no limit", options.seconds);
     if (options.cost != "auto" && options.cost != "counted" && options.cost != "measured")
         return invalidArgument("--cost {}: expected auto, counted or measured", printable(options.cost));
+    if (options.metric != "flip" && options.metric != "relativeMSE")
+        return invalidArgument("--metric {}: expected flip or relativeMSE", printable(options.metric));
     return {};
 }
 
@@ -139,6 +142,8 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
                                printable(options.reference), options.referenceFrames);
     plan.evaluation.reference = std::move(reference);
     plan.evaluation.referenceFrames = static_cast<uint32_t>(options.referenceFrames);
+    plan.evaluation.metric =
+        options.metric == "flip" ? tune::ErrorMetric::Flip : tune::ErrorMetric::RelativeMse;
     plan.search.start = plan.evaluation.jobs.front().settings.reflections;
     for (const std::string& preset : options.presets) {
         if (preset == kNoPresets || preset == options.start)
@@ -193,7 +198,7 @@ void addTargetOptions(CLI::App& command, TuneOptions& options) {
     command.add_option("--budget", options.budget, "Most cost, as a fraction of the start's: 0.5 is half");
     command.add_option("--budget-ms", options.budgetMs, "Most milliseconds of the effect");
     command.add_option("--budget-floors", options.budgetFloors, "Most cost in floors (docs/truth.md)");
-    command.add_option("--max-error", options.maxError, "Most relative mean squared error: find the least cost");
+    command.add_option("--max-error", options.maxError, "Most error (--metric): find the least cost");
 }
 
 void addSearchOptions(CLI::App& command, TuneOptions& options) {
@@ -215,6 +220,7 @@ void addSearchOptions(CLI::App& command, TuneOptions& options) {
     command.add_option("--population", options.population, "Settings in each generation")->capture_default_str();
     command.add_option("--reference", options.reference, "Settings of the reference")->capture_default_str();
     command.add_option("--reference-frames", options.referenceFrames, "Frames that it averages")->capture_default_str();
+    command.add_option("--metric", options.metric, "Error of a picture: flip or relativeMSE")->capture_default_str();
     command
         .add_option("--cost", options.cost,
                     "measured: milliseconds; counted: floors from counters, the same on every run; auto: counted "

@@ -111,6 +111,7 @@ std::string tuneJson(const tune::TuneResult& result, const TuneNames& names) {
         {"tried", result.tried},
         {"start", names.start},
         {"cost", {{"unit", unitOf(result)}, {"counted", result.counted}}},
+        {"metric", result.metric == tune::ErrorMetric::Flip ? "flip" : "relativeMSE"},
     };
     if (result.target.mostCost)
         json["target"] = {{"cost", *result.target.mostCost}};

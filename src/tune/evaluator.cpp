@@ -1,5 +1,6 @@
 #include "tune/evaluator.hpp"
 
+#include "measure/flip.hpp"
 #include "measure/floor_pass.hpp"
 #include "measure/image_error.hpp"
 #include "render/settled_frames.hpp"
@@ -13,12 +14,10 @@
 namespace glint::tune {
 namespace {
 
-using Radiance = std::vector<float>;
-
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// An error of 0 would make the geometric mean 0, whatever the other views show.
-constexpr double kLeastError = 1e-7;
+constexpr double kLeastError = 1e-6;
 
 /// Below about this perceptual roughness the denoiser passes reflections untouched (docs/techniques/rough.md).
 constexpr float kMirrorRoughness = 0.016f;
@@ -36,6 +35,8 @@ bool isMeasured(const TuneView& view, uint32_t frame, uint32_t frames) {
     return frame >= kFirstMeasured && (frame - kFirstMeasured) % kMeasuredEvery == 0;
 }
 
+} // namespace
+
 /// One scene and camera: its session, its views and their references.
 class Stage {
 public:
@@ -50,7 +51,7 @@ public:
     const render::JobInputs& inputs() const { return session_.inputs(); }
 
     Result<void> makeReferences(ViewSet set, const Evaluator::Progress& progress) {
-        std::vector<std::vector<Radiance>>& references = references_[index(set)];
+        std::vector<std::vector<render::RenderedView>>& references = references_[index(set)];
         if (!references.empty())
             return {};
         render::ProgramSettings settings = plan_.reference;
@@ -132,11 +133,11 @@ private:
     }
 
     /// A picture for each measured frame of the view.
-    Result<std::vector<Radiance>> referenceOf(const TuneView& view) {
+    Result<std::vector<render::RenderedView>> referenceOf(const TuneView& view) {
         constexpr uint32_t kOtherNoise = 0x9e37; // the reference shares no noise with candidates
         const bool still = view.move == scene::CameraMove::Still;
         const uint32_t frames = still ? 1 : kMovingFrames;
-        std::vector<Radiance> pictures;
+        std::vector<render::RenderedView> pictures;
         for (uint32_t frame = 0; frame < frames; ++frame) {
             if (!isMeasured(view, frame, frames))
                 continue;
@@ -148,14 +149,14 @@ private:
                 GLINT_CHECK(session_.renderFrame(frame * plan_.referenceFrames + i, plan));
             }
             GLINT_TRY(picture, session_.readView("composite"));
-            pictures.push_back(std::move(picture.rgba));
+            pictures.push_back(std::move(picture));
         }
         return pictures;
     }
 
     /// No value: the candidate was given up.
     Result<std::optional<Figures>> judge(const Settings& settings, ViewSet set, const TuneView& view,
-                                         const std::vector<Radiance>& references, double mostCost) {
+                                         const std::vector<render::RenderedView>& references, double mostCost) {
         const bool still = view.move == scene::CameraMove::Still;
         const uint32_t frames = still ? render::settledFrames(settings) : kMovingFrames;
         const bool readsLast = settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
@@ -183,11 +184,19 @@ private:
                 return std::optional<Figures>();
             if (isMeasured(view, frame, frames)) {
                 GLINT_TRY(picture, session_.readView("composite"));
-                error += measure::relativeMse(references[next++], picture.rgba);
+                error += errorOf(references[next++], picture);
             }
         }
         error /= static_cast<double>(references.size());
         return std::optional(Figures{costOf(counted, times), std::isnan(error) ? kInfinite : error});
+    }
+
+    double errorOf(const render::RenderedView& reference, const render::RenderedView& picture) const {
+        if (plan_.metric == ErrorMetric::RelativeMse)
+            return measure::relativeMse(reference.rgba, picture.rgba);
+        const render::JobInputs& inputs = session_.inputs();
+        return measure::flip({inputs.width, inputs.height, reference.rgb8}, {inputs.width, inputs.height, picture.rgb8})
+            .mean;
     }
 
     double costOf(double counted, const measure::EffectTimes& times) const {
@@ -214,11 +223,9 @@ private:
     const EvaluationPlan& plan_;
     measure::FloorPass floor_;
     std::array<std::vector<TuneView>, 2> views_;                        ///< by ViewSet
-    std::array<std::vector<std::vector<Radiance>>, 2> references_ = {}; ///< by ViewSet, view and measured frame
+    std::array<std::vector<std::vector<render::RenderedView>>, 2> references_ = {}; ///< by ViewSet, view and measured frame
     std::array<double, 2> rough_ = {};                                  ///< by ViewSet: roughShare, mean over views
 };
-
-} // namespace
 
 struct Evaluator::State {
     EvaluationPlan plan;
@@ -239,6 +246,7 @@ Result<Evaluator> Evaluator::create(gpu::Context& context, EvaluationPlan plan, 
     for (const render::RenderJob& planned : state->plan.jobs) {
         render::RenderJob job = planned;
         job.statistics = true; // lookups and rays are what cost is counted by
+        job.display = true;
         if (state->progress)
             state->progress("reading " + job.scene);
         GLINT_TRY(session, render::openJob(context, job));

@@ -12,6 +12,12 @@
 
 namespace glint::tune {
 
+/// How wrong a picture is, against its reference.
+enum class ErrorMetric {
+    Flip,        ///< mean of FLIP on the displayed picture: what a person sees; too bright and too dark count alike
+    RelativeMse, ///< on radiance, relative to the reference: light in dark places counts most
+};
+
 struct EvaluationPlan {
     /// A job for each scene and camera; all with the same settings, those of the start. They differ in nothing that
     /// `cost` depends on.
@@ -19,6 +25,7 @@ struct EvaluationPlan {
     std::vector<scene::CameraMove> paths = {scene::CameraMove::Still};
     render::ProgramSettings reference; ///< its jobs' own settings of the renderer are used
     uint32_t referenceFrames = 8;      ///< averaged for each reference, >= 1
+    ErrorMetric metric = ErrorMetric::Flip;
     bool counted = false;              ///< cost is counted (WorkCost), in floors; false: measured, in milliseconds
 };
 

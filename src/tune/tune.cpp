@@ -29,6 +29,7 @@ public:
     Result<TuneResult> run(const gpu::Context& context) {
         result_.device = context.info().name;
         result_.driver = context.info().driver;
+        result_.metric = plan_.evaluation.metric;
         result_.counted = plan_.evaluation.counted;
         result_.width = evaluator_.size()[0];
         result_.height = evaluator_.size()[1];
@@ -318,7 +319,8 @@ std::string requestText(const gpu::Context& context, const TunePlan& plan) {
                             job.width, job.height, job.seed);
     for (const scene::CameraMove move : plan.evaluation.paths)
         text += fmt::format("{}\n", scene::cameraMoves()[static_cast<size_t>(move)]);
-    text += fmt::format("reference {} frames\n{}", plan.evaluation.referenceFrames,
+    text += fmt::format("metric {}, cost {}, reference {} frames\n{}", static_cast<int>(plan.evaluation.metric),
+                        plan.evaluation.counted ? "counted" : "measured", plan.evaluation.referenceFrames,
                         render::settingsJson(plan.evaluation.reference));
     for (const render::RenderJob& job : plan.evaluation.jobs)
         text += render::settingsJson(job.settings);

@@ -49,6 +49,7 @@ struct Sensitivity {
 struct TuneResult {
     std::string device;
     std::string driver;
+    ErrorMetric metric = ErrorMetric::Flip;
     bool counted = false; ///< costs are counted floors; false: milliseconds
     uint32_t width = 0;
     uint32_t height = 0;

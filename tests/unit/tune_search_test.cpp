@@ -149,7 +149,7 @@ TEST(TuneSearch, PresetsAreTriedAsTheyAre) {
 
 TEST(TuneSearch, CandidatesThatWereGivenUpDoNotStopIt) {
     SearchPlan plan = planOf(8);
-    plan.mostCost = 8;
+    plan.mostCost = 11.5; // the start costs 11.04
     SearchHooks hooks;
     hooks.evaluate = [](const Settings& settings, double mostCost) -> Result<Evaluation> {
         const Evaluation evaluation = traded(settings);
@@ -158,10 +158,8 @@ TEST(TuneSearch, CandidatesThatWereGivenUpDoNotStopIt) {
     };
     const Searched run = search(plan, hooks);
     const std::vector<Figures> figures = run.figures();
-    size_t affordable = 0;
-    for (const size_t i : paretoFront(figures))
-        affordable += figures[i].cost <= 8 ? 1 : 0;
-    EXPECT_GE(affordable, 3u);
+    EXPECT_TRUE(std::ranges::any_of(figures, [](const Figures& each) { return std::isinf(each.cost); }));
+    EXPECT_LT(figures[paretoFront(figures).front()].cost, 4.5); // the cheapest has 4
 }
 
 TEST(TuneSearch, AFailedEvaluationEndsItWithItsError) {
