@@ -35,7 +35,7 @@ tune::TunePlan smallPlan(uint32_t generations) {
     plan.evaluation.referenceFrames = 1;
     plan.evaluation.counted = true;
     plan.search.start = job.settings.reflections;
-    plan.search.vary = {"hiz", "screen.resolutionScale"};
+    plan.search.vary = {"hiz", "screen.thicknessMode", "screen.resolutionScale"};
     plan.search.population = 8;
     plan.search.generations = generations;
     plan.target.mostShare = 0.8;
