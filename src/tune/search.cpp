@@ -33,6 +33,8 @@ public:
     Result<SearchOutcome> run() {
         GLINT_CHECK(tryPresets());
         GLINT_CHECK(probeSettings());
+        GLINT_CHECK(climb(true));
+        GLINT_CHECK(climb(false));
         GLINT_TRY(population, firstPopulation());
         GLINT_CHECK(generationDone());
         while (outcome_.generations < plan_.generations && (!hooks_.mayGoOn || hooks_.mayGoOn())) {
@@ -97,7 +99,9 @@ private:
                 Genes genes = space_.encode(space_.start());
                 genes[i] = gene;
                 GLINT_CHECK(tryGenes(genes));
-                changes |= !same(at(space_.settings(space_.decode(genes))), start);
+                const Evaluation& moved = at(space_.settings(space_.decode(genes)));
+                changes |= !same(moved, start);
+                moves_.push_back({space_[i].info, gene, moved.figures});
             }
             if (!changes) {
                 idle.push_back(i);
@@ -106,6 +110,41 @@ private:
         }
         if (idle.size() < space_.size())
             space_.drop(idle);
+        return {};
+    }
+
+    /// Takes together what was good alone: first the move that saves most cost for its error (`cheaper`), or most error
+    /// for its cost; then that and the second best, and so on.
+    Result<void> climb(bool cheaper) {
+        constexpr size_t kLongestClimb = 12;
+        const Figures start = outcome_.tried.front().evaluation.figures;
+        const auto gain = [&](const Move& move) {
+            return cheaper ? std::log(start.cost / move.figures.cost) : std::log(start.error / move.figures.error);
+        };
+        const auto price = [&](const Move& move) {
+            return cheaper ? std::log(move.figures.error / start.error) : std::log(move.figures.cost / start.cost);
+        };
+        std::vector<Move> moves;
+        for (const Move& move : moves_)
+            if (std::isfinite(move.figures.cost) && gain(move) > 0)
+                moves.push_back(move);
+        // What is better in both comes first, the largest gain before; then by the price of a gain.
+        std::ranges::stable_sort(moves, {}, [&](const Move& move) {
+            return price(move) <= 0 ? std::pair(0, -gain(move)) : std::pair(1, price(move) / gain(move));
+        });
+        Genes genes = space_.encode(space_.start());
+        std::vector<const SettingInfo*> moved;
+        for (const Move& move : moves) {
+            if (moved.size() == kLongestClimb)
+                break;
+            if (std::ranges::find(moved, move.setting) != moved.end())
+                continue;
+            moved.push_back(move.setting);
+            for (size_t i = 0; i < space_.size(); ++i)
+                if (space_[i].info == move.setting)
+                    genes[i] = move.gene;
+            GLINT_CHECK(tryGenes(genes));
+        }
         return {};
     }
 
@@ -129,8 +168,13 @@ private:
             if (std::ranges::find(parents, genes) == parents.end())
                 parents.push_back(genes);
         }
-        std::vector<Genes> chosen(parents.begin(),
-                                  parents.begin() + std::min<ptrdiff_t>(std::ssize(parents), plan_.population / 2));
+        // Of the presets all, of the curve as many as there is room for, evenly.
+        const size_t room = std::min<size_t>(parents.size(), plan_.population / 2);
+        const size_t presets = std::min(room, plan_.presets.size() + 1);
+        std::vector<Genes> chosen;
+        for (size_t i = 0; i < room; ++i)
+            chosen.push_back(
+                parents[i < presets ? i : presets + (i - presets) * (parents.size() - presets) / (room - presets)]);
         while (chosen.size() < plan_.population)
             chosen.push_back(between(parents[below(parents.size())], parents[below(parents.size())]));
         std::vector<Individual> population;
@@ -203,9 +247,17 @@ private:
 
     Result<void> generationDone() { return hooks_.generationDone ? hooks_.generationDone() : Result<void>(); }
 
+    /// A setting that was moved alone.
+    struct Move {
+        const SettingInfo* setting = nullptr;
+        double gene = 0;
+        Figures figures;
+    };
+
     const SearchPlan& plan_;
     const SearchHooks& hooks_;
     SearchSpace space_;
+    std::vector<Move> moves_;
     std::mt19937 random_;
     SearchOutcome outcome_;
     std::unordered_map<std::string, size_t> known_; ///< by what differs from the start
