@@ -142,8 +142,7 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
                                printable(options.reference), options.referenceFrames);
     plan.evaluation.reference = std::move(reference);
     plan.evaluation.referenceFrames = static_cast<uint32_t>(options.referenceFrames);
-    plan.evaluation.metric =
-        options.metric == "flip" ? tune::ErrorMetric::Flip : tune::ErrorMetric::RelativeMse;
+    plan.evaluation.metric = options.metric == "flip" ? tune::ErrorMetric::Flip : tune::ErrorMetric::RelativeMse;
     plan.search.start = plan.evaluation.jobs.front().settings.reflections;
     for (const std::string& preset : options.presets) {
         if (preset == kNoPresets || preset == options.start)

@@ -19,8 +19,8 @@ struct TuneNames {
 std::string tuneText(const tune::TuneResult& result, const TuneNames& names);
 
 /// {"glint", "device", "driver", "scenes", "size": [w, h], "seed", "generations", "tried", "start",
-///  "cost": {"unit": "floors"|"ms", "counted"}, "metric": "flip"|"relativeMSE", "target": {"cost"|"error"}, "met", "heldUp",
-///  "points": [{"settings": {key: value}, "cost", "error", "held": {"cost", "error"}, "preset", "chosen",
+///  "cost": {"unit": "floors"|"ms", "counted"}, "metric": "flip"|"relativeMSE", "target": {"cost"|"error"}, "met",
+///  "heldUp", "points": [{"settings": {key: value}, "cost", "error", "held": {"cost", "error"}, "preset", "chosen",
 ///    "measured": {"floors", "ms"}, "views": [{"view", "cost", "error"}]}],
 ///  "choice": as a point, "presets": [{"name", "cost", "error", "held", "measured"}],
 ///  "sensitivities": [{"setting", "value", "start", "error", "cost"}], "withoutEffect": [keys]}

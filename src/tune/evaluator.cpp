@@ -222,9 +222,10 @@ private:
     render::RenderJob job_;
     const EvaluationPlan& plan_;
     measure::FloorPass floor_;
-    std::array<std::vector<TuneView>, 2> views_;                        ///< by ViewSet
-    std::array<std::vector<std::vector<render::RenderedView>>, 2> references_ = {}; ///< by ViewSet, view and measured frame
-    std::array<double, 2> rough_ = {};                                  ///< by ViewSet: roughShare, mean over views
+    std::array<std::vector<TuneView>, 2> views_; ///< by ViewSet
+    std::array<std::vector<std::vector<render::RenderedView>>, 2> references_ =
+        {};                            ///< by ViewSet, view and measured frame
+    std::array<double, 2> rough_ = {}; ///< by ViewSet: roughShare, mean over views
 };
 
 struct Evaluator::State {

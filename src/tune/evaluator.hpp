@@ -26,7 +26,7 @@ struct EvaluationPlan {
     render::ProgramSettings reference; ///< its jobs' own settings of the renderer are used
     uint32_t referenceFrames = 8;      ///< averaged for each reference, >= 1
     ErrorMetric metric = ErrorMetric::Flip;
-    bool counted = false;              ///< cost is counted (WorkCost), in floors; false: measured, in milliseconds
+    bool counted = false; ///< cost is counted (WorkCost), in floors; false: measured, in milliseconds
 };
 
 struct ViewFigures {

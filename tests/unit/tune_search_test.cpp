@@ -148,8 +148,8 @@ TEST(TuneSearch, PresetsAreTriedAsTheyAre) {
 }
 
 TEST(TuneSearch, CandidatesThatWereGivenUpDoNotStopIt) {
-    SearchPlan plan = planOf(8);
-    plan.mostCost = 11.5; // the start costs 11.04
+    SearchPlan plan = planOf(30); // as many as the curve takes
+    plan.mostCost = 11.5;         // the start costs 11.04
     SearchHooks hooks;
     hooks.evaluate = [](const Settings& settings, double mostCost) -> Result<Evaluation> {
         const Evaluation evaluation = traded(settings);
