@@ -1,7 +1,6 @@
 #include "tune_output.hpp"
 
 #include "base/text.hpp"
-#include "comparison_output.hpp"
 #include "glint/version.hpp"
 
 #include <nlohmann/json.hpp>
