@@ -106,7 +106,7 @@ Result<CurveJson> readSize(const Place& place) {
 
 Result<CurveJson> checkedCurve(const Place& file) {
     if (!file.json.is_object())
-        return invalidInput("this is no JSON object: give a curve of cost and error (docs/report.md)");
+        return invalidInput("this is no JSON object: give the file that `glint tune --json` wrote");
     CurveJson curve;
     const Place named = file.at("device"); // its name, or an object with the driver too
     GLINT_TRY(device, text(named.json.is_object() ? named.at("name") : named));

@@ -1,4 +1,4 @@
-// Reads a curve of cost against error from a file (docs/report.md).
+// Reads the curve of cost against error that `glint tune --json` wrote (docs/tune.md).
 #pragma once
 
 #include "base/result.hpp"

@@ -287,7 +287,7 @@ void addReportCommand(CLI::App& program, Command& chosen) {
                      "Samples per pixel, frame and seed of their reference; 0: none")
         ->capture_default_str();
     command->add_option("--curve", options->curve,
-                        "JSON file with a curve of cost against error, to be drawn (docs/report.md)");
+                        "Curve of cost against error, to be drawn: the file of glint tune --json");
     command->add_option("--against", options->against,
                         "JSON of an earlier report: says what is better, worse or noise; fails past the threshold");
     command->add_option("--threshold", options->threshold, "Percent, or percentage points of shares, for --against")

@@ -60,7 +60,7 @@ TEST_F(TuneWorkCost, RaysCostTheSameWithEitherBackEnd) {
     work_.passes = {"denoise/reuse"};
     const double alone = floors();
     settings_.reuse.samples = 8;
-    EXPECT_GT(floors(), alone * 5);
+    EXPECT_GT(floors(), alone * 3); // half of the pixels are rough here
 }
 
 } // namespace
