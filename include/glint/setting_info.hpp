@@ -48,7 +48,7 @@ struct SettingAlias {
 /// How a search varies a setting (`glint tune`).
 struct SettingSearch {
     enum class Scale {
-        None,   ///< not varied
+        Never,  ///< not varied
         Linear, ///< equal steps count alike
         Log,    ///< equal ratios count alike
         Choice, ///< any value of an enum
@@ -60,7 +60,7 @@ struct SettingSearch {
         std::vector<std::string> values; ///< one of these, as text; empty: any number above `above`
         double above = 0;
     };
-    Scale scale = Scale::None;
+    Scale scale = Scale::Never;
     double min = 0; ///< Linear, Log: the interval worth searching, inside the range
     double max = 0;
     std::vector<Condition> conditions; ///< all of them, and those of the settings that they name

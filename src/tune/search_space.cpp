@@ -41,7 +41,7 @@ Result<void> checkNames(std::span<const std::string> vary) {
         std::vector<std::string_view> keys;
         for (const SettingInfo& info : settingsTable()) {
             known |= isNamed(info, name);
-            searched |= isNamed(info, name) && info.search.scale != Scale::None;
+            searched |= isNamed(info, name) && info.search.scale != Scale::Never;
             keys.push_back(info.key);
         }
         const std::string_view meant = likelyMeant(name, keys);
@@ -134,7 +134,7 @@ Result<SearchSpace> SearchSpace::create(const Settings& start, std::span<const s
         for (const SettingInfo& info : settingsTable()) {
             const bool wanted =
                 vary.empty() || std::ranges::any_of(vary, [&](const std::string& name) { return isNamed(info, name); });
-            if (info.search.scale == Scale::None || !wanted || (info.search.motionOnly && !motion))
+            if (info.search.scale == Scale::Never || !wanted || (info.search.motionOnly && !motion))
                 continue;
             const Dimension dimension = makeDimension(info, start);
             if (dimension.isWhole() == whole)

@@ -37,7 +37,7 @@ Settings with(const std::vector<std::pair<std::string, std::string>>& values) {
 TEST(TuneSearchSpace, ConditionsOfTheTableNameKeysAndValuesThatExist) {
     size_t searched = 0;
     for (const SettingInfo& info : settingsTable()) {
-        searched += info.search.scale != Scale::None ? 1 : 0;
+        searched += info.search.scale != Scale::Never ? 1 : 0;
         for (const SettingSearch::Condition& condition : info.search.conditions) {
             ASSERT_NE(std::ranges::find(settingsTable(), condition.key, &SettingInfo::key), settingsTable().end())
                 << info.key << " if " << condition.key;

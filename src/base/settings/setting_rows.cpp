@@ -175,7 +175,7 @@ SettingSearch readSearch(const SettingInfo& info, std::string_view text) {
             malformed(info.key, part);
         }
     }
-    if (search.scale == Scale::None)
+    if (search.scale == Scale::Never)
         malformed(info.key, text);
     return search;
 }

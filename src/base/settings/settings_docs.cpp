@@ -88,7 +88,7 @@ std::string_view scaleName(SettingSearch::Scale scale) {
     case SettingSearch::Scale::Log: return "log";
     case SettingSearch::Scale::Choice: return "choice";
     case SettingSearch::Scale::Switch: return "switch";
-    case SettingSearch::Scale::None: break;
+    case SettingSearch::Scale::Never: break;
     }
     return "none";
 }
@@ -148,7 +148,7 @@ Json infoJson(const SettingInfo& info) {
             entry["transform"] = transformText(info, alias);
         json["aliases"].push_back(std::move(entry));
     }
-    if (info.search.scale != SettingSearch::Scale::None)
+    if (info.search.scale != SettingSearch::Scale::Never)
         json["search"] = searchJson(info.search);
     return json;
 }
@@ -181,7 +181,7 @@ std::string searchMarkdown(SettingsTables tables) {
     for (const auto& table : tables) {
         for (const SettingInfo& info : table) {
             const SettingSearch& search = info.search;
-            if (search.scale == SettingSearch::Scale::None)
+            if (search.scale == SettingSearch::Scale::Never)
                 continue;
             std::vector<std::string> conditions = conditionTexts(search);
             if (search.motionOnly)
