@@ -12,7 +12,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 3) uniform sampler2D reused;         // weight * radiance, weight
-layout(set = 0, binding = 4) uniform sampler2D reusedNearness; // 1 / metres; -1: no ray
+layout(set = 0, binding = 4) uniform sampler2D reusedMeta;     // denoise/reuse.comp
 layout(set = 0, binding = 5) uniform sampler2D motion;         // previous UV - current UV, after scaling
 layout(set = 0, binding = 6) uniform sampler2D meanBefore;
 layout(set = 0, binding = 7) uniform sampler2D metaBefore;
@@ -170,9 +170,12 @@ void main() {
     if (!isInFrame(px))
         return;
     vec4 answer = texelFetch(reused, px, 0);
-    float near = texelFetch(reusedNearness, px, 0).r;
+    vec2 nearLearnt = texelFetch(reusedMeta, px, 0).rg;
+    float near = nearLearnt.x;
+    float learnt = nearLearnt.y;
     LobeSurface here = lobeSurfaceAt(px);
-    if (near < 0.0) {
+    bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
+    if (learnt < 0.0) {
         imageStore(mean, px, vec4(0.0));
         imageStore(meta, px, vec4(0.0));
         if (settings.comparesMeans != 0u)
@@ -180,19 +183,21 @@ void main() {
         imageStore(place, px, uvec4(0u));
         return;
     }
+    if (learnt == 0.0 && hasHistory && wasInFrame(px))
+        near = texelFetch(metaBefore, px, 0).w; // to look up what to keep
     float brightness = luminance(answer.rgb);
-    vec4 moments = vec4(1.0, brightness, square(brightness), near);
+    vec4 moments = vec4(learnt, brightness, square(brightness), near);
     float fastMean = brightness;
-    bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
     if (hasHistory && !isMirror(here.perceptualRoughness)) {
         float frames;
-        Candidate found = best(px, here, near, frames);
-        frames = min(frames, settings.historyFrames - 1.0);
+        Candidate before = best(px, here, near, frames);
+        frames = min(frames, settings.historyFrames - learnt);
         if (frames > 0.0) {
-            float share = 1.0 / (1.0 + frames);
-            answer = mix(found.mean, answer, share);
-            moments = vec4(frames + 1.0, mix(found.meta.yzw, moments.yzw, share));
-            fastMean = mix(found.fast, fastMean, 1.0 / (1.0 + min(frames, settings.fastFrames - 1.0)));
+            float share = learnt / (learnt + frames);
+            answer = mix(before.mean, answer, share);
+            moments = vec4(frames + learnt, mix(before.meta.yzw, moments.yzw, share));
+            float fastFrames = min(frames, settings.fastFrames - 1.0);
+            fastMean = mix(before.fast, fastMean, learnt / max(learnt + fastFrames, 1e-6));
         }
     }
     const float kLargestHalf = 6.0e4;

@@ -30,19 +30,21 @@ struct Answer {
     vec4 radianceWeight;
     float nearness;
     bool traced;
+    bool awaits; // neighbours' rays (reuse.rate)
 };
 
 Answer answerOf(vec4 radianceWeight, RayRecord record) {
     bool traced = record.outcome != kOutcomeNone && record.outcome < kOutcomeBelowThreshold;
     bool ends = isAnswered(record.outcome) && record.hitDistance > 0.0;
-    return Answer(vec4(sanitize(radianceWeight.rgb), radianceWeight.a), ends ? 1.0 / record.hitDistance : 0.0, traced);
+    return Answer(vec4(sanitize(radianceWeight.rgb), radianceWeight.a), ends ? 1.0 / record.hitDistance : 0.0, traced,
+                  record.outcome == kOutcomeFromNeighbours);
 }
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
-    const Answer kNone = Answer(vec4(0.0), 0.0, false);
+    const Answer kNone = Answer(vec4(0.0), 0.0, false, false);
     Answer screen = kNone;
     Answer rays = kNone;
     uvec4 routed = uvec4(0u);
@@ -63,7 +65,8 @@ void main() {
         near += take(walk, answer.radianceWeight) * answer.nearness;
     }
     float z = texelFetch(viewZ, px, 0).r;
-    SentRay ray = SentRay(vec3(0.0), near / max(walk.taken, 1e-6), z < kBackgroundZ && (screen.traced || rays.traced));
+    bool sent = z < kBackgroundZ && (screen.traced || rays.traced);
+    SentRay ray = SentRay(vec3(0.0), near / max(walk.taken, 1e-6), sent, !sent && (screen.awaits || rays.awaits));
     if (ray.sent) {
         vec3 positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
         Surface here = unpackSurface(texelFetch(surface, px, 0).xy);

@@ -1,6 +1,7 @@
 // Each rough pixel also uses the rays of its neighbours, weighed by its own lobe: the ratio estimator of Stachowiak 2015,
 // "Stochastic Screen-Space Reflections", with weights bounded by pairwise mixtures of densities (balance heuristic, Veach
-// 1995). Uniform light stays exactly uniform. docs/techniques/denoise.md.
+// 1995). Uniform light stays exactly uniform. A pixel without a ray of its own (reuse.rate) has its neighbours' alone.
+// docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -13,9 +14,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 3) uniform sampler2D noisy;     // weight * radiance, weight
 layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.glsl
+layout(set = 0, binding = 7) uniform sampler2D rayRates;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
-layout(set = 0, binding = 6, r32f) uniform writeonly image2D reusedNearness;
+/// 1 / metres to the ray's end; how much of a frame the answer counts for: 1 with an own ray; less where few of the
+/// neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect.
+layout(set = 0, binding = 6, rg16f) uniform writeonly image2D reusedMeta;
 DenoiseConstants settings = frame.settings.denoise;
+
+#include "denoise/ray_rate.glsl"
 
 /// A pixel's lobe and the ray that it sent.
 struct Lobe {
@@ -77,6 +83,21 @@ void add(inout Sums sums, vec4 answer, float near, float weight) {
     sums.weight += weight;
 }
 
+/// Of a frame: what a pixel learns from rays that are not in its lobe.
+const float kLeastLearnt = 0.01;
+
+/// The mean of the nearest senders' answers on this surface, whatever their lobes.
+void addNearest(ivec2 px, LobeSurface here, inout Sums sums) {
+    for (int i = 0; i < 9; ++i) {
+        ivec2 tap = senderAt(px + 2 * ivec2(i % 3 - 1, i / 3 - 1), here.perceptualRoughness);
+        if (!isInFrame(tap))
+            continue;
+        SentRay theirRay = unpackSentRay(texelFetch(sentRay, tap, 0).xy);
+        if (theirRay.sent && isSameSurface(here, lobeSurfaceAt(tap)))
+            add(sums, texelFetch(noisy, tap, 0), theirRay.nearness, 1.0);
+    }
+}
+
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (!isInFrame(px))
@@ -85,8 +106,15 @@ void main() {
     SentRay ray = unpackSentRay(texelFetch(sentRay, px, 0).xy);
     float near = ray.nearness;
     LobeSurface here = lobeSurfaceAt(px);
-    if (ray.sent && settings.reuseSamples > 0u && !isMirror(here.perceptualRoughness)) {
+    float learnt = ray.sent ? 1.0 : ray.awaits ? 0.0 : -1.0;
+    if ((ray.sent || ray.awaits) && settings.reuseSamples > 0u && !isMirror(here.perceptualRoughness)) {
         Lobe own = lobeOf(here, ray);
+        // Without an own ray nothing bounds f / p: a part of the own density, so that no neighbour counts more than four
+        // times.
+        float ownPart = ray.sent ? 1.0 : 0.25;
+        ivec2 sender = senderAt(px, here.perceptualRoughness);
+        if (ray.awaits && isInFrame(sender))
+            near = unpackSentRay(texelFetch(sentRay, sender, 0).xy).nearness; // for the radius
         float ownDensity = densityOf(own, ray.directionVS);
         float ownResponse = ownDensity * shadowing(own, ray.directionVS);
         float ownWeight = 0.0; // of the pixel's own ray: a part from each pair
@@ -97,6 +125,7 @@ void main() {
             beginSpiral(settings.reuseSamples, hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).x);
         for (uint i = 0u; i < settings.reuseSamples; ++i) {
             ivec2 tap = floorToInt(vec2(px) + 0.5 + disc * nextPoint(spiral, i));
+            tap = senderAt(tap, here.perceptualRoughness);
             if (tap == px || !isInFrame(tap))
                 continue;
             SentRay theirRay = unpackSentRay(texelFetch(sentRay, tap, 0).xy);
@@ -108,19 +137,29 @@ void main() {
             vec3 wi = carried(other, here, shrink);
             float theirs = densityOf(other, theirRay.directionVS) / shrink;
             float density = densityOf(own, wi);
-            float weight = density * shadowing(own, wi) / max(theirs + density, 1e-20);
+            float weight = density * shadowing(own, wi) / max(theirs + ownPart * density, 1e-20);
             add(sums, texelFetch(noisy, tap, 0), theirRay.nearness, theirs > 0.0 ? weight : 0.0);
-            if (ownDensity > 0.0) {
+            if (ray.sent && ownDensity > 0.0) {
                 vec3 across = carried(own, there, shrink);
                 ownWeight += ownResponse / (densityOf(other, across) * shrink + ownDensity);
             }
         }
         if (sums.weight > 0.0) {
             add(sums, answer, near, ownWeight);
+        } else if (ray.awaits) {
+            addNearest(px, here, sums);
+            sums.weight *= kLeastLearnt;
+            sums.answer *= kLeastLearnt;
+            sums.near *= kLeastLearnt;
+        }
+        if (sums.weight > 0.0) {
             answer = sums.answer / sums.weight;
             near = sums.near / sums.weight;
+            // Over frames a ratio of sums then, and no mean of ratios: those of small sums are wrong (rough.md).
+            if (ray.awaits)
+                learnt = clamp(sums.weight, kLeastLearnt, 1.0);
         }
     }
     imageStore(reused, px, answer);
-    imageStore(reusedNearness, px, vec4(ray.sent ? near : -1.0));
+    imageStore(reusedMeta, px, vec4(near, learnt, 0.0, 0.0));
 }

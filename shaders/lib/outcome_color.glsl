@@ -35,6 +35,8 @@ vec3 outcomeColor(RayRecord ray, uint maxSteps) {
         return vec3(0.3);
     case kOutcomeFacingCamera:
         return vec3(0.0, 0.5, 0.5);
+    case kOutcomeFromNeighbours:
+        return vec3(0.2, 0.3, 0.45);
     default:
         return vec3(0.0);
     }

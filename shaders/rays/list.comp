@@ -15,15 +15,19 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D raysRadianceWeight;
 layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
+layout(set = 0, binding = 24) uniform sampler2D rayRates;
 RaysConstants settings = frame.settings.rays;
 
+#include "denoise/ray_rate.glsl"
 #include "rays/after_screen.glsl"
 
 /// Returns kOutcomeNone where a ray is needed.
-uint whyNoRay(Surface here) {
+uint whyNoRay(ivec2 px, Surface here) {
     if (here.reflectivity <= settings.threshold)
         return kOutcomeBelowThreshold;
-    return here.perceptualRoughness > settings.maxRoughness ? kOutcomeTooRough : kOutcomeNone;
+    if (here.perceptualRoughness > settings.maxRoughness)
+        return kOutcomeTooRough;
+    return sendsRay(px, here.perceptualRoughness) ? kOutcomeNone : kOutcomeFromNeighbours;
 }
 
 /// Bit s of `sources`: source s.
@@ -39,7 +43,7 @@ void main() {
     if (all(lessThan(px, ivec2(frame.constants.size)))) {
         RayRecord record = RayRecord((vec2(px) + 0.5) * frame.constants.invSize, 0.0, 0u, kOutcomeNone, false);
         if (texelFetch(viewZ, px, 0).r < kBackgroundZ) {
-            record.outcome = whyNoRay(unpackSurface(texelFetch(surface, px, 0).xy));
+            record.outcome = whyNoRay(px, unpackSurface(texelFetch(surface, px, 0).xy));
             bool reflects = record.outcome == kOutcomeNone;
             needsRay = reflects && !takeAll(settings.before, px);
             // True if rays may replace the screen's answer where the sources before took all weight and no ray is

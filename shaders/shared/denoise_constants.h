@@ -27,11 +27,19 @@ struct DenoiseConstants {
     float filterRadius;   // pixels
     float noiseTarget;    // fraction of the mean
     float fastFrames;     // most frames in the short mean
+    uint rayRate;         // kRate*
     uint comparesMeans;   // 1: the short mean shortens the long one
     uint historyExpected; // number of the recording that the history should hold; 0: there is none
     uint historyTag;      // number of the one that it holds: written by the GPU
 };
 
+// Rough pixels that send a ray (reuse.rate).
+GLINT_CONSTANT(uint, kRateFull, 0);
+GLINT_CONSTANT(uint, kRateQuarter, 1);      // one of 2 x 2
+GLINT_CONSTANT(uint, kRateCheckerboard, 2); // two of 2 x 2
+GLINT_CONSTANT(uint, kRateAdaptive, 3);     // one of these for each tile
+
+GLINT_CONSTANT(uint, kRateTile, 8);     // pixels on a side of a tile of the adaptive rate
 GLINT_CONSTANT(uint, kSentinelTile, 5); // pixels on a side that share one sentinel (rays/sentinels_main.glsl)
 
 // Push constant of denoise/gather: which answers there are, and which of the two comes first.

@@ -14,13 +14,15 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(set = 0, binding = 12) uniform sampler2D rayRates;
 TraceConstants settings = frame.settings.trace;
 
+#include "denoise/ray_rate.glsl"
 #include "trace/ray_list.glsl"
 #include "trace/traced.glsl"
 
 /// Returns kOutcomeNone where a ray is needed.
-uint whyNoRay(float z, Surface here, vec2 uv) {
+uint whyNoRay(ivec2 px, float z, Surface here, vec2 uv) {
     if (here.reflectivity <= settings.threshold)
         return kOutcomeBelowThreshold;
     if (fadeRoughness(here.perceptualRoughness, settings.roughnessFadeStart, settings.maxRoughness) <= 0.0)
@@ -30,7 +32,7 @@ uint whyNoRay(float z, Surface here, vec2 uv) {
         if (fadeFacingCamera(dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS)) <= 0.0)
             return kOutcomeFacingCamera;
     }
-    return kOutcomeNone;
+    return sendsRay(px, here.perceptualRoughness) ? kOutcomeNone : kOutcomeFromNeighbours;
 }
 
 void main() {
@@ -42,7 +44,7 @@ void main() {
         RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone, false);
         float z = texelFetch(viewZ, px, 0).r;
         if (z < kBackgroundZ) {
-            record.outcome = whyNoRay(z, unpackSurface(texelFetch(surface, px, 0).xy), uv);
+            record.outcome = whyNoRay(px, z, unpackSurface(texelFetch(surface, px, 0).xy), uv);
             needsRay = record.outcome == kOutcomeNone;
         }
         if (!needsRay)

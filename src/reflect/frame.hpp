@@ -51,7 +51,11 @@ public:
     /// Adds a source, which comes before all others. Returns its number.
     uint32_t addSource(Source source) { return hierarchy_->add(std::move(source)); }
     /// Inputs that every pass reads, for passes outside the frame.
-    FrameInputs inputs() { return {block_->buffer(), block_->values(), host_.images, tables_->standIns()}; }
+    FrameInputs inputs() {
+        StandIns standIns = tables_->standIns();
+        return {block_->buffer(), block_->values(), host_.images, standIns,
+                denoisesLobes() ? lobeDenoise_->rayRates() : standIns.black};
+    }
 
     const rays::Scene* rayScene() const { return rayScene_; }
     bool hasProbes() const { return probesSource_ && probesSource_->hasProbes(); }

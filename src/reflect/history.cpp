@@ -56,10 +56,13 @@ bool History::begin(gpu::Frame& frame, bool wanted) {
     if (kind_ == Kind::Turns)
         turn_ ^= 1;
     else if (wanted && !valid())
-        blank_.ask();                        // the content belongs to other frames
-    if (blank_.isNeeded(stages_.progress)) { // not `now` of ping-pong images: this frame writes it
-        for (size_t i = 0; i < images_.size(); ++i)
+        blank_.ask(); // the content belongs to other frames
+    if (blank_.isNeeded(stages_.progress)) {
+        for (size_t i = 0; i < images_.size(); ++i) {
             frame.clear(before(i), {});
+            if (kind_ == Kind::Turns && images_[i].turns[turn_])
+                frame.clear(now(i), {}); // some settings leave an image unwritten
+        }
         blank_.recorded(stages_.progress);
         if (valid())
             why_ = HistoryReset::First;

@@ -25,6 +25,7 @@ struct FrameInputs {
     const shared::FrameConstants& values;
     Inputs& host;
     StandIns standIns;
+    gpu::Image& rayRates; ///< R8: denoise/ray_rate.glsl
 };
 
 /// `prepare`: the G-buffer in Glint's own conventions.

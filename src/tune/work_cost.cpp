@@ -57,6 +57,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"denoise/reuse", Unit::Reused, 0.7},
     UnitCost{"denoise/accumulate", Unit::Pixels, 1.75},
     UnitCost{"denoise/accumulate", Unit::Rough, 3},
+    UnitCost{"denoise/rate", Unit::Pixels, 0.1},
     UnitCost{"denoise/filter", Unit::Pixels, 1.2},
     UnitCost{"denoise/filter", Unit::Filtered, 6},
     UnitCost{"denoise/upsample", Unit::Pixels, 4.6},

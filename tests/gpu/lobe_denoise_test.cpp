@@ -96,9 +96,13 @@ TEST_F(LobeDenoiseTest, mirrorsKeepTheirBits) {
 TEST_F(LobeDenoiseTest, uniformLightStaysUniform) {
     const TestEnvironment around =
         TestEnvironment::make(gpu(), 4, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
-    for (const float perceptualRoughness : {0.1f, 0.3f, 0.7f}) {
+    for (const auto& [perceptualRoughness, rate] :
+         {std::pair(0.1f, RayRate::Full), std::pair(0.3f, RayRate::Full), std::pair(0.7f, RayRate::Full),
+          std::pair(0.1f, RayRate::Quarter), std::pair(0.4f, RayRate::Checkerboard)}) {
         const SyntheticScene scene = litBy(roughFloor(perceptualRoughness), glm::vec3(1));
-        Reflections made = reflections(kWidth, kHeight, denoised());
+        Settings settings = denoised();
+        settings.reuse.rate = rate;
+        Reflections made = reflections(kWidth, kHeight, settings);
         for (uint32_t i = 0; i < 3; ++i) {
             const SyntheticCamera camera = cameraAt(0.05 * i);
             const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, kWidth, kHeight);
@@ -286,6 +290,7 @@ TEST_F(LobeDenoiseTest, everySettingActs) {
     const SyntheticScene floor = roughFloor(0.2f);
     acts(floor, "reuse.samples", "4");
     acts(floor, "reuse.radius", "2");
+    acts(floor, "reuse.rate", "checkerboard");
     acts(floor, "denoise.historySeconds", "0.02");
     acts(floor, "denoise.lobeTrail", "0.05");
     acts(floor, "denoise.maxRadius", "2");
@@ -296,6 +301,113 @@ TEST_F(LobeDenoiseTest, everySettingActs) {
     step.cards[0].perceptualRoughness = 0.2f;
     step.cards.push_back({.low = {-0.5, -1}, .high = {0.5, 3}, .z = -2.7, .f0 = 0.5f, .perceptualRoughness = 0.2f});
     acts(step, "denoise.disocclusion", "0.2");
+}
+
+// ---------------------------------------------------------------- reuse.rate
+
+constexpr std::pair<RayRate, double> kRates[] = {
+    {RayRate::Full, 1}, {RayRate::Checkerboard, 0.5}, {RayRate::Quarter, 0.25}};
+
+TEST_F(LobeDenoiseTest, eachPixelSendsARayInItsTurn) {
+    const SyntheticScene scene = roughFloor(0.6f);
+    const SyntheticCamera camera = cameraAt(0);
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, kWidth, kHeight);
+    for (const auto& [rate, share] : kRates) {
+        Settings settings = denoised();
+        settings.reuse.rate = rate;
+        Reflections made = reflections(kWidth, kHeight, settings);
+        must(made.setInputs(host.gbuffer));
+        const auto turns = static_cast<uint32_t>(1 / share);
+        std::vector<uint32_t> sent(size_t{kWidth} * kHeight);
+        std::vector<uint32_t> reflects(sent.size());
+        for (uint32_t frame = 0; frame < turns; ++frame) {
+            View view = camera.view(kWidth, kHeight);
+            view.frameIndex = frame;
+            const Picture picture = trace(made, view);
+            for (size_t i = 0; i < sent.size(); ++i) {
+                sent[i] += reflect::isTraced(picture.outcome(i)) ? 1 : 0;
+                reflects[i] += picture.outcome(i) == shared::kOutcomeFromNeighbours ? 1 : 0;
+            }
+        }
+        size_t pixels = 0;
+        for (size_t i = 0; i < sent.size(); ++i)
+            if (sent[i] + reflects[i] > 0) {
+                ASSERT_EQ(sent[i], 1u) << "rate " << share << ", pixel " << i % kWidth << "," << i / kWidth;
+                ASSERT_EQ(reflects[i], turns - 1);
+                ++pixels;
+            }
+        EXPECT_GT(pixels, 1000u);
+    }
+}
+
+TEST_F(LobeDenoiseTest, narrowLobesSendEveryFrame) {
+    for (const float perceptualRoughness : {0.0f, 0.02f}) {
+        Settings quarter = denoised();
+        quarter.reuse.rate = RayRate::Quarter;
+        EXPECT_EQ(play(quarter, roughFloor(perceptualRoughness), 3, 0.03).composite,
+                  play(denoised(), roughFloor(perceptualRoughness), 3, 0.03).composite)
+            << perceptualRoughness;
+    }
+}
+
+TEST_F(LobeDenoiseTest, fewerRaysKeepTheMean) {
+    const SyntheticScene scene = roughFloor(0.5f); // wide enough on screen for a quarter
+    Settings settings = denoised();
+    settings.denoise.historySeconds = 4;
+    const Picture full = play(settings, scene, 64);
+    const auto sum = [](const Picture& picture) {
+        double all = 0;
+        for (size_t i = 0; i < picture.pixels(); ++i)
+            all += picture.reflection[i * 4];
+        return all;
+    };
+    for (const RayRate rate : {RayRate::Checkerboard, RayRate::Quarter, RayRate::Adaptive}) {
+        settings.reuse.rate = rate;
+        const Picture fewer = play(settings, scene, 64);
+        EXPECT_NEAR(sum(fewer) / sum(full), 1, 0.01);
+        double apart = 0;
+        for (size_t i = 0; i < full.pixels(); ++i) {
+            const double difference = fewer.reflection[i * 4] - full.reflection[i * 4];
+            apart += difference * difference;
+        }
+        EXPECT_LT(std::sqrt(apart / static_cast<double>(full.pixels())), 0.03)
+            << "two seeds at the full rate are 0.010 apart";
+    }
+}
+
+TEST_F(LobeDenoiseTest, everyPixelFindsARayFromTheFirstFrameOn) {
+    Stage stage = floorAndWall(); // with a pole of two pixels that reflects, too
+    stage.floorRoughness = 0.6f;
+    stage.cards.push_back({.low = {-0.5, -1}, .high = {-0.42, 3}, .z = -1, .f0 = 0.5f, .perceptualRoughness = 0.6f});
+    for (const RayRate rate : {RayRate::Checkerboard, RayRate::Quarter}) {
+        Settings settings = denoised();
+        settings.reuse.rate = rate;
+        Reflections made = reflections(kWidth, kHeight, settings);
+        const Picture picture = play(made, stage, 1, 0, 0);
+        HostImage meta;
+        run([&](VkCommandBuffer commands) { meta = must(made.recordView(commands, "denoise/accumulate:meta")); });
+        const std::vector<float> frames = download(gpu(), meta);
+        size_t without = 0;
+        for (size_t i = 0; i < picture.pixels(); ++i)
+            if (picture.outcome(i) == shared::kOutcomeFromNeighbours && frames[i * 4] == 0)
+                ++without;
+        EXPECT_EQ(without, 0u);
+    }
+}
+
+TEST_F(LobeDenoiseTest, anAdaptiveRateFallsWhereThePictureHasSettled) {
+    Settings settings = denoised();
+    settings.reuse.rate = RayRate::Adaptive;
+    const auto rays = [&](const SyntheticScene& scene, uint32_t frames, double step) {
+        return static_cast<double>(play(settings, scene, frames, step).statistics.rays) /
+               static_cast<double>(play(denoised(), scene, 1).statistics.rays);
+    };
+    const SyntheticScene even = litBy(roughFloor(0.9f), glm::vec3(1));
+    EXPECT_EQ(rays(even, 1, 0), 1) << "nothing is known yet";
+    settings.denoise.noiseTarget = 0.5f;
+    EXPECT_NEAR(rays(even, 12, 0), 0.25, 0.05) << "where that much noise may be";
+    settings.denoise.noiseTarget = 0.05f;
+    EXPECT_NEAR(rays(roughFloor(0.3f), 6, 0), 0.5, 0.2) << "with noise";
 }
 
 } // namespace

@@ -15,9 +15,21 @@ constexpr size_t kFast = 2;
 constexpr size_t kPlace = 3;
 constexpr size_t kSentinelRay = 4;
 constexpr size_t kSentinelPath = 5;
+constexpr size_t kRates = 6;
 
-uint32_t tiles(uint32_t pixels) {
-    return (pixels + shared::kSentinelTile - 1) / shared::kSentinelTile;
+uint32_t tiles(uint32_t pixels, uint32_t across) {
+    return (pixels + across - 1) / across;
+}
+
+uint32_t rateOf(const Settings& settings) {
+    if (settings.reuse.samples == 0)
+        return shared::kRateFull; // there are no neighbours to take rays from
+    switch (settings.reuse.rate) {
+    case RayRate::Checkerboard: return shared::kRateCheckerboard;
+    case RayRate::Quarter: return shared::kRateQuarter;
+    case RayRate::Adaptive: return shared::kRateAdaptive;
+    default: return shared::kRateFull;
+    }
 }
 
 } // namespace
@@ -34,25 +46,27 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(pass(denoise->change_, "denoise/change", 0));
     GLINT_CHECK(pass(denoise->accumulate_, "denoise/accumulate", 0));
     GLINT_CHECK(pass(denoise->filter_, "denoise/filter", 0));
+    GLINT_CHECK(pass(denoise->rate_, "denoise/rate", 0));
     const uint32_t w = stages.width();
     const uint32_t h = stages.height();
     constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
     GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[0], {"glint/noisy", kHalf, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[1], {"glint/reused", kHalf, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->sentRay_, {"glint/sentRay", VK_FORMAT_R32G32_UINT, w, h}));
-    GLINT_CHECK(makeImage(stages.gpu, denoise->nearness_, {"glint/reusedNearness", VK_FORMAT_R32_SFLOAT, w, h}));
-    const uint32_t tilesX = tiles(w);
-    const uint32_t tilesY = tiles(h);
+    GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMeta_, {"glint/reusedMeta", VK_FORMAT_R16G16_SFLOAT, w, h}));
+    const uint32_t tilesX = tiles(w, shared::kSentinelTile);
+    const uint32_t tilesY = tiles(h, shared::kSentinelTile);
     GLINT_CHECK(
         makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->answer_, {"glint/lobeAnswer", kHalf, w, h}));
-    std::array<StageImage, 6> images;
+    std::array<StageImage, 7> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
     images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, w, h};
     images[kSentinelRay] = {"glint/sentinelRay", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
     images[kSentinelPath] = {"glint/sentinelPath", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
+    images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
     GLINT_CHECK(denoise->history_.make(images, true));
     return denoise;
@@ -83,6 +97,7 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
             settings.denoise.maxRadius,
             settings.denoise.noiseTarget,
             static_cast<float>(settings.denoise.fastFrames),
+            rateOf(settings),
             comparesMeans() ? 1u : 0u,
             history_.valid() ? history_.expectedTag() : 0,
             0};
@@ -91,6 +106,10 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
 void LobeDenoise::copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset) {
     if (history_.valid())
         history_.copyTag(frame, target, offset);
+}
+
+gpu::Image& LobeDenoise::rayRates() {
+    return history_.before(kRates);
 }
 
 void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
@@ -146,13 +165,14 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     begin(reuse_)
         .read("noisy", signal_[0])
         .read("sentRay", sentRay_)
+        .read("rayRates", rayRates(), kTexels)
         .write("reused", signal_[1])
-        .write("reusedNearness", nearness_)
+        .write("reusedMeta", reusedMeta_)
         .dispatch(w, h);
     Inputs& host = inputs.frame.host;
     begin(accumulate_)
         .read("reused", signal_[1])
-        .read("reusedNearness", nearness_)
+        .read("reusedMeta", reusedMeta_)
         .read("motion", host.motion ? host.motion : inputs.frame.standIns.black, kTexels)
         .read("meanBefore", history_.before(kMean))
         .read("metaBefore", history_.before(kMeta))
@@ -164,6 +184,11 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .write("fast", history_.now(kFast))
         .write("place", history_.now(kPlace))
         .dispatch(w, h);
+    if (stages_.settings().reuse.rate == RayRate::Adaptive)
+        begin(rate_)
+            .read("meta", history_.now(kMeta))
+            .write("rates", history_.now(kRates))
+            .dispatch(tiles(w, shared::kRateTile), tiles(h, shared::kRateTile));
     begin(filter_)
         .read("mean", history_.now(kMean))
         .read("meta", history_.now(kMeta))

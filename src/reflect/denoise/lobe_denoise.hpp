@@ -37,6 +37,8 @@ public:
     /// Copies the history's tag to `offset` of the frame's constants.
     void copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset);
 
+    /// The previous frame's decision of how many rough pixels send a ray.
+    gpu::Image& rayRates();
     /// Returns the joined, denoised answer.
     gpu::Image& record(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
     /// Ends the frame. One in which neither screen nor rays took part leaves no history.
@@ -54,9 +56,10 @@ private:
     gpu::Pipeline change_;
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
+    gpu::Pipeline rate_;
     gpu::Image signal_[2];      ///< RGBA16F: weight * radiance, weight; of one ray, then with those of neighbours
     gpu::Image sentRay_;        ///< RG32UI: denoise/sent_ray.glsl
-    gpu::Image nearness_;       ///< R32F: 1 / metres to the ray's end, with those of neighbours; -1: no ray
+    gpu::Image reusedMeta_;     ///< RG16F: denoise/reuse.comp
     gpu::Image sentinelChange_; ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
     gpu::Image changed_;        ///< RGBA16F, a texel for each tile: denoise/change.comp
     gpu::Image answer_;         ///< RGBA16F: radiance, weight

@@ -188,6 +188,7 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("screenRecord", inputs.screenRecord)
+        .read("rayRates", inputs.frame.rayRates, kTexels)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_);
     lister_.bind(inputs.earlier.bind(list)).dispatch(stages_.extent.x, stages_.extent.y);

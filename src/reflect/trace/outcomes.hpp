@@ -9,8 +9,8 @@
 namespace glint::reflect {
 
 inline constexpr std::array<std::string_view, shared::kOutcomeCount> kOutcomeNames = {
-    "none",     "hit",      "sky",  "offScreen", "behindCamera",   "maxDistance", "outOfSteps",  "hidden",
-    "tooThick", "backFace", "side", "inferred",  "belowThreshold", "tooRough",    "facingCamera"};
+    "none",     "hit",      "sky",  "offScreen", "behindCamera",   "maxDistance", "outOfSteps",   "hidden",
+    "tooThick", "backFace", "side", "inferred",  "belowThreshold", "tooRough",    "facingCamera", "fromNeighbours"};
 
 /// True if a ray was marched.
 constexpr bool isTraced(uint32_t outcome) {

@@ -39,7 +39,7 @@ void main() {
     p.rayOut = vec4(record.hitUV, record.hitDistance, surface.reflectivity);
     p.counts.zw = uvec2(record.lookups, record.outcome);
     p.decoded.w = record.passedBehind == passedBehind ? 1.0 : 0.0;
-    SentRay ray = unpackSentRay(packSentRay(SentRay(p.direction.xyz, p.ray.x, true)));
+    SentRay ray = unpackSentRay(packSentRay(SentRay(p.direction.xyz, p.ray.x, true, false)));
     p.sent = vec4(ray.directionVS, ray.sent ? ray.nearness : -1.0);
     p.whole = floorToInt(p.real);
     items.item[i] = p;

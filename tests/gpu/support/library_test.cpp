@@ -23,6 +23,7 @@ uint32_t Picture::outcome(size_t pixel) const {
         {shared::kOutcomeBelowThreshold, {0.15f, 0.15f, 0.15f}},
         {shared::kOutcomeTooRough, {0.3f, 0.3f, 0.3f}},
         {shared::kOutcomeFacingCamera, {0, 0.5f, 0.5f}},
+        {shared::kOutcomeFromNeighbours, {0.2f, 0.3f, 0.45f}},
     };
     for (const auto& [outcome, itsColor] : known)
         if (color == itsColor)
