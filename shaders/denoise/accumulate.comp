@@ -7,6 +7,8 @@
 
 #include "denoise/lobe_surface.glsl"
 #include "lib/color.glsl"
+#include "lib/half.glsl"
+#include "lib/noise.glsl"
 #include "lib/octahedral.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -201,9 +203,10 @@ void main() {
         }
     }
     const float kLargestHalf = 6.0e4;
-    imageStore(mean, px, min(answer, vec4(kLargestHalf)));
-    imageStore(meta, px, min(moments, vec4(kLargestHalf)));
+    vec3 noise = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed);
+    imageStore(mean, px, roundToHalf(min(answer, vec4(kLargestHalf)), noise.x));
+    imageStore(meta, px, roundToHalf(min(moments, vec4(kLargestHalf)), noise.y));
     if (settings.comparesMeans != 0u)
-        imageStore(fast, px, vec4(min(fastMean, kLargestHalf)));
+        imageStore(fast, px, roundToHalf(vec4(min(fastMean, kLargestHalf)), noise.z));
     imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
 }

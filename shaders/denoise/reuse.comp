@@ -107,7 +107,7 @@ void main() {
     float near = ray.nearness;
     LobeSurface here = lobeSurfaceAt(px);
     float learnt = ray.sent ? 1.0 : ray.awaits ? 0.0 : -1.0;
-    if ((ray.sent || ray.awaits) && settings.reuseSamples > 0u && !isMirror(here.perceptualRoughness)) {
+    if ((ray.sent || ray.awaits) && !isMirror(here.perceptualRoughness)) {
         Lobe own = lobeOf(here, ray);
         // Without an own ray nothing bounds f / p: a part of the own density, so that no neighbour counts more than four
         // times.
@@ -122,7 +122,7 @@ void main() {
         float radius = clamp(0.5 * lobePixels(here.perceptualRoughness, here.viewZ, near), 1.0, settings.reuseRadius);
         mat2 disc = lobeDisc(here, radius);
         Spiral spiral =
-            beginSpiral(settings.reuseSamples, hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).x);
+            beginSpiral(max(settings.reuseSamples, 1u), hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).x);
         for (uint i = 0u; i < settings.reuseSamples; ++i) {
             ivec2 tap = floorToInt(vec2(px) + 0.5 + disc * nextPoint(spiral, i));
             tap = senderAt(tap, here.perceptualRoughness);
@@ -155,10 +155,12 @@ void main() {
         if (sums.weight > 0.0) {
             answer = sums.answer / sums.weight;
             near = sums.near / sums.weight;
-            // Over frames a ratio of sums then, and no mean of ratios: those of small sums are wrong (rough.md).
-            if (ray.awaits)
-                learnt = clamp(sums.weight, kLeastLearnt, 1.0);
         }
+        // Over frames a ratio of sums then, and no mean of ratios: those of small sums are wrong (rough.md).
+        if (ray.awaits && sums.weight > 0.0)
+            learnt = clamp(sums.weight, kLeastLearnt, 1.0);
+        else if (ray.sent && sums.weight == 0.0)
+            learnt = clamp(ownDensity > 0.0 ? ownResponse / ownDensity : 0.0, kLeastLearnt, 1.0);
     }
     imageStore(reused, px, answer);
     imageStore(reusedMeta, px, vec4(near, learnt, 0.0, 0.0));
