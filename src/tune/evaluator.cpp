@@ -4,7 +4,7 @@
 #include "measure/floor_pass.hpp"
 #include "measure/image_error.hpp"
 #include "render/settled_frames.hpp"
-#include "tune/work_cost.hpp"
+#include "tune/frame_work.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +18,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// An error of 0 would make the geometric mean 0, whatever the other views show.
 constexpr double kLeastError = 1e-6;
-
-/// Below about this perceptual roughness the denoiser passes reflections untouched (docs/techniques/rough.md).
-constexpr float kMirrorRoughness = 0.016f;
-
-double trianglesOf(const scene::Pose& pose) {
-    double indices = 0;
-    for (const scene::DrawItem& item : pose.items)
-        indices += static_cast<double>(item.geometry->indices.size());
-    return indices / 3;
-}
 
 bool isMeasured(const TuneView& view, uint32_t frame, uint32_t frames) {
     if (view.move == scene::CameraMove::Still)
@@ -62,7 +52,7 @@ public:
                 progress("reference of " + view.name);
             GLINT_TRY(pictures, referenceOf(view));
             references.push_back(std::move(pictures));
-            GLINT_TRY(rough, roughShare());
+            GLINT_TRY(rough, roughShare(session_));
             rough_[index(set)] += rough / static_cast<double>(views_[index(set)].size());
         }
         return {};
@@ -122,16 +112,6 @@ private:
         return session_.setCamera(view.path.at(seconds));
     }
 
-    /// The fraction of the drawn pixels whose lobe is wider than a mirror's, among those that reflect.
-    Result<double> roughShare() {
-        GLINT_TRY(roughness, session_.readView("roughness"));
-        GLINT_TRY(reflectivity, session_.readView("reflectivity"));
-        size_t rough = 0;
-        for (size_t i = 0; i < roughness.rgba.size(); i += 4)
-            rough += reflectivity.rgba[i] > 0 && roughness.rgba[i] > kMirrorRoughness ? 1 : 0;
-        return 4 * static_cast<double>(rough) / static_cast<double>(roughness.rgba.size());
-    }
-
     /// A picture for each measured frame of the view.
     Result<std::vector<render::RenderedView>> referenceOf(const TuneView& view) {
         constexpr uint32_t kOtherNoise = 0x9e37; // the reference shares no noise with candidates
@@ -179,7 +159,7 @@ private:
             if (plan.draw)
                 times.addDrawn(drawn);
             if (frame == 0 || frame + 1 == frames)
-                counted = countedFloors(workOf(settings, set, drawn, plan.draw));
+                counted = countedFloors(frameWork(settings, session_, drawn, plan.draw, rough_[index(set)]));
             if (frame == 0 && costOf(counted, times) > mostCost)
                 return std::optional<Figures>();
             if (isMeasured(view, frame, frames)) {
@@ -201,21 +181,6 @@ private:
 
     double costOf(double counted, const measure::EffectTimes& times) const {
         return plan_.counted ? counted : times.total().median;
-    }
-
-    FrameWork workOf(const Settings& settings, ViewSet set, const render::FrameTimes& times, bool drawn) const {
-        FrameWork work;
-        work.settings = &settings;
-        work.stats = session_.stats();
-        work.pixels = double(session_.inputs().width) * session_.inputs().height;
-        work.rough = rough_[index(set)];
-        work.triangles = trianglesOf(session_.inputs().pose);
-        for (const auto& [name, milliseconds] : times.effectPasses)
-            work.passes.push_back(name);
-        for (const auto& [name, milliseconds] : times.hostPasses)
-            if (drawn && name.starts_with("render/back_faces"))
-                work.passes.push_back(name);
-        return work;
     }
 
     render::ReflectionSession session_;

@@ -1,0 +1,20 @@
+// What the last frame of a session did, as its cost is counted (work_cost.hpp).
+#pragma once
+
+#include "render/reflection_session.hpp"
+#include "tune/work_cost.hpp"
+
+namespace glint::tune {
+
+/// Returns the fraction of the pixels whose lobe is wider than a mirror's, among those that reflect. Errors:
+/// DeviceLost.
+Result<double> roughShare(render::ReflectionSession& session);
+
+/// `settings`  in force; referred to by the result
+/// `times`     of the session's last frame
+/// `drawn`     that frame's plan drew the host's passes
+/// `rough`     roughShare
+FrameWork frameWork(const Settings& settings, const render::ReflectionSession& session, const render::FrameTimes& times,
+                    bool drawn, double rough);
+
+} // namespace glint::tune
