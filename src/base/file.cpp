@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <random>
 
 namespace glint {
 namespace {
@@ -24,10 +25,12 @@ Error systemError(const std::string& path, int number) {
     return makeError(code, "{}: {}", path, std::strerror(number));
 }
 
-/// Two concurrent writers of one file, in one process or two, must not share a temporary name.
+/// Two concurrent writers of one file must not share a temporary name, whether in one process, in two, or on two
+/// machines that share the folder: there processes may have the same number, but hardly the same random one too.
 std::string temporaryName(const std::string& path) {
     static std::atomic<unsigned> counter = 0;
-    return fmt::format("{}.{}.{}.tmp", path, getpid(), counter++);
+    static const unsigned random = std::random_device()();
+    return fmt::format("{}.{}-{:08x}.{}.tmp", path, getpid(), random, counter++);
 }
 
 /// The file that a path means when its links are followed, so that they are still there when it is replaced.
