@@ -23,7 +23,7 @@ struct CompareOptions {
     std::vector<std::string> configs;
     int64_t frames = 5; ///< to time
     std::string reference;
-    int referenceFrames = 0; ///< 0: chosen by makeReference
+    int referenceFrames = 0; ///< 0: defaultReferenceFrames
     std::string report;
     std::string json;
     std::string command; ///< as the user wrote it
@@ -39,13 +39,12 @@ Result<std::vector<measure::ComparedConfig>> makeConfigs(const CompareOptions& o
     return configs;
 }
 
-/// Renders one frame, or 16 if the settings accumulate: enough for preset `reference` to converge.
 Result<std::optional<measure::ComparedConfig>> makeReference(const CompareOptions& options) {
     if (options.reference.empty())
         return std::optional<measure::ComparedConfig>();
     GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, options.reference));
-    const bool accumulates = job.settings.reflections.rays.enabled && job.settings.reflections.rays.accumulate;
-    job.frames = static_cast<uint32_t>(options.referenceFrames > 0 ? options.referenceFrames : accumulates ? 16 : 1);
+    job.frames = options.referenceFrames > 0 ? static_cast<uint32_t>(options.referenceFrames)
+                                             : defaultReferenceFrames(job.settings);
     return std::optional<measure::ComparedConfig>(measure::ComparedConfig{options.reference, std::move(job)});
 }
 

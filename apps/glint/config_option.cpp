@@ -75,6 +75,10 @@ Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std:
     return job;
 }
 
+uint32_t defaultReferenceFrames(const render::ProgramSettings& settings) {
+    return settings.reflections.rays.enabled && settings.reflections.rays.accumulate ? 16 : 1;
+}
+
 std::string configFileName(size_t index, std::string_view config) {
     std::string name;
     for (const char c : config.substr(0, 40))

@@ -24,6 +24,10 @@ Result<render::SettingsRequest> readConfig(std::string_view text);
 Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std::string& scene,
                                         const std::string& config);
 
+/// Frames of a reference with these settings, for `glint compare` and `glint sweep`: 16 if they accumulate, enough for
+/// preset `reference` to converge, else 1.
+uint32_t defaultReferenceFrames(const render::ProgramSettings& settings);
+
 /// "2-screen.step-4": the number of a config, from one, and its name without characters that file names cannot have.
 std::string configFileName(size_t index, std::string_view config);
 

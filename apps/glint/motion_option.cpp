@@ -28,14 +28,22 @@ Result<measure::SequencePath> readPath(const std::string& text) {
     return path;
 }
 
+Result<uint32_t> motionReferenceFrames(const render::ProgramSettings& settings, std::string_view config,
+                                       int64_t samples) {
+    const RaysSettings& rays = settings.reflections.rays;
+    const auto perFrame = static_cast<int64_t>(rays.samples);
+    const auto frames = static_cast<uint32_t>((samples + perFrame - 1) / perFrame);
+    if (frames > 1 && !(rays.enabled && rays.accumulate))
+        return invalidArgument("--reference {}: {} samples need rays.enabled and rays.accumulate; it has {} per frame",
+                               printable(config), samples, perFrame);
+    return frames;
+}
+
 Result<measure::ComparedConfig> motionReference(const RenderOptions& options, const std::string& config,
                                                 int64_t samples) {
     GLINT_TRY(job, makeConfigJob(options, options.scene, config));
-    const auto perFrame = static_cast<int64_t>(job.settings.reflections.rays.samples);
-    job.frames = static_cast<uint32_t>((samples + perFrame - 1) / perFrame);
-    if (job.frames > 1 && !(job.settings.reflections.rays.enabled && job.settings.reflections.rays.accumulate))
-        return invalidArgument("--reference {}: {} samples need rays.enabled and rays.accumulate; it has {} per frame",
-                               printable(config), samples, perFrame);
+    GLINT_TRY(frames, motionReferenceFrames(job.settings, config, samples));
+    job.frames = frames;
     return measure::ComparedConfig{config, std::move(job)};
 }
 
