@@ -1,4 +1,4 @@
-# cmake -DOUTPUT=page.cpp -DPAGE=page.html "-DSTYLES=a.css;b.css" "-DSCRIPTS=a.js;b.js" -P embed_page.cmake
+# cmake -DOUTPUT=page.cpp -DFUNCTION=pageParts -DPAGE=page.html "-DSTYLES=a.css;b.css" "-DSCRIPTS=a.js;b.js" -P embed_page.cmake
 # Puts styles and scripts into the page at @STYLE@ and @SCRIPT@, and parts it at @TITLE@ and @DATA@.
 set(style "")
 foreach(file ${STYLES})
@@ -55,10 +55,10 @@ file(WRITE ${OUTPUT} "// Made by cmake/embed_page.cmake from apps/glint/page.
 
 namespace glint::cli {
 
-static constexpr PagePart kParts[] = {
+static constexpr PagePart k${FUNCTION}[] = {
 ${parts}};
 
-std::span<const PagePart> pageParts() { return kParts; }
+std::span<const PagePart> ${FUNCTION}() { return k${FUNCTION}; }
 
 } // namespace glint::cli
 ")
