@@ -64,6 +64,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     addBenchCommand(program, chosen);
     addReportCommand(program, chosen);
     addTuneCommand(program, chosen);
+    addSweepCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addDevicesCommand(program, chosen);
     if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())
