@@ -178,7 +178,7 @@
         "With denoise.enabled: farthest pixel whose ray a rough pixel uses; narrow lobes look less far",               \
         "",                                                                                                            \
         "log 1..32; if reuse.samples>0")                                                                               \
-    SETTING(RayRate, rate, RayRate::Full, "", "",                                                                      \
+    SETTING(RayRate, rate, RayRate::Adaptive, "", "",                                                                  \
         "Rough pixels that send a ray each frame, by screen and rays alike: full (all), checkerboard (half), quarter, or adaptive (a quarter or half of those that have settled); the others use neighbours' rays", \
         "",                                                                                                            \
         "choice; if reuse.samples>0; cost +")

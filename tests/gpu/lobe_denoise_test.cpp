@@ -31,6 +31,7 @@ protected:
     static Settings denoised() {
         Settings settings = plainSettings();
         settings.denoise.enabled = true;
+        settings.reuse.rate = RayRate::Full; // tests of other rates say so
         settings.reflect.maxRoughness = settings.reflect.roughnessFadeStart = 1;
         return settings;
     }
