@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace glint::cli {
@@ -49,7 +50,7 @@ std::string TuneProgress::line(const tune::SearchProgress& progress, uint32_t ge
                            : fmt::format("generation {} of {}, {} of {}", progress.generation, generations,
                                          progress.tried, progress.toTry);
     if (secondsLeft) {
-        const auto whole = static_cast<uint64_t>(*secondsLeft + 0.5);
+        const auto whole = std::llround(*secondsLeft);
         text += fmt::format(", {}:{:02} left", whole / 60, whole % 60);
     }
     return text;
