@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "render/job_inputs.hpp"
 #include "render/probe_world.hpp"
+#include "scene/builtin.hpp"
 #include "scene/gltf/uri.hpp"
 
 #include <nlohmann/json.hpp>
@@ -118,7 +119,10 @@ Result<std::map<std::string, std::string>> InputFiles::of(const std::string& fil
 
 Result<std::map<std::string, std::string>> InputFiles::of(const render::RenderJob& job) {
     Hashes hashes;
-    if (!job.scene.starts_with("builtin:"))
+    constexpr std::string_view kBuiltin = "builtin:";
+    if (job.scene.starts_with(kBuiltin))
+        GLINT_CHECK(scene::checkBuiltinName(std::string_view(job.scene).substr(kBuiltin.size())));
+    else
         GLINT_CHECK(add(job.scene, hashes));
     if (!job.environment.empty() && job.environment != "sky" && job.environment != "none")
         GLINT_CHECK(add(job.environment, hashes));

@@ -26,7 +26,7 @@ Result<SweepFailures> runSweepJobs(const SweepFolder& folder, std::span<const Sw
         const SweepJob& job = *jobs[i];
         if (progress)
             progress(i, job);
-        // Stands for this job until it has an end: should the process be killed now, the record tells.
+        // A process that is killed now leaves this record, which says that the job was running.
         GLINT_CHECK(folder.writeFailure(job.name, "its process ended before the job did"));
         auto result = measure(job);
         if (result) {

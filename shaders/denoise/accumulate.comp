@@ -186,7 +186,7 @@ void main() {
         return;
     }
     if (learnt == 0.0 && hasHistory && wasInFrame(px))
-        near = texelFetch(metaBefore, px, 0).w; // to look up what to keep
+        near = texelFetch(metaBefore, px, 0).w; // places the sample of the history that this frame keeps
     float brightness = luminance(answer.rgb);
     vec4 moments = vec4(learnt, brightness, square(brightness), near);
     float fastMean = brightness;

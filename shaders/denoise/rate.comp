@@ -19,7 +19,7 @@ void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(tile * int(kRateTile), ivec2(frame.constants.size))))
         return;
-    // 4 x 4 pixels, two pixels of the neighbour tiles with them: the picture may move before the next frame.
+    // 4 x 4 samples, out to one pixel of each neighbour tile, since the image may move before the next frame.
     const int kAcross = 4;
     const int kStep = 3;
     const float kYoungFrames = 4.0;

@@ -1,6 +1,6 @@
 // Each rough pixel also uses the rays of its neighbours, weighed by its own lobe: the ratio estimator of Stachowiak 2015,
 // "Stochastic Screen-Space Reflections", with weights bounded by pairwise mixtures of densities (balance heuristic, Veach
-// 1995). Uniform light stays exactly uniform. A pixel without a ray of its own (reuse.rate) has its neighbours' alone.
+// 1995). Uniform light stays exactly uniform. A pixel that sent no ray (reuse.rate) uses its neighbours' rays alone.
 // docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require

@@ -1,9 +1,11 @@
 #include "scene/builtin.hpp"
 
+#include "base/text.hpp"
 #include "scene/builtin/scenes.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -67,14 +69,19 @@ std::span<const BuiltinInfo> builtinScenes() {
     return infos;
 }
 
-Result<Scene> builtinScene(std::string_view name) {
+Result<void> checkBuiltinName(std::string_view name) {
     std::string known;
     for (const Entry& entry : kEntries) {
         if (entry.info.name == name)
-            return entry.make();
+            return {};
         known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.info.name);
     }
-    return invalidArgument("builtin:{}: no such scene; there are {}", name, known);
+    return invalidArgument("builtin:{}: no such scene; there are {}", printable(name), known);
+}
+
+Result<Scene> builtinScene(std::string_view name) {
+    GLINT_CHECK(checkBuiltinName(name));
+    return std::ranges::find(kEntries, name, [](const Entry& entry) { return entry.info.name; })->make();
 }
 
 } // namespace glint::scene

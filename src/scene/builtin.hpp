@@ -22,8 +22,11 @@ struct BuiltinInfo {
 /// Returns all built-in scenes; the first is the show piece.
 std::span<const BuiltinInfo> builtinScenes();
 
-/// Creates a scene, with the same bits in every call. Takes up to a second if textures are computed. Errors:
-/// InvalidArgument for an unknown name; the message lists the known ones.
+/// Errors: InvalidArgument for an unknown name; the message lists the known ones.
+Result<void> checkBuiltinName(std::string_view name);
+
+/// Creates a scene, with the same bits in every call. Takes up to a second if textures are computed. Errors: those
+/// of checkBuiltinName.
 Result<Scene> builtinScene(std::string_view name);
 
 /// One box of `builtin:mirror`, axis-aligned. The camera sees its front face (towards +Z) both directly and in the

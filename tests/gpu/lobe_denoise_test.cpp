@@ -76,6 +76,13 @@ protected:
         EXPECT_GT(count, 300u);
         return std::sqrt(sum / static_cast<double>(std::max<size_t>(count, 1)));
     }
+    static double sumOf(const Picture& picture) {
+        double sum = 0;
+        for (size_t i = 0; i < picture.pixels(); ++i)
+            sum += picture.reflection[i * 4];
+        return sum;
+    }
+
     /// Noise: half of the squared difference of two seeds.
     static double noise(const Settings& settings, const SyntheticScene& scene, uint32_t frames, double step = 0) {
         return difference(play(settings, scene, frames, step, 1), play(settings, scene, frames, step, 2)) /
@@ -149,13 +156,7 @@ TEST_F(LobeDenoiseTest, neighboursAndFilterKeepTheMean) {
     const Picture truth = play(own, scene, 128);
     const Picture picture = play(all, scene, 32);
     EXPECT_LT(difference(picture, truth), 0.04);
-    double sum = 0;
-    double expected = 0;
-    for (size_t i = 0; i < truth.pixels(); ++i) {
-        sum += picture.reflection[i * 4];
-        expected += truth.reflection[i * 4];
-    }
-    EXPECT_NEAR(sum / expected, 1, 0.01);
+    EXPECT_NEAR(sumOf(picture) / sumOf(truth), 1, 0.01);
 }
 
 TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {
@@ -165,14 +166,7 @@ TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {
     settings.denoise.historySeconds = 4;
     settings.reuse.samples = 0;
     settings.denoise.maxRadius = 0;
-    const auto sum = [&](uint32_t frames) {
-        const Picture picture = play(settings, scene, frames);
-        double all = 0;
-        for (size_t i = 0; i < picture.pixels(); ++i)
-            all += picture.reflection[i * 4];
-        return all;
-    };
-    EXPECT_NEAR(sum(200) / sum(16), 1, 0.002);
+    EXPECT_NEAR(sumOf(play(settings, scene, 200)) / sumOf(play(settings, scene, 16)), 1, 0.002);
 }
 
 TEST_F(LobeDenoiseTest, pixelsWithoutNeighboursWeighTheirRaysToo) {
@@ -184,13 +178,7 @@ TEST_F(LobeDenoiseTest, pixelsWithoutNeighboursWeighTheirRaysToo) {
     const Picture all = play(settings, scene, 96);
     settings.reuse.samples = 0;
     const Picture own = play(settings, scene, 96);
-    double sum = 0;
-    double expected = 0;
-    for (size_t i = 0; i < all.pixels(); ++i) {
-        sum += own.reflection[i * 4];
-        expected += all.reflection[i * 4];
-    }
-    EXPECT_NEAR(sum / expected, 1, 0.01);
+    EXPECT_NEAR(sumOf(own) / sumOf(all), 1, 0.01);
 }
 
 TEST_F(LobeDenoiseTest, aMovingCameraKeepsItsHistory) {
@@ -391,16 +379,10 @@ TEST_F(LobeDenoiseTest, fewerRaysKeepTheMean) {
     Settings settings = denoised();
     settings.denoise.historySeconds = 4;
     const Picture full = play(settings, scene, 64);
-    const auto sum = [](const Picture& picture) {
-        double all = 0;
-        for (size_t i = 0; i < picture.pixels(); ++i)
-            all += picture.reflection[i * 4];
-        return all;
-    };
     for (const RayRate rate : {RayRate::Checkerboard, RayRate::Quarter, RayRate::Adaptive}) {
         settings.reuse.rate = rate;
         const Picture fewer = play(settings, scene, 64);
-        EXPECT_NEAR(sum(fewer) / sum(full), 1, 0.01);
+        EXPECT_NEAR(sumOf(fewer) / sumOf(full), 1, 0.01);
         double apart = 0;
         for (size_t i = 0; i < full.pixels(); ++i) {
             const double difference = fewer.reflection[i * 4] - full.reflection[i * 4];

@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -17,6 +18,15 @@ NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chro
 def find() -> str | None:
     """The program; GLINT_CHROMIUM names another."""
     return next(filter(None, map(shutil.which, [os.environ.get("GLINT_CHROMIUM", ""), *NAMES])), None)
+
+
+def find_or_skip() -> str:
+    """As find; without one the test is skipped."""
+    program = find()
+    if program is None:
+        print("skipped: no Chromium is installed here; on Debian: apt-get install chromium-headless-shell")
+        sys.exit(77)
+    return program
 
 
 class Browser:

@@ -247,11 +247,7 @@ def test_choice(page: browser.Browser) -> None:
 
 
 def test_browser(folder: Path) -> None:
-    program = browser.find()
-    if program is None:
-        print("skipped: no Chromium is installed here; on Debian: apt-get install chromium-headless-shell")
-        sys.exit(77)
-    with browser.Browser(program) as page:
+    with browser.Browser(browser.find_or_skip()) as page:
         for width, height, dark in ((1280, 900, False), (400, 800, True)):
             page.open(folder / "against.html", width, height, dark)
             expect(f"nothing is cut off at {width}", page.value("document.documentElement.scrollWidth") <= width,

@@ -139,11 +139,7 @@ def test_shards(folder: Path, program: list[str]) -> None:
 
 
 def test_browser(folder: Path) -> None:
-    program = browser.find()
-    if program is None:
-        print("skipped: no Chromium is installed here; on Debian: apt-get install chromium-headless-shell")
-        sys.exit(77)
-    with browser.Browser(program) as page:
+    with browser.Browser(browser.find_or_skip()) as page:
         for width, dark in ((1280, False), (400, True)):
             page.open(folder / "one" / "index.html", width, 900, dark)
             scroll = page.value("document.documentElement.scrollWidth")

@@ -191,6 +191,7 @@ TEST(SweepPlan, EveryMistakeIsNamed) {
         {[](SweepJson& json) { json["scenes"][1]["name"] = "builtin:exact"; }, "two scenes have the name"},
         {[](SweepJson& json) { json["scenes"][1]["planar"] = "all"; }, "--planar all: none, named or auto"},
         {[](SweepJson& json) { json["scenes"][0] = "nowhere.glb"; }, "plan.json: nowhere.glb: No such file"},
+        {[](SweepJson& json) { json["scenes"][0] = "builtin:hal"; }, "plan.json: builtin:hal: no such scene"},
         {[](SweepJson& json) { json["sizes"][1] = "64"; }, "plan.json: sizes[1]: 64: expected WIDTHxHEIGHT"},
         {[](SweepJson& json) { json["sizes"][1] = "64x36"; }, "sizes[1]: the size 64x36 is there twice"},
         {[](SweepJson& json) { json["sizes"][1] = "0x36"; }, "each side must be 1 to"},
