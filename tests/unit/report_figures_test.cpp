@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <string_view>
 
 namespace glint::cli {
 namespace {
@@ -40,7 +41,7 @@ protected:
         return changes;
     }
 
-    static const measure::FigureChange& find(const ReportChanges& changes, const std::string& name) {
+    static const measure::FigureChange& find(const ReportChanges& changes, std::string_view name) {
         return *std::ranges::find_if(changes.figures.changes,
                                      [&](const auto& change) { return change.now.name == name; });
     }
