@@ -518,6 +518,7 @@ typedef struct GlintSurfaceMesh {
     GlintVertexStream uv1;
     GlintVertexStream colors;
     VkDeviceAddress indices;
+    GlintVertexStream previousPositions;
 } GlintSurfaceMesh;
 
 GLINT_API void glint_surface_mesh_init(GlintSurfaceMesh* mesh, uint32_t size);

@@ -200,6 +200,10 @@
         "How far a moving reflection may lag, as a fraction of the lobe's width; smaller: sharper, but noisier in motion", \
         "",                                                                                                            \
         "log 0.05..2; if denoise.enabled=true; motion")                                                                \
+    SETTING(bool, hitMotion, true, "", "",                                                                             \
+        "Follow things that move in reflections, by motion where the picture shows them and by the instances' transforms where rays meet them", \
+        "",                                                                                                            \
+        "switch; if denoise.enabled=true; motion")                                                                     \
     SETTING(Antilag, antilag, Antilag::Gradient, "", "",                                                               \
         "What shortens the average where light changes: nothing, the difference between a short and the long average, or rays of the last frame traced again (needs a RayScene; without one: the difference)", \
         "",                                                                                                            \

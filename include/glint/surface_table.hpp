@@ -107,9 +107,12 @@ struct SurfaceMesh {
     VertexStream uv1;
     VertexStream colors;         ///< linear r, g, b, a, multiplied into the base colour; absent: white
     VkDeviceAddress indices = 0; ///< uint32, three per triangle, in the RayMesh's order
+    /// Positions in the previous frame, for meshes that deform; absent: same as `positions`.
+    VertexStream previousPositions;
 };
 
-/// Material and transform for shading the RayInstance of the same index.
+/// Material and transform for shading the RayInstance of the same index. An instance that keeps its index and its mesh
+/// from frame to frame is one that moves; denoise.hitMotion follows it in reflections.
 struct SurfaceInstance {
     uint32_t mesh = 0;
     uint32_t material = 0;

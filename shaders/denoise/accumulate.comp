@@ -26,7 +26,13 @@ layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place; // viewZ
 layout(set = 0, binding = 12) uniform sampler2D fastBefore;
 layout(set = 0, binding = 13, r16f) uniform writeonly image2D fast;
 layout(set = 0, binding = 14) uniform sampler2D changed; // of the previous frame's tiles: change.comp
+// Kept if settings.hitMotion.
+layout(set = 0, binding = 15) uniform sampler2D reusedMotion; // denoise/reuse.comp
+layout(set = 0, binding = 16) uniform sampler2D speedBefore;
+layout(set = 0, binding = 17, r16f) uniform writeonly image2D speed; // of what the mean shows: see driftOf
 DenoiseConstants settings = frame.settings.denoise;
+
+#include "lib/previous_place.glsl"
 
 /// Angle by which packed normals may be off: sixteen bits a component.
 const float kNormalRounding = 1e-4;
@@ -36,22 +42,12 @@ struct Candidate {
     vec4 mean;
     vec4 meta;
     float fast;
+    float speed;    // radians a frame by which what it shows turned the half vector
     float share;    // of the four texels that show this surface, [0, 1]
     float residual; // angle between the normal there and the one that would mirror the ray's end to the eye
 };
 
-const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0);
-
-vec3 previousPosition(ivec2 px, float z) {
-    vec2 uv = (vec2(px) + 0.5) * frame.constants.prevInvSize;
-    float scale = isOrthographic(frame.constants) ? 1.0 : z;
-    return vec3((uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw) * scale, -z);
-}
-
-vec2 previousPixel(vec3 positionVS) {
-    vec4 pixelH = frame.constants.prevViewToPixel * vec4(positionVS, 1.0);
-    return pixelH.w > 0.0 ? pixelH.xy / pixelH.w : vec2(-1e4);
-}
+const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0.0);
 
 /// This pixel's surface and its ray's end, in the previous frame's view space.
 struct Was {
@@ -99,7 +95,7 @@ Candidate lookUp(Was was, vec2 at) {
         if (z <= 0.0 || z >= kBackgroundZ)
             continue; // no ray there
         vec3 normal = decodeOctahedral(unpackSnorm2x16(packed.y));
-        vec3 position = previousPosition(texel, z);
+        vec3 position = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z);
         float off = abs(dot(was.normal, position - was.position));
         float allowed = (was.moved ? 0.1 : settings.disocclusion) * -was.position.z;
         if (off > allowed || dot(normal, was.normal) < 0.7)
@@ -117,14 +113,45 @@ Candidate lookUp(Was was, vec2 at) {
     found.mean /= found.share;
     found.meta /= found.share;
     found.fast /= found.share;
+    if (settings.hitMotion != 0u)
+        found.speed = texelFetch(speedBefore, clamp(ivec2(at), ivec2(0), ivec2(frame.constants.prevSize) - 1), 0).r;
     forgetOldLight(at, found);
     found.residual = residualAt(was, was.moved ? was.position : positions / found.share, normalize(normals));
     return found;
 }
 
+/// How the things that a pixel mirrors move.
+struct HitMotion {
+    vec3 stepVS;  // their mean displacement: where they were - where they are
+    float speed;  // of that displacement: radians a frame by which it turns the half vector
+    float spread; // standard deviation of the speed
+};
+
+HitMotion hitMotionAt(ivec2 px, float near, float perceptualRoughness) {
+    if (settings.hitMotion == 0u)
+        return HitMotion(vec3(0.0), 0.0, 0.0);
+    vec4 motion = texelFetch(reusedMotion, px, 0);
+    float turn = 0.5 * near; // radians a metre
+    float most = lobeTangent(perceptualRoughness); // faster things leave the lobe at once as well
+    float common2 = dot(motion.xyz, motion.xyz);
+    float all2 = square(motion.w);
+    float spread = turn * sqrt(max(all2 - common2, 0.0));
+    // Where most of the light moves alike, the rest of it counts by its share.
+    float alike = all2 > 0.0 ? common2 / all2 : 1.0;
+    if (alike > 0.5)
+        spread *= 2.0 * sqrt(max(alike * (1.0 - alike), 0.0));
+    return HitMotion(motion.xyz, min(turn * sqrt(common2), most), min(spread, most));
+}
+
+/// Speed at which the history's picture leaves the place where this frame looks for it: parts of the lobe do not move
+/// with the mean, and what was seen then may have moved otherwise than what is seen now.
+float driftOf(Candidate found, HitMotion hits) {
+    return hits.spread + 8.0 * max(abs(found.speed - hits.speed) - hits.spread, 0.0);
+}
+
 /// Frames of this candidate that count: those over which the reflection moves by less than the allowed part of the lobe.
-float framesOf(Candidate found, float perceptualRoughness) {
-    float off = max(found.residual - kNormalRounding, 0.0);
+float framesOf(Candidate found, HitMotion hits, float perceptualRoughness) {
+    float off = max(found.residual - kNormalRounding, 0.0) + driftOf(found, hits);
     float most = off > 0.0 ? settings.lobeTrail * lobeTangent(perceptualRoughness) / off : 1e6;
     return min(found.meta.x, most) * sqrt(found.share);
 }
@@ -136,31 +163,27 @@ float dominantFactor(float NoV, float perceptualRoughness) {
     return saturate(pow(1.0 - NoV, 10.8649) * (1.0 - a) + a);
 }
 
-Candidate best(ivec2 px, LobeSurface here, float near, out float frames) {
+Candidate best(ivec2 px, LobeSurface here, float near, HitMotion hits, out float frames) {
     float distance = endDistance(near);
     vec3 mirrored = reflect(-here.toEyeVS, here.normalVS);
-    mat4 before = frame.constants.viewToPrevView;
+    mat4 toBefore = frame.constants.viewToPrevView;
+    PreviousPlace before = previousPlace(px, here.viewZ);
     Was was;
-    was.position = (before * vec4(here.positionVS, 1.0)).xyz;
-    was.normal = mat3(before) * here.normalVS;
-    was.end = (before * vec4(here.positionVS + mirrored * distance, 1.0)).xyz;
-    was.moved = false;
-    vec2 surfacePX = previousPixel(was.position);
-    if ((frame.constants.flags & kInputMotion) != 0u) {
-        vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-        vec2 movedPX = (uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale) * frame.constants.prevSize;
-        const float kMovedPX = 1.5;
-        was.moved = length(movedPX - surfacePX) > kMovedPX;
-        surfacePX = was.moved ? movedPX : surfacePX;
-    }
-    Candidate onSurface = lookUp(was, surfacePX);
-    frames = framesOf(onSurface, here.perceptualRoughness);
+    was.position = before.positionVS;
+    was.normal = before.normalVS;
+    was.end = (toBefore * vec4(here.positionVS + mirrored * distance + hits.stepVS, 1.0)).xyz;
+    was.moved = before.moved;
+    Candidate onSurface = lookUp(was, before.px);
+    frames = framesOf(onSurface, hits, here.perceptualRoughness);
     if (was.moved)
         return onSurface;
     float amount = dominantFactor(clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0), here.perceptualRoughness);
     vec3 imageVS = here.positionVS - here.toEyeVS * (distance * amount);
-    Candidate inMirror = lookUp(was, previousPixel((before * vec4(imageVS, 1.0)).xyz));
-    float mirrorFrames = framesOf(inMirror, here.perceptualRoughness);
+    // The mirror's image of the step. Nearer to the eye than that image, it is as much shorter.
+    float toEye = isOrthographic(frame.constants) ? 0.0 : length(here.positionVS);
+    imageVS += reflect(hits.stepVS, here.normalVS) * (toEye > 0.0 ? (toEye + distance * amount) / (toEye + distance) : 1.0);
+    Candidate inMirror = lookUp(was, previousPixel((toBefore * vec4(imageVS, 1.0)).xyz));
+    float mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
     if (mirrorFrames <= frames)
         return onSurface;
     frames = mirrorFrames;
@@ -182,6 +205,8 @@ void main() {
         imageStore(meta, px, vec4(0.0));
         if (settings.comparesMeans != 0u)
             imageStore(fast, px, vec4(0.0));
+        if (settings.hitMotion != 0u)
+            imageStore(speed, px, vec4(0.0));
         imageStore(place, px, uvec4(0u));
         return;
     }
@@ -190,9 +215,13 @@ void main() {
     float brightness = luminance(answer.rgb);
     vec4 moments = vec4(learnt, brightness, square(brightness), near);
     float fastMean = brightness;
+    HitMotion hits = HitMotion(vec3(0.0), 0.0, 0.0);
+    if (hasHistory)
+        hits = hitMotionAt(px, near, here.perceptualRoughness);
+    float meanSpeed = hits.speed;
     if (hasHistory && !isMirror(here.perceptualRoughness)) {
         float frames;
-        Candidate before = best(px, here, near, frames);
+        Candidate before = best(px, here, near, hits, frames);
         frames = min(frames, settings.historyFrames - learnt);
         if (frames > 0.0) {
             float share = learnt / (learnt + frames);
@@ -200,6 +229,7 @@ void main() {
             moments = vec4(frames + learnt, mix(before.meta.yzw, moments.yzw, share));
             float fastFrames = min(frames, settings.fastFrames - 1.0);
             fastMean = mix(before.fast, fastMean, learnt / max(learnt + fastFrames, 1e-6));
+            meanSpeed = sqrt(mix(square(before.speed), square(meanSpeed), share));
         }
     }
     const float kLargestHalf = 6.0e4;
@@ -208,5 +238,7 @@ void main() {
     imageStore(meta, px, roundToHalf(min(moments, vec4(kLargestHalf)), noise.y));
     if (settings.comparesMeans != 0u)
         imageStore(fast, px, roundToHalf(vec4(min(fastMean, kLargestHalf)), noise.z));
+    if (settings.hitMotion != 0u)
+        imageStore(speed, px, vec4(meanSpeed));
     imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
 }

@@ -9,6 +9,7 @@
 #include "frame/prepared.glsl"
 #include "generate/sampled_ray.glsl"
 #include "hierarchy/walk.glsl"
+#include "lib/packed_motion.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/sanitize.glsl"
 #include "lib/surface.glsl"
@@ -22,9 +23,16 @@ layout(set = 0, binding = 5) uniform sampler2D raysAnswer;
 layout(set = 0, binding = 6) uniform usampler2D raysRecord;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D noisy;  // weight * radiance, weight
 layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D sentRay;
+layout(set = 0, binding = 10) uniform sampler2D motion; // previous UV - current UV, after scaling
+/// Where the ray's end was, as a displacement from where it is: lib/packed_motion.glsl, view space. If settings.hitMotion.
+layout(set = 0, binding = 11, r32ui) uniform writeonly uimage2D hitMotion;
 layout(push_constant, scalar) uniform PushBlock {
     uint sources; // kJoin*
 };
+
+DenoiseConstants settings = frame.settings.denoise;
+
+#include "lib/previous_place.glsl"
 
 struct Answer {
     vec4 radianceWeight;
@@ -38,6 +46,16 @@ Answer answerOf(vec4 radianceWeight, RayRecord record) {
     bool ends = isAnswered(record.outcome) && record.hitDistance > 0.0;
     return Answer(vec4(sanitize(radianceWeight.rgb), radianceWeight.a), ends ? 1.0 / record.hitDistance : 0.0, traced,
                   record.outcome == kOutcomeFromNeighbours);
+}
+
+/// The displacement of what the screen's ray hit.
+vec3 screenHitMotion(ivec2 px) {
+    RayRecord ray = unpackRayRecord(texelFetch(screenRecord, px, 0).xy);
+    if (!isAnswered(ray.outcome) || (frame.constants.flags & kInputMotion) == 0u)
+        return vec3(0.0);
+    ivec2 hitPX = min(ivec2(ray.hitUV * frame.constants.size), ivec2(frame.constants.size) - 1);
+    float z = texelFetch(viewZ, hitPX, 0).r;
+    return z < kBackgroundZ ? displacementVS(hitPX, z) : vec3(0.0);
 }
 
 void main() {
@@ -60,9 +78,11 @@ void main() {
     bool raysFirst = (sources & kJoinRaysFirst) != 0u;
     Walk walk = beginWalk();
     float near = 0.0;
+    vec2 taken; // from the first, from the second
     for (int i = 0; i < 2; ++i) {
         Answer answer = (i == 0) == raysFirst ? rays : screen;
-        near += take(walk, answer.radianceWeight) * answer.nearness;
+        taken[i] = take(walk, answer.radianceWeight);
+        near += taken[i] * answer.nearness;
     }
     float z = texelFetch(viewZ, px, 0).r;
     bool sent = z < kBackgroundZ && (screen.traced || rays.traced);
@@ -73,6 +93,11 @@ void main() {
         Direction drawn = sampledDirection(px, positionVS, here);
         // Below the surface the lobe's density is 0: neighbours take nothing from there.
         ray.directionVS = drawn.weight > 0.0 ? mat3(frame.constants.worldToView) * drawn.ws : -here.normalVS;
+    }
+    if (settings.hitMotion != 0u) {
+        bool fromRays = (taken.x >= taken.y) == raysFirst;
+        uint moved = fromRays ? routed.w : packMotion(screenHitMotion(px));
+        imageStore(hitMotion, px, uvec4(ray.sent ? moved : kNoMotion, 0u, 0u, 0u));
     }
     imageStore(noisy, px, vec4(walk.radiance, walk.taken));
     imageStore(sentRay, px, uvec4(packSentRay(ray), 0u, 0u));

@@ -8,7 +8,9 @@
 
 #include "denoise/lobe_surface.glsl"
 #include "denoise/sent_ray.glsl"
+#include "lib/color.glsl"
 #include "lib/noise.glsl"
+#include "lib/packed_motion.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -19,6 +21,10 @@ layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
 /// 1 / metres to the ray's end; how much of a frame the answer counts for: 1 with an own ray; less where few of the
 /// neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect.
 layout(set = 0, binding = 6, rg16f) uniform writeonly image2D reusedMeta;
+layout(set = 0, binding = 8) uniform usampler2D hitMotion; // denoise/gather.comp
+/// How what the rays met has moved: mean displacement, view space; root mean square of its length; both weighed by the
+/// light that it sends. If settings.hitMotion.
+layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D reusedMotion;
 DenoiseConstants settings = frame.settings.denoise;
 
 #include "denoise/ray_rate.glsl"
@@ -71,16 +77,40 @@ vec3 carried(Lobe from, LobeSurface to, out float jacobian) {
     return way * inversesqrt(distance2);
 }
 
+/// What a ray found.
+struct Found {
+    vec4 answer;
+    float nearness;
+    vec3 stepVS; // where its end was - where it is
+};
+
+Found foundAt(ivec2 px, SentRay sent) {
+    vec3 step = settings.hitMotion != 0u ? unpackMotion(texelFetch(hitMotion, px, 0).r) : vec3(0.0);
+    return Found(texelFetch(noisy, px, 0), sent.nearness, step);
+}
+
 struct Sums {
     vec4 answer;
     float near;
+    vec4 motion; // steps, squares of their lengths
+    float light;
     float weight;
 };
 
-void add(inout Sums sums, vec4 answer, float near, float weight) {
-    sums.answer += weight * answer;
-    sums.near += weight * near;
+const Sums kNoSums = Sums(vec4(0.0), 0.0, vec4(0.0), 0.0, 0.0);
+
+void add(inout Sums sums, Found found, float weight) {
+    sums.answer += weight * found.answer;
+    sums.near += weight * found.nearness;
+    float light = weight * luminance(found.answer.rgb);
+    sums.motion += light * vec4(found.stepVS, dot(found.stepVS, found.stepVS));
+    sums.light += light;
     sums.weight += weight;
+}
+
+Sums scaled(Sums sums, float factor) {
+    return Sums(sums.answer * factor, sums.near * factor, sums.motion * factor, sums.light * factor,
+                sums.weight * factor);
 }
 
 /// Of a frame: what a pixel learns from rays that are not in its lobe.
@@ -94,7 +124,7 @@ void addNearest(ivec2 px, LobeSurface here, inout Sums sums) {
             continue;
         SentRay theirRay = unpackSentRay(texelFetch(sentRay, tap, 0).xy);
         if (theirRay.sent && isSameSurface(here, lobeSurfaceAt(tap)))
-            add(sums, texelFetch(noisy, tap, 0), theirRay.nearness, 1.0);
+            add(sums, foundAt(tap, theirRay), 1.0);
     }
 }
 
@@ -102,9 +132,11 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (!isInFrame(px))
         return;
-    vec4 answer = texelFetch(noisy, px, 0);
     SentRay ray = unpackSentRay(texelFetch(sentRay, px, 0).xy);
-    float near = ray.nearness;
+    Found found = foundAt(px, ray);
+    vec4 answer = found.answer;
+    float near = found.nearness;
+    vec4 motion = vec4(found.stepVS, dot(found.stepVS, found.stepVS));
     LobeSurface here = lobeSurfaceAt(px);
     float learnt = ray.sent ? 1.0 : ray.awaits ? 0.0 : -1.0;
     if ((ray.sent || ray.awaits) && !isMirror(here.perceptualRoughness)) {
@@ -118,7 +150,7 @@ void main() {
         float ownDensity = densityOf(own, ray.directionVS);
         float ownResponse = ownDensity * shadowing(own, ray.directionVS);
         float ownWeight = 0.0; // of the pixel's own ray: a part from each pair
-        Sums sums = Sums(vec4(0.0), 0.0, 0.0);
+        Sums sums = kNoSums;
         float radius = clamp(0.5 * lobePixels(here.perceptualRoughness, here.viewZ, near), 1.0, settings.reuseRadius);
         mat2 disc = lobeDisc(here, radius);
         Spiral spiral =
@@ -138,23 +170,22 @@ void main() {
             float theirs = densityOf(other, theirRay.directionVS) / shrink;
             float density = densityOf(own, wi);
             float weight = density * shadowing(own, wi) / max(theirs + ownPart * density, 1e-20);
-            add(sums, texelFetch(noisy, tap, 0), theirRay.nearness, theirs > 0.0 ? weight : 0.0);
+            add(sums, foundAt(tap, theirRay), theirs > 0.0 ? weight : 0.0);
             if (ray.sent && ownDensity > 0.0) {
                 vec3 across = carried(own, there, shrink);
                 ownWeight += ownResponse / (densityOf(other, across) * shrink + ownDensity);
             }
         }
         if (sums.weight > 0.0) {
-            add(sums, answer, near, ownWeight);
+            add(sums, found, ownWeight);
         } else if (ray.awaits) {
             addNearest(px, here, sums);
-            sums.weight *= kLeastLearnt;
-            sums.answer *= kLeastLearnt;
-            sums.near *= kLeastLearnt;
+            sums = scaled(sums, kLeastLearnt);
         }
         if (sums.weight > 0.0) {
             answer = sums.answer / sums.weight;
             near = sums.near / sums.weight;
+            motion = sums.motion / max(sums.light, 1e-20);
         }
         // Over frames a ratio of sums then, and no mean of ratios: those of small sums are wrong (rough.md).
         if (ray.awaits && sums.weight > 0.0)
@@ -164,4 +195,6 @@ void main() {
     }
     imageStore(reused, px, answer);
     imageStore(reusedMeta, px, vec4(near, learnt, 0.0, 0.0));
+    if (settings.hitMotion != 0u)
+        imageStore(reusedMotion, px, vec4(motion.xyz, sqrt(motion.w)));
 }

@@ -23,6 +23,7 @@ struct Path {
     float weight;      // 0: the path's radiance is unknown
     float hitDistance; // metres, of the first ray
     vec3 hitWS;
+    Hit first;   // the first ray's hit, if it was traced
     bool hit;    // the first ray hit a surface
     uint rays;   // rays traced, without shadow rays
     uint reused; // hits lit from the frame's colour
@@ -43,8 +44,8 @@ struct Path {
 /// `lobeRoughness`: perceptual, of the lobe that the direction was drawn from.
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
     PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
-    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, false, 0u, 0u, false, vec3(1.0),
-                viewRay(originWS, directionWS), kNoVertex, 0.0, cone, spread, regularization, kAir,
+    Ray ray = viewRay(originWS, directionWS);
+    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir,
                 isOn(kRaysTransparents) ? settings.transparents : 0u);
 }
 
@@ -129,9 +130,10 @@ void leaveScene(uint bounce, inout Path path) {
         path.weight = 0.0;
 }
 
-void meetFirst(vec3 hitWS, float distance, inout Path path) {
+void meetFirst(vec3 hitWS, Hit hit, inout Path path) {
     path.hit = true;
-    path.hitDistance = distance;
+    path.first = hit;
+    path.hitDistance = hit.distance;
     path.hitWS = hitWS;
 }
 
@@ -147,7 +149,7 @@ void passTransparent(Hit hit, vec2 noise, inout Path path) {
         p = passSurface(met, hit.instance, path.medium, path.ray.directionWS, noise, path.regularization,
                         halfVectorSpread(path.spread, met.bend));
     if (!path.hit)
-        meetFirst(met.point.positionWS, hit.distance, path);
+        meetFirst(met.point.positionWS, hit, path);
     path.radiance += path.throughput * p.own;
     path.throughput *= p.through;
     path.ended = maxComponent(path.throughput) < kLeastThroughput;
@@ -212,7 +214,7 @@ void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
         }
         LitSurface met = surfaceAt(hit, path);
         if (!path.hit)
-            meetFirst(met.positionWS, hit.distance, path);
+            meetFirst(met.positionWS, hit, path);
         leaveSurface(met, bounce, px, sampleIndex, path);
     }
 }

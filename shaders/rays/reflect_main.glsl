@@ -11,6 +11,9 @@
 
 #include "rays/path.glsl"
 
+#include "lib/packed_motion.glsl"
+#include "rays/hit_motion.glsl"
+
 #include "rays/after_screen.glsl"
 
 layout(local_size_x = 64) in; // kRaysPerGroup
@@ -81,6 +84,7 @@ void main() {
     RayRecord record = RayRecord(from.uv, 0.0, 0u, kOutcomeSky, false);
     float hits = 0.0;
     uint reused = 0u;
+    uint motion = kNoMotion; // of the first sample's hit, view space
     bool lights =
         isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
@@ -113,8 +117,10 @@ void main() {
         if (path.hit) {
             record.hitDistance += path.hitDistance;
             hits += 1.0;
-            if (record.outcome != kOutcomeHit)
+            if (record.outcome != kOutcomeHit) {
                 record.hitUV = projectedUV(path.hitWS);
+                motion = packMotion(mat3(frame.constants.worldToView) * hitStepWS(path.first, path.hitWS));
+            }
             record.outcome = kOutcomeHit;
         }
     }
@@ -129,5 +135,5 @@ void main() {
     imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));
     uint route = min(reused, kRaysReusedMask) | (fromScreen ? kRaysStartOnScreen : 0u) |
                  (takesBack(screen) ? kRaysReplaceScreen : 0u);
-    imageStore(raysRecord, from.px, uvec4(packRayRecord(record), route, 0u));
+    imageStore(raysRecord, from.px, uvec4(packRayRecord(record), route, motion));
 }

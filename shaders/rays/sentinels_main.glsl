@@ -17,6 +17,8 @@
 #include "lib/octahedral.glsl"
 #include "rays/path.glsl"
 
+#include "rays/hit_motion.glsl"
+
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 6) uniform sampler2D raysAnswer;          // of this frame: radiance, weight
@@ -33,8 +35,10 @@ struct Sentinel {
     uvec4 path; // radiance and the lobe's perceptual roughness, halves; the cone's width and spread, halves; state
 };
 
-// The state of a sentinel: whether it exists, frames since it saw a change, number of its random sequence.
+// The state of a sentinel: whether it exists, whether what it hit moved, frames since it saw a change, number of its
+// random sequence.
 const uint kExists = 1u << 31;
+const uint kMoves = 1u << 30;
 const uint kAgeShift = 16u;
 const uint kLongestAge = 255u;
 const uint kSequence = 0xffffu;
@@ -54,7 +58,7 @@ uint ageOf(Sentinel sentinel) {
 }
 
 Sentinel aged(Sentinel sentinel, uint age) {
-    sentinel.path.w = (sentinel.path.w & (kExists | kSequence)) | (age << kAgeShift);
+    sentinel.path.w = (sentinel.path.w & (kExists | kMoves | kSequence)) | (age << kAgeShift);
     return sentinel;
 }
 
@@ -62,16 +66,25 @@ vec3 radianceOf(Sentinel sentinel) {
     return vec3(unpackHalf2x16(sentinel.path.x), unpackHalf2x16(sentinel.path.y).x);
 }
 
-/// Follows the sentinel's path in this frame's scene. Returns its radiance, in the precision that it is kept in.
-uvec2 follow(Sentinel sentinel, ivec2 tile) {
+/// The sentinel after its path was followed in this frame's scene.
+Sentinel followed(Sentinel sentinel, ivec2 tile) {
     vec2 cone = unpackHalf2x16(sentinel.path.z);
     float roughness = unpackHalf2x16(sentinel.path.y).y;
     Path path = startPath(uintBitsToFloat(sentinel.ray.xyz), decodeOctahedral(unpackSnorm2x16(sentinel.ray.w)),
                           Cone(cone.x, cone.y), roughness, regularizationOf(settings.regularization, 1.0));
     followPath(0u, tile, sentinel.path.w & kSequence, path);
     const float kLargestHalf = 6.0e4;
-    vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestHalf));
-    return uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, roughness)));
+    vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestHalf)); // in the precision that is kept
+    sentinel.path.xy = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, roughness)));
+    sentinel.path.w &= ~kMoves;
+    if (hitStepWS(path.first, path.hitWS) != vec3(0.0))
+        sentinel.path.w |= kMoves;
+    return sentinel;
+}
+
+/// True if light differs because something moves through the path: the denoiser follows that (rays/hit_motion.glsl).
+bool seesMotion(Sentinel then, Sentinel now) {
+    return ((then.path.w | now.path.w) & kMoves) != 0u;
 }
 
 /// True if the sentinel starts in the tile or beside it, from a surface that stands where it stood. What the frame does
@@ -178,13 +191,13 @@ void main() {
             sentinel = startSentinel(tile);
         else
             sentinel = previousSentinel(tile, i == 0 ? kWitness : kFresh);
-        vec3 then = radianceOf(sentinel);
+        Sentinel then = sentinel;
         if (exists(sentinel))
-            sentinel.path.xy = follow(sentinel, tile);
+            sentinel = followed(sentinel, tile);
         if (starts) {
             keep(sentinel, tile, kFresh);
-        } else if (exists(sentinel)) {
-            vec2 apart = changeBetween(then, radianceOf(sentinel));
+        } else if (exists(sentinel) && !seesMotion(then, sentinel)) {
+            vec2 apart = changeBetween(radianceOf(then), radianceOf(sentinel));
             // A witness is no random sample: the older, the rarer what it saw is among those that start here. (One over
             // its age would be that share, but then small lights come back late: docs/measurements/motion.md.)
             sum += i == 0 ? apart * inversesqrt(float(1u + ageOf(sentinel))) : apart;

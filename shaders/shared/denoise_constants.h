@@ -29,6 +29,7 @@ struct DenoiseConstants {
     float fastFrames;     // most frames in the short mean
     uint rayRate;         // kRate*
     uint comparesMeans;   // 1: the short mean shortens the long one
+    uint hitMotion;       // 1: what moves in reflections is followed
     uint historyExpected; // number of the recording that the history should hold; 0: there is none
     uint historyTag;      // number of the one that it holds: written by the GPU
 };

@@ -19,6 +19,7 @@ struct RaysConstants {
     float reuseRoughness;
     uint before;            ///< bit s: source s (shared/hierarchy.h) is asked before this one
     float regularization;   ///< of the first sample
+    uint instancesBefore;   ///< instances that the previous frame had; 0: nobody asks what moved
     uint transparents;      ///< most transparent surfaces in a path
     float3 transparentsLow; ///< world box of all transparent surfaces
     float3 transparentsHigh;
@@ -35,8 +36,8 @@ GLINT_CONSTANT(uint, kRaysTransparents, 64);       // some surfaces let rays pas
 GLINT_CONSTANT(uint, kRaysSampleLights, 256);      // rays to lights from every hit that a path continues from
 GLINT_CONSTANT(uint, kRaysSampleLightsFirst, 512); // and from the pixel's surface
 
-// Third word of the source's record, after the words of lib/ray_record.glsl: number of hits lit from the frame (low 12
-// bits), and
+// Fourth word of the source's record: where the first hit was in the previous frame, lib/packed_motion.glsl. Third
+// word, after the words of lib/ray_record.glsl: number of hits lit from the frame (low 12 bits), and
 GLINT_CONSTANT(uint, kRaysReusedMask, 0xfff);
 GLINT_CONSTANT(uint, kRaysStartOnScreen, 0x40000000);  // the first hit is the screen's hit
 GLINT_CONSTANT(uint, kRaysReplaceScreen, 0x80000000u); // the answer replaces the screen's too

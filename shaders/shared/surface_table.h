@@ -20,6 +20,7 @@ struct SurfaceMeshRecord {
     StreamRecord uv1;
     StreamRecord colors;
     uint2 indices; ///< address of the indices, three for each triangle
+    StreamRecord previousPositions;
 };
 
 struct SurfaceInstanceRecord {
@@ -31,7 +32,7 @@ struct SurfaceInstanceRecord {
 GLINT_SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(glint::shared::SurfaceMeshRecord) == 80);
+static_assert(sizeof(glint::shared::SurfaceMeshRecord) == 92);
 static_assert(sizeof(glint::shared::SurfaceInstanceRecord) == 56);
 #endif
 #endif

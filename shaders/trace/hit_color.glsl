@@ -15,40 +15,12 @@ layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame'
 layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // the previous frame's viewZ
 layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - current UV, after scaling
 
-/// A surface moved if motion puts it farther than this from where a surface at rest would have been, in pixels. Hosts
-/// leave their jitter out of motion; the jitter alone may make a pixel's diagonal.
-const float kMovedPX = 1.5;
+#include "lib/previous_place.glsl"
+
 /// A surface at rest was at its present place, within this fraction of its distance and a quarter of a pixel. Of a
 /// surface that moved only the depth is known, and only roughly.
 const float kSamePlace = 0.002;
 const float kSameDepth = 0.1;
-
-/// Where the surface of pixel `px` was in the previous frame, if that frame showed it.
-struct Before {
-    vec3 positionVS; // in the previous frame's view space, if the surface did not move
-    vec3 normalVS;
-    vec2 px;
-    bool moved;
-};
-
-Before placeBefore(ivec2 px, float z) {
-    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
-    Before before;
-    before.positionVS = (frame.constants.viewToPrevView * vec4(viewPosition(frame.constants, uv, z), 1.0)).xyz;
-    before.normalVS = mat3(frame.constants.viewToPrevView) * normalVS;
-    vec4 pixelH = frame.constants.prevViewToPixel * vec4(before.positionVS, 1.0);
-    before.px = pixelH.w > 0.0 ? pixelH.xy / pixelH.w : vec2(-1.0);
-    before.moved = false;
-    if ((frame.constants.flags & kInputMotion) != 0u) {
-        vec2 movedUV = uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale;
-        vec2 movedPX = movedUV * frame.constants.prevSize;
-        before.moved = distance(movedPX, before.px) > kMovedPX;
-        if (before.moved)
-            before.px = movedPX;
-    }
-    return before;
-}
 
 /// How far off a plane through a point at `viewZ` a pixel of the same plane may lie, metres. `pixel`: its extent there.
 float samePlaceSlack(vec2 pixel, float viewZ) {
@@ -56,17 +28,14 @@ float samePlaceSlack(vec2 pixel, float viewZ) {
 }
 
 /// True if the previous frame's texel shows the surface of `before`.
-bool showedIt(Before before, ivec2 texel) {
+bool showedIt(PreviousPlace before, ivec2 texel) {
     float z = texelFetch(prevViewZ, texel, 0).r;
     if (z >= kBackgroundZ)
         return false;
     float expectedZ = -before.positionVS.z;
     if (before.moved)
         return abs(z - expectedZ) <= kSameDepth * expectedZ;
-    vec2 uv = (vec2(texel) + 0.5) * frame.constants.prevInvSize;
-    vec2 sideways = uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw;
-    float spread = isOrthographic(frame.constants) ? 1.0 : z;
-    vec3 between = vec3(sideways * spread, -z) - before.positionVS;
+    vec3 between = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z) - before.positionVS;
     return abs(dot(before.normalVS, between)) <= samePlaceSlack(prevPixelExtent(frame.constants, expectedZ), expectedZ);
 }
 
@@ -77,7 +46,7 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     float z = texelFetch(viewZ, px, 0).r;
     if (z >= kBackgroundZ)
         return false;
-    Before before = placeBefore(px, z);
+    PreviousPlace before = previousPlace(px, z);
     bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.prevSize));
     if (!onScreen)
         return false;

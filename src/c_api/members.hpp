@@ -293,6 +293,7 @@ void members(Visitor& visitor, GlintSurfaceMesh& c, SurfaceMesh& cpp) {
     GLINT_PAIR(uv1)
     GLINT_PAIR(colors)
     GLINT_PAIR(indices)
+    GLINT_PAIR(previousPositions)
 }
 
 template <class Visitor>

@@ -43,6 +43,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     colors_.end(frame, settings.debug.outcome ? HistoryReset::NotLight : HistoryReset::None);
     if (lobeDenoise_)
         lobeDenoise_->end(frame);
+    if (usesRays())
+        raysSource_->end(frame);
 }
 
 void FrameStages::prepare(gpu::Frame& frame, const View& view) {

@@ -157,6 +157,7 @@ Result<void> FrameStages::rehearseRays() {
                                 trace_->traced().rayRecord, false});
     if (lobeDenoise_)
         denoiseLobes(frame);
+    raysSource_->end(frame);
     return frame.firstError();
 }
 

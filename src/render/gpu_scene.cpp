@@ -140,6 +140,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.firstIndex = range.firstIndex;
         out.indexCount = static_cast<uint32_t>(item.geometry->indices.size());
         out.vertexOffset = static_cast<int32_t>(range.firstVertex);
+        out.prevVertexDelta = range.prevVertexDelta;
         out.topology = item.geometry->topology;
         out.surface = surfaceClass(material);
         out.doubleSided = material.doubleSided;

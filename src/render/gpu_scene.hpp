@@ -16,6 +16,7 @@ struct GpuItem {
     uint32_t firstIndex = 0;
     uint32_t indexCount = 0;
     int32_t vertexOffset = 0;
+    int32_t prevVertexDelta = 0; ///< offset from a vertex to its place in the previous pose; 0 unless it deforms
     scene::Topology topology = scene::Topology::Triangles;
     SurfaceClass surface = SurfaceClass::Opaque;
     bool doubleSided = false;

@@ -115,6 +115,9 @@ SurfaceMesh surfaceMesh(GpuScene& gpuScene, const GpuItem& item) {
     mesh.uv0 = attribute(offsetof(VertexAttributes, uv0));
     mesh.uv1 = attribute(offsetof(VertexAttributes, uv1));
     mesh.colors = attribute(offsetof(VertexAttributes, color));
+    if (item.prevVertexDelta != 0)
+        mesh.previousPositions = {positions + static_cast<VkDeviceAddress>(item.prevVertexDelta) * sizeof(glm::vec3),
+                                  sizeof(glm::vec3)};
     mesh.indices = gpuScene.indices().address() + VkDeviceAddress{item.firstIndex} * sizeof(uint32_t);
     return mesh;
 }

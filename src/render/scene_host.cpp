@@ -186,7 +186,8 @@ Result<void> SceneHost::moveRays(Reflections& reflections) {
     GLINT_TRY(kept, rayWorld_->setPose(renderer_->scene(), *inputs_->scene, inputs_->pose));
     if (kept) { // ray-traced shadows are drawn before the frame records the ray scene
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
-        return giveRays(reflections);
+        reflections.restartAccumulation();
+        return rayWorld_->setLights(renderer_->lights());
     }
     retiredRayWorld_ = std::move(rayWorld_);
     GLINT_CHECK(makeRayWorld());

@@ -16,6 +16,7 @@ constexpr size_t kPlace = 3;
 constexpr size_t kSentinelRay = 4;
 constexpr size_t kSentinelPath = 5;
 constexpr size_t kRates = 6;
+constexpr size_t kSpeed = 7;
 
 uint32_t tiles(uint32_t pixels, uint32_t across) {
     return (pixels + across - 1) / across;
@@ -60,13 +61,16 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
         makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->answer_, {"glint/lobeAnswer", kHalf, w, h}));
-    std::array<StageImage, 7> images;
+    GLINT_CHECK(makeImage(stages.gpu, denoise->hitMotion_, {"glint/hitMotion", VK_FORMAT_R32_UINT, w, h}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMotion_, {"glint/reusedMotion", kHalf, w, h}));
+    std::array<StageImage, 8> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
     images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, w, h};
     images[kSentinelRay] = {"glint/sentinelRay", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
     images[kSentinelPath] = {"glint/sentinelPath", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
     images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
+    images[kSpeed] = {"glint/meanSpeed", VK_FORMAT_R16_SFLOAT, w, h};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
     GLINT_CHECK(denoise->history_.make(images, true));
     return denoise;
@@ -99,6 +103,7 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
             static_cast<float>(settings.denoise.fastFrames),
             rateOf(settings),
             comparesMeans() ? 1u : 0u,
+            settings.denoise.hitMotion ? 1u : 0u,
             history_.valid() ? history_.expectedTag() : 0,
             0};
 }
@@ -126,8 +131,10 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .read("screenRecord", inputs.screenRecord)
         .read("raysAnswer", inputs.raysAnswer ? *inputs.raysAnswer : black)
         .read("raysRecord", inputs.raysRecord)
+        .read("motion", inputs.frame.host.motion ? inputs.frame.host.motion : black, kTexels)
         .write("noisy", signal_[0])
         .write("sentRay", sentRay_)
+        .write("hitMotion", hitMotion_)
         .push(sources)
         .dispatch(stages_.extent.x, stages_.extent.y);
 }
@@ -167,21 +174,26 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .read("sentRay", sentRay_)
         .read("rayRates", rayRates(), kTexels)
         .write("reused", signal_[1])
+        .read("hitMotion", hitMotion_)
         .write("reusedMeta", reusedMeta_)
+        .write("reusedMotion", reusedMotion_)
         .dispatch(w, h);
     Inputs& host = inputs.frame.host;
     begin(accumulate_)
         .read("reused", signal_[1])
         .read("reusedMeta", reusedMeta_)
+        .read("reusedMotion", reusedMotion_)
         .read("motion", host.motion ? host.motion : inputs.frame.standIns.black, kTexels)
         .read("meanBefore", history_.before(kMean))
         .read("metaBefore", history_.before(kMeta))
         .read("fastBefore", history_.before(kFast))
         .read("placeBefore", history_.before(kPlace))
         .read("changed", changed)
+        .read("speedBefore", history_.before(kSpeed))
         .write("mean", history_.now(kMean))
         .write("meta", history_.now(kMeta))
         .write("fast", history_.now(kFast))
+        .write("speed", history_.now(kSpeed))
         .write("place", history_.now(kPlace))
         .dispatch(w, h);
     if (stages_.settings().reuse.rate == RayRate::Adaptive)

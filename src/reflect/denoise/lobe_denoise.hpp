@@ -60,6 +60,8 @@ private:
     gpu::Image signal_[2];      ///< RGBA16F: weight * radiance, weight; of one ray, then with those of neighbours
     gpu::Image sentRay_;        ///< RG32UI: denoise/sent_ray.glsl
     gpu::Image reusedMeta_;     ///< RG16F: denoise/reuse.comp
+    gpu::Image hitMotion_;      ///< R32UI: lib/packed_motion.glsl
+    gpu::Image reusedMotion_;   ///< RGBA16F: denoise/reuse.comp
     gpu::Image sentinelChange_; ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
     gpu::Image changed_;        ///< RGBA16F, a texel for each tile: denoise/change.comp
     gpu::Image answer_;         ///< RGBA16F: radiance, weight

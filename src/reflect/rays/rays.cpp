@@ -4,6 +4,7 @@
 #include "reflect/denoise/denoises.hpp"
 #include "reflect/trace/technique.hpp"
 #include "shared/ray_hit.h"
+#include "shared/surface_table.h"
 
 #include <array>
 
@@ -92,6 +93,8 @@ Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surface
     stages_.retired.keep(std::move(reflectLights_));
     reflect_ = std::move(reflect);
     reflectLights_ = std::move(reflectLights);
+    if (scene_ != &scene || surfaces_ != &surfaces || instancesBefore_.size() != surfaces.instances().size())
+        GLINT_CHECK(makeInstancesBefore(surfaces));
     scene_ = &scene;
     surfaces_ = &surfaces;
     shade_ = {};
@@ -100,6 +103,17 @@ Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surface
         GLINT_CHECK(lights_->setScene(surfaces));
     GLINT_CHECK(makeShading());
     return makeSentinels();
+}
+
+Result<void> RaysSource::makeInstancesBefore(SurfaceTableState& surfaces) {
+    GLINT_TRY(buffer,
+              gpu::Buffer::create(stages_.gpu, {"glint/instancesBefore", surfaces.instances().size(),
+                                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                                gpu::BufferHome::Device}));
+    stages_.retired.keep(std::move(instancesBefore_));
+    instancesBefore_ = std::move(buffer);
+    instancesBeforeCount_ = 0;
+    return {};
 }
 
 /// Compiles the paths that the settings ask for, and creates the lights that they sample.
@@ -152,6 +166,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     constants.threshold = traceConstants(settings, false).threshold;
     constants.reuseRoughness = rays.reuseRoughness;
     constants.regularization = rays.regularization;
+    constants.instancesBefore = followsHits() ? instancesBeforeCount_ : 0;
     constants.transparents = static_cast<uint32_t>(rays.transparents);
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
     constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
@@ -201,6 +216,21 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
     sums_.end(frame);
 }
 
+/// True if the denoiser asks how what rays hit has moved.
+bool RaysSource::followsHits() const {
+    return surfaces_ && denoises(stages_.settings()) && stages_.settings().denoise.hitMotion;
+}
+
+void RaysSource::end(gpu::Frame& frame) {
+    if (!surfaces_)
+        return;
+    const uint32_t count = surfaces_->instanceCount();
+    if (followsHits() && count > 0)
+        frame.copyBytes(surfaces_->instances(), 0, instancesBefore_, 0, count * sizeof(shared::SurfaceInstanceRecord));
+    if (!frame.rehearsing())
+        instancesBeforeCount_ = followsHits() ? count : 0;
+}
+
 /// Binds what a pass needs to light hits with the host's table.
 gpu::Pass& RaysSource::bindShading(gpu::Pass& pass, const FrameInputs& inputs, const Prepared& prepared) {
     Inputs& host = inputs.host;
@@ -233,6 +263,7 @@ void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool s
     bindShading(pass, inputs.frame, inputs.prepared)
         .read("screenRecord", inputs.screenRecord)
         .read("material", inputs.prepared.material, kTexels)
+        .read("instancesBefore", instancesBefore_)
         .read("litRadiance", host.litRadiance, kTexels)
         .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
@@ -249,6 +280,7 @@ void RaysSource::recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, c
     gpu::Pass pass = frame.pass(followSentinels_);
     bindShading(pass, inputs, prepared)
         .read("raysAnswer", radianceWeight_)
+        .read("instancesBefore", instancesBefore_)
         .read("sentinelRayBefore", images.rayBefore)
         .read("sentinelPathBefore", images.pathBefore)
         .write("sentinelRay", images.ray)

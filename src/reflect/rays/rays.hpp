@@ -54,6 +54,9 @@ public:
     void recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
                          const SentinelImages& images);
 
+    /// Ends the frame: keeps its transforms for the next one.
+    void end(gpu::Frame& frame);
+
     /// Adds the outcomes and costs of this frame's rays to a shared::RayStatistics.
     void count(gpu::Frame& frame, const FrameInputs& inputs, gpu::Buffer& statistics);
 
@@ -65,6 +68,8 @@ private:
     Result<void> makeShading();
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
     void recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights);
+    bool followsHits() const;
+    Result<void> makeInstancesBefore(SurfaceTableState& surfaces);
     void recordHits(gpu::Frame& frame, const RaysInputs& inputs);
     Result<void> makeSentinels();
     gpu::Pass& bindShading(gpu::Pass& pass, const FrameInputs& inputs, const Prepared& prepared);
@@ -82,6 +87,8 @@ private:
     rays::Scene* scene_ = nullptr;
     SurfaceTableState* surfaces_ = nullptr; ///< null: the host shades hits
     ShadeHits shade_;
+    gpu::Buffer instancesBefore_; ///< shared::SurfaceInstanceRecord, as the previous frame's rays met them
+    uint32_t instancesBeforeCount_ = 0;
     gpu::Buffer hits_; ///< shared::RayHitRecord; absent unless a host shades hits
     RayLister lister_;
     Rays rays_;

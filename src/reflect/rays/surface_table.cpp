@@ -106,14 +106,15 @@ shared::StreamRecord packStream(const VertexStream& stream) {
 
 Result<shared::SurfaceMeshRecord> packMesh(const SurfaceMesh& mesh, size_t number) {
     for (const VertexStream* stream :
-         {&mesh.positions, &mesh.normals, &mesh.tangents, &mesh.uv0, &mesh.uv1, &mesh.colors})
+         {&mesh.positions, &mesh.normals, &mesh.tangents, &mesh.uv0, &mesh.uv1, &mesh.colors, &mesh.previousPositions})
         if (!isAligned(*stream))
             return invalidArgument("surface mesh {}: addresses and strides must be multiples of 4", number);
     if (mesh.positions.address == 0 || mesh.indices == 0 || mesh.indices % 4 != 0)
         return invalidArgument("surface mesh {}: positions and indices must be there, at multiples of 4", number);
-    return shared::SurfaceMeshRecord{packStream(mesh.positions), packStream(mesh.normals), packStream(mesh.tangents),
-                                     packStream(mesh.uv0),       packStream(mesh.uv1),     packStream(mesh.colors),
-                                     packAddress(mesh.indices)};
+    return shared::SurfaceMeshRecord{packStream(mesh.positions), packStream(mesh.normals),
+                                     packStream(mesh.tangents),  packStream(mesh.uv0),
+                                     packStream(mesh.uv1),       packStream(mesh.colors),
+                                     packAddress(mesh.indices),  packStream(mesh.previousPositions)};
 }
 
 // ---------------------------------------------------------------- lights
@@ -142,7 +143,8 @@ shared::Light packLight(const SurfaceLight& light) {
 Result<void> TableBuffer::create(gpu::Context& context, const char* name, size_t most) {
     GLINT_TRY(buffer,
               gpu::Buffer::create(context, {name, std::max<size_t>(most, 16),
-                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                            VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                                VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
                                             gpu::BufferHome::Device}));
     buffer_ = std::move(buffer);
     return {};

@@ -52,6 +52,8 @@ public:
     }
     VkDescriptorSetLayout textureLayout() const { return textures_.layout(); }
 
+    gpu::Buffer& instances() { return instances_.buffer(); } ///< shared::SurfaceInstanceRecord
+
     /// Binds the table without lights, as shaders/rays/surface_table.glsl declares it.
     gpu::Pass& bindAppearance(gpu::Pass& pass);
     /// Binds the whole table, for rays/hit_lighting.glsl too.

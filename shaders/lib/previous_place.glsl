@@ -1,0 +1,66 @@
+// Where a pixel's surface was in the previous frame, by both cameras and the host's motion. Include after
+// frame/prepared.glsl and a declaration of `motion`: previous UV - current UV, after scaling.
+#ifndef GLINT_LIB_PREVIOUS_PLACE_GLSL
+#define GLINT_LIB_PREVIOUS_PLACE_GLSL
+
+#include "lib/camera.glsl"
+#include "lib/surface.glsl"
+
+/// A surface moved if motion puts it farther than this from where a surface at rest would have been, in pixels.
+const float kMovedPX = 0.5;
+
+struct PreviousPlace {
+    vec3 positionVS; // in the previous frame's view space, of a surface at rest
+    vec3 normalVS;
+    vec2 px;
+    bool moved;
+};
+
+/// The pixel of the previous frame that shows `positionVS` of its view space; far outside if none does.
+vec2 previousPixel(vec3 positionVS) {
+    vec4 pixelH = frame.constants.prevViewToPixel * vec4(positionVS, 1.0);
+    return pixelH.w > 0.0 ? pixelH.xy / pixelH.w : vec2(-1e4);
+}
+
+/// The point at `uv` of the previous frame, in its view space.
+vec3 previousPosition(vec2 uv, float z) {
+    float scale = isOrthographic(frame.constants) ? 1.0 : z;
+    return vec3((uv * frame.constants.prevUvToView.xy + frame.constants.prevUvToView.zw) * scale, -z);
+}
+
+/// Change of UV by the cameras' jitter alone, which motion leaves out.
+vec2 jitterChange() {
+    vec4 nowH = frame.constants.viewToPixel * vec4(0.0, 0.0, -1.0, 1.0);
+    vec4 beforeH = frame.constants.prevViewToPixel * vec4(0.0, 0.0, -1.0, 1.0);
+    return beforeH.xy / beforeH.w * frame.constants.prevInvSize - nowH.xy / nowH.w * frame.constants.invSize;
+}
+
+PreviousPlace previousPlace(ivec2 px, float z) {
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    PreviousPlace before;
+    before.positionVS = (frame.constants.viewToPrevView * vec4(viewPosition(frame.constants, uv, z), 1.0)).xyz;
+    before.normalVS = mat3(frame.constants.viewToPrevView) * normalVS;
+    before.px = previousPixel(before.positionVS);
+    before.moved = false;
+    if ((frame.constants.flags & kInputMotion) != 0u) {
+        vec2 movedUV = uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale + jitterChange();
+        vec2 movedPX = movedUV * frame.constants.prevSize;
+        before.moved = distance(movedPX, before.px) > kMovedPX;
+        if (before.moved)
+            before.px = movedPX;
+    }
+    return before;
+}
+
+/// Where the surface at `px` was, as a displacement from where it is now: 0 at rest. Motion tells nothing of depth: the
+/// surface is taken to have moved at an even distance from the previous camera. Metres, this frame's view space.
+vec3 displacementVS(ivec2 px, float z) {
+    PreviousPlace before = previousPlace(px, z);
+    if (!before.moved)
+        return vec3(0.0);
+    vec3 wasVS = previousPosition(before.px * frame.constants.prevInvSize, -before.positionVS.z);
+    return transpose(mat3(frame.constants.viewToPrevView)) * (wasVS - before.positionVS);
+}
+
+#endif
