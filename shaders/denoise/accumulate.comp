@@ -44,7 +44,8 @@ struct Candidate {
     float fast;
     float speed;    // radians a frame by which what it shows turned the half vector
     float share;    // of the four texels that show this surface, [0, 1]
-    float residual; // angle between the normal there and the one that would mirror the ray's end to the eye
+    float residual; // angle between the normal there and those that would mirror to the eye what rays meet: the larger
+                    // one, of what this frame met and of what the history shows
 };
 
 const Candidate kNone = Candidate(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0.0);
@@ -57,9 +58,10 @@ struct Was {
     bool moved; // by motion: its depth is known roughly
 };
 
-float residualAt(Was was, vec3 position, vec3 normal) {
+/// Angle between this normal and the one that mirrors `end` to the eye.
+float residualAt(vec3 end, vec3 position, vec3 normal) {
     vec3 toEye = -viewDirection(frame.constants, position);
-    vec3 H = normalizeOr(toEye + normalizeOr(was.end - position, normal), normal);
+    vec3 H = normalizeOr(toEye + normalizeOr(end - position, normal), normal);
     return length(H - normal * dot(H, normal));
 }
 
@@ -116,7 +118,11 @@ Candidate lookUp(Was was, vec2 at) {
     if (settings.hitMotion != 0u)
         found.speed = texelFetch(speedBefore, clamp(ivec2(at), ivec2(0), ivec2(frame.constants.prevSize) - 1), 0).r;
     forgetOldLight(at, found);
-    found.residual = residualAt(was, was.moved ? was.position : positions / found.share, normalize(normals));
+    vec3 position = was.moved ? was.position : positions / found.share;
+    vec3 normal = normalize(normals);
+    // What the history shows may have been nearer or farther away than what this frame found.
+    vec3 shown = was.position + normalizeOr(was.end - was.position, was.normal) * endDistance(found.meta.w);
+    found.residual = max(residualAt(was.end, position, normal), residualAt(shown, position, normal));
     return found;
 }
 
@@ -163,26 +169,46 @@ float dominantFactor(float NoV, float perceptualRoughness) {
     return saturate(pow(1.0 - NoV, 10.8649) * (1.0 - a) + a);
 }
 
-Candidate best(ivec2 px, LobeSurface here, float near, HitMotion hits, out float frames) {
-    float distance = endDistance(near);
+/// The mirror image of a point on the ray, as far behind the surface as the lobe's middle shows it, and moved by the
+/// mirrored step. Nearer to the eye than the mirror image, the step is as much shorter.
+vec3 imageOf(LobeSurface here, float distance, vec3 stepVS) {
+    float NoV = clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0);
+    float shown = distance * dominantFactor(NoV, here.perceptualRoughness);
+    float toEye = isOrthographic(frame.constants) ? 0.0 : length(here.positionVS);
+    float shorter = toEye > 0.0 ? (toEye + shown) / (toEye + distance) : 1.0;
+    return here.positionVS - here.toEyeVS * shown + shorter * reflect(stepVS, here.normalVS);
+}
+
+vec2 imagePixelBefore(LobeSurface here, float near, vec3 stepVS) {
+    return previousPixel((frame.constants.viewToPrevView * vec4(imageOf(here, endDistance(near), stepVS), 1.0)).xyz);
+}
+
+/// Two nearnesses weighed by the light that they stand for.
+float joined(float near, float light, float near2, float light2) {
+    return light + light2 > 0.0 ? (near * light + near2 * light2) / (light + light2) : near;
+}
+
+Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hits, out float frames) {
     vec3 mirrored = reflect(-here.toEyeVS, here.normalVS);
     mat4 toBefore = frame.constants.viewToPrevView;
     PreviousPlace before = previousPlace(px, here.viewZ);
+    // A sample may miss what the mean shows, such as a small lamp before a wall: the history knows its distance.
+    ivec2 about = floorToInt(imagePixelBefore(here, near, hits.stepVS));
+    float tracked = near;
+    if (!before.moved && wasInFrame(about)) {
+        vec4 there = texelFetch(metaBefore, about, 0);
+        tracked = joined(near, light, there.w, there.x * there.y);
+    }
     Was was;
     was.position = before.positionVS;
     was.normal = before.normalVS;
-    was.end = (toBefore * vec4(here.positionVS + mirrored * distance + hits.stepVS, 1.0)).xyz;
+    was.end = (toBefore * vec4(here.positionVS + mirrored * endDistance(tracked) + hits.stepVS, 1.0)).xyz;
     was.moved = before.moved;
     Candidate onSurface = lookUp(was, before.px);
     frames = framesOf(onSurface, hits, here.perceptualRoughness);
     if (was.moved)
         return onSurface;
-    float amount = dominantFactor(clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0), here.perceptualRoughness);
-    vec3 imageVS = here.positionVS - here.toEyeVS * (distance * amount);
-    // The mirror's image of the step. Nearer to the eye than that image, it is as much shorter.
-    float toEye = isOrthographic(frame.constants) ? 0.0 : length(here.positionVS);
-    imageVS += reflect(hits.stepVS, here.normalVS) * (toEye > 0.0 ? (toEye + distance * amount) / (toEye + distance) : 1.0);
-    Candidate inMirror = lookUp(was, previousPixel((toBefore * vec4(imageVS, 1.0)).xyz));
+    Candidate inMirror = lookUp(was, imagePixelBefore(here, tracked, hits.stepVS));
     float mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
     if (mirrorFrames <= frames)
         return onSurface;
@@ -221,12 +247,13 @@ void main() {
     float meanSpeed = hits.speed;
     if (hasHistory && !isMirror(here.perceptualRoughness)) {
         float frames;
-        Candidate before = best(px, here, near, hits, frames);
+        Candidate before = best(px, here, learnt * brightness, near, hits, frames);
         frames = min(frames, settings.historyFrames - learnt);
         if (frames > 0.0) {
             float share = learnt / (learnt + frames);
             answer = mix(before.mean, answer, share);
-            moments = vec4(frames + learnt, mix(before.meta.yzw, moments.yzw, share));
+            near = joined(near, learnt * brightness, before.meta.w, frames * before.meta.y);
+            moments = vec4(frames + learnt, mix(before.meta.yz, moments.yz, share), near);
             float fastFrames = min(frames, settings.fastFrames - 1.0);
             fastMean = mix(before.fast, fastMean, learnt / max(learnt + fastFrames, 1e-6));
             meanSpeed = sqrt(mix(square(before.speed), square(meanSpeed), share));

@@ -18,7 +18,7 @@ layout(set = 0, binding = 3) uniform sampler2D noisy;     // weight * radiance, 
 layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.glsl
 layout(set = 0, binding = 7) uniform sampler2D rayRates;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
-/// 1 / metres to the ray's end; how much of a frame the answer counts for: 1 with an own ray; less where few of the
+/// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 with an own ray; less where few of the
 /// neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect.
 layout(set = 0, binding = 6, rg16f) uniform writeonly image2D reusedMeta;
 layout(set = 0, binding = 8) uniform usampler2D hitMotion; // denoise/gather.comp
@@ -91,13 +91,14 @@ Found foundAt(ivec2 px, SentRay sent) {
 
 struct Sums {
     vec4 answer;
-    float near;
+    float near;      // by weight
+    float lightNear; // by light
     vec4 motion; // steps, squares of their lengths
     float light;
     float weight;
 };
 
-const Sums kNoSums = Sums(vec4(0.0), 0.0, vec4(0.0), 0.0, 0.0);
+const Sums kNoSums = Sums(vec4(0.0), 0.0, 0.0, vec4(0.0), 0.0, 0.0);
 
 void add(inout Sums sums, Found found, float weight) {
     sums.answer += weight * found.answer;
@@ -105,11 +106,12 @@ void add(inout Sums sums, Found found, float weight) {
     float light = weight * luminance(found.answer.rgb);
     sums.motion += light * vec4(found.stepVS, dot(found.stepVS, found.stepVS));
     sums.light += light;
+    sums.lightNear += light * found.nearness;
     sums.weight += weight;
 }
 
 Sums scaled(Sums sums, float factor) {
-    return Sums(sums.answer * factor, sums.near * factor, sums.motion * factor, sums.light * factor,
+    return Sums(sums.answer * factor, sums.near * factor, sums.lightNear * factor, sums.motion * factor, sums.light * factor,
                 sums.weight * factor);
 }
 
@@ -184,7 +186,7 @@ void main() {
         }
         if (sums.weight > 0.0) {
             answer = sums.answer / sums.weight;
-            near = sums.near / sums.weight;
+            near = sums.light > 0.0 ? sums.lightNear / sums.light : sums.near / sums.weight;
             motion = sums.motion / max(sums.light, 1e-20);
         }
         // Over frames a ratio of sums then, and no mean of ratios: those of small sums are wrong (rough.md).

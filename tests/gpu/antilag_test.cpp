@@ -119,11 +119,15 @@ TEST_F(AntilagTest, constantLightIsNotForgotten) {
         const auto same = [&](uint32_t) { return lit_; };
         play(Antilag::Off, same, 12, 0, step);
         const std::vector<Picture> off = std::move(pictures_);
-        for (const Antilag antilag : {Antilag::Gradient, Antilag::Mean}) {
-            play(antilag, same, 12, 0, step);
-            for (size_t i = 0; i < off.size(); ++i)
-                EXPECT_EQ(pictures_[i].composite, off[i].composite) << i << ", step " << step;
-        }
+        play(Antilag::Gradient, same, 12, 0, step);
+        for (size_t i = 0; i < off.size(); ++i)
+            EXPECT_EQ(pictures_[i].composite, off[i].composite) << i << ", step " << step;
+        // Means are compared by their noise: in motion a region may pass four standard deviations by chance, by little.
+        const float most = step == 0 ? 0 : 0.005f;
+        play(Antilag::Mean, same, 12, 0, step);
+        for (size_t i = 0; i < off.size(); ++i)
+            for (size_t k = 0; k < off[i].composite.size(); ++k)
+                ASSERT_NEAR(pictures_[i].composite[k], off[i].composite[k], most) << i << ", step " << step;
     }
 }
 

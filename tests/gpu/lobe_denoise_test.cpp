@@ -198,6 +198,26 @@ TEST_F(LobeDenoiseTest, aMovingCameraKeepsItsHistory) {
     }
 }
 
+TEST_F(LobeDenoiseTest, aThinLampBeforeAWallKeepsItsPlaceInMotion) {
+    // Most rays miss the lamp, most light comes from it. Taken to be as far as the wall, its image would smear.
+    const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
+        Stage stage = floorAndWall();
+        stage.floorRoughness = 0.1f;
+        stage.cards.push_back({.low = {-0.1, 0.1}, .high = {0.1, 2}, .z = -1});
+        auto hit = stage(origin, direction);
+        if (hit && hit->f0.x == 0)
+            hit->radiance = glm::vec3(hit->distance * direction.z + origin.z > -2 ? 20.0f : 0.1f);
+        return hit;
+    };
+    Settings settings = denoised();
+    settings.denoise.maxRadius = 0;
+    const Picture rested = play(settings, scene, 64);
+    const Picture moved = play(settings, scene, 16, 0.04);
+    // With distances not weighed by light: 1.70 and 1.72.
+    EXPECT_LT(difference(moved, rested), 1.45);
+    EXPECT_LT(sumOf(moved) / sumOf(rested), 1.5);
+}
+
 TEST_F(LobeDenoiseTest, whatWasHiddenHasNoHistory) {
     // A card before the floor moves away: the floor that it hid is new. Pixels count their frames.
     const auto withCard = [](double x) -> SyntheticScene {
