@@ -18,8 +18,8 @@ layout(set = 0, binding = 3) uniform sampler2D noisy;     // weight * radiance, 
 layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.glsl
 layout(set = 0, binding = 7) uniform sampler2D rayRates;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
-/// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 with an own ray; less where few of the
-/// neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect.
+/// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 with an own ray; less
+/// where few of the neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect.
 layout(set = 0, binding = 6, rg16f) uniform writeonly image2D reusedMeta;
 layout(set = 0, binding = 8) uniform usampler2D hitMotion; // denoise/gather.comp
 /// How what the rays met has moved: mean displacement, view space; root mean square of its length; both weighed by the

@@ -3,6 +3,8 @@
 #ifndef GLINT_RAYS_HIT_MOTION_GLSL
 #define GLINT_RAYS_HIT_MOTION_GLSL
 
+#include "lib/ray_start.glsl"
+
 layout(scalar, set = 0, binding = 26) readonly buffer InstancesBeforeBlock {
     SurfaceInstanceRecord item[];
 }
@@ -25,8 +27,10 @@ vec3 hitStepWS(Hit hit, vec3 hitWS) {
     if (deforms)
         positions = mesh.previousPositions;
     vec4 was = vec4(interpolate3(positions, triangle, weightsOf(hit.barycentrics), vec3(0.0)), 1.0);
-    return vec3(dot(before.localToWorld[0], was), dot(before.localToWorld[1], was), dot(before.localToWorld[2], was)) -
-           hitWS;
+    vec3 wasWS =
+        vec3(dot(before.localToWorld[0], was), dot(before.localToWorld[1], was), dot(before.localToWorld[2], was));
+    // Rounding is no movement, of a deforming mesh that rests.
+    return distance(wasWS, hitWS) > hitUncertainty(hitWS) ? wasWS - hitWS : vec3(0.0);
 }
 
 #endif

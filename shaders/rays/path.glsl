@@ -45,8 +45,8 @@ struct Path {
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
     PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
     Ray ray = viewRay(originWS, directionWS);
-    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir,
-                isOn(kRaysTransparents) ? settings.transparents : 0u);
+    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, vec3(1.0), ray, kNoVertex,
+                0.0, cone, spread, regularization, kAir, isOn(kRaysTransparents) ? settings.transparents : 0u);
 }
 
 /// `share`, `spread`: of regularized(). `emissionWeight`: fraction of the emission that the path counts.

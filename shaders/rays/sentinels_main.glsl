@@ -196,12 +196,14 @@ void main() {
             sentinel = followed(sentinel, tile);
         if (starts) {
             keep(sentinel, tile, kFresh);
-        } else if (exists(sentinel) && !seesMotion(then, sentinel)) {
+        } else if (exists(sentinel)) {
+            bool counts = !seesMotion(then, sentinel);
             vec2 apart = changeBetween(radianceOf(then), radianceOf(sentinel));
             // A witness is no random sample: the older, the rarer what it saw is among those that start here. (One over
             // its age would be that share, but then small lights come back late: docs/measurements/motion.md.)
-            sum += i == 0 ? apart * inversesqrt(float(1u + ageOf(sentinel))) : apart;
-            bool changed = apart.x > kChanged * apart.y;
+            if (counts)
+                sum += i == 0 ? apart * inversesqrt(float(1u + ageOf(sentinel))) : apart;
+            bool changed = counts && apart.x > kChanged * apart.y;
             if (changed)
                 witness = aged(sentinel, 0u);
             else if (i == 0 && ageOf(sentinel) < kLongestAge)
