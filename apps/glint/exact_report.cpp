@@ -15,6 +15,7 @@ nlohmann::ordered_json exactJson(const measure::MirrorError& error) {
             {"oneBouncePixels", error.oneBouncePixels},
             {"oneBounceWrong", error.oneBounceWrong},
             {"oneBounceWrongShare", error.oneBounceShare()},
+            {"oneBounceWrongInFrameShare", error.inFrameShare()},
             {"byBounces", byBounces}};
 }
 

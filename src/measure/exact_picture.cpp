@@ -28,6 +28,52 @@ float srgb(float linear) {
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f; // IEC 61966-2-1
 }
 
+/// Camera rays through the pixels of a picture, and the pixels that points fall into.
+class PictureRays {
+public:
+    PictureRays(const glm::mat4& worldToClip, uint32_t width, uint32_t height)
+        : worldToClip_(worldToClip), clipToWorld_(glm::inverse(worldToClip_)), size_(width, height) {}
+
+    struct Ray {
+        glm::dvec3 originWS; ///< on the near plane
+        glm::dvec3 directionWS;
+    };
+
+    /// `pixel`: from the top left, centres at .5.
+    Ray through(const glm::dvec2& pixel) const {
+        const glm::dvec2 ndc(pixel.x / size_.x * 2 - 1, 1 - pixel.y / size_.y * 2);
+        const glm::dvec3 origin = unproject(ndc, 1); // reversed depth
+        return {origin, glm::normalize(unproject(ndc, 0.5) - origin)};
+    }
+
+    /// Nothing where the camera does not look.
+    std::optional<glm::dvec2> pixelOf(const glm::dvec3& positionWS) const {
+        const glm::dvec4 clip = worldToClip_ * glm::dvec4(positionWS, 1);
+        const glm::dvec2 pixel = glm::dvec2(clip.x / clip.w + 1, 1 - clip.y / clip.w) * 0.5 * size_;
+        const bool inside =
+            clip.w > 0 && clip.z <= clip.w && pixel.x >= 0 && pixel.y >= 0 && pixel.x < size_.x && pixel.y < size_.y;
+        return inside ? std::optional(pixel) : std::nullopt;
+    }
+
+private:
+    glm::dvec3 unproject(const glm::dvec2& ndc, double depth) const {
+        const glm::dvec4 point = clipToWorld_ * glm::dvec4(ndc, depth, 1);
+        return glm::dvec3(point) / point.w;
+    }
+
+    glm::dmat4 worldToClip_;
+    glm::dmat4 clipToWorld_;
+    glm::dvec2 size_;
+};
+
+/// Whether the camera's first hit along its ray to `positionWS` is there.
+bool isSeen(const RayOracle& oracle, const PictureRays& rays, const glm::dvec2& pixel, const glm::dvec3& positionWS) {
+    const PictureRays::Ray ray = rays.through(pixel);
+    const double distance = glm::length(positionWS - ray.originWS);
+    const std::optional<OracleHit> hit = oracle.trace(ray.originWS, ray.directionWS, 0);
+    return hit && hit->distance > distance - 1e-3 * (1 + distance);
+}
+
 /// Largest difference of the channels' sRGB values, [0, 1].
 float srgbDifference(const glm::vec3& a, const glm::vec3& b) {
     float largest = 0;
@@ -52,26 +98,24 @@ Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& 
     ExactPicture picture;
     picture.width = width;
     picture.height = height;
-    const glm::dmat4 clipToWorld = glm::inverse(glm::dmat4(worldToClip));
-    const auto unproject = [&](double x, double y, double depth) {
-        const glm::dvec4 point = clipToWorld * glm::dvec4(x, y, depth, 1);
-        return glm::dvec3(point) / point.w;
-    };
+    const PictureRays rays(worldToClip, width, height);
+    std::vector<std::optional<glm::dvec2>> ends; // of paths of one bounce, in pixels, where the camera sees them
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
-            const double ndcX = (x + 0.5) / width * 2 - 1;
-            const double ndcY = 1 - (y + 0.5) / height * 2;
-            glm::dvec3 origin = unproject(ndcX, ndcY, 1); // reversed depth: on the near plane
-            glm::dvec3 direction = glm::normalize(unproject(ndcX, ndcY, 0.5) - origin);
+            auto [origin, direction] = rays.through(glm::dvec2(x, y) + 0.5);
             glm::vec3 radiance(0);
             uint8_t bounces = 0;
             double minDistance = 0;
+            std::optional<glm::dvec2> end;
             for (;;) {
                 const std::optional<OracleHit> hit = oracle.trace(origin, direction, minDistance);
                 if (!hit)
                     break;
                 if (kinds[static_cast<size_t>(hit->material)] == Kind::Emission) {
                     radiance = scene.materials[static_cast<size_t>(hit->material)].emissiveFactor;
+                    end = bounces == 1 ? rays.pixelOf(hit->positionWS) : std::nullopt;
+                    if (end && !isSeen(oracle, rays, *end, hit->positionWS))
+                        end.reset();
                     break;
                 }
                 if (bounces == maxBounces)
@@ -85,7 +129,12 @@ Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& 
             picture.radiance.push_back(radiance);
             picture.withoutMirrors.push_back(bounces == 0 ? radiance : glm::vec3(0));
             picture.bounces.push_back(bounces);
+            ends.push_back(end);
         }
+    for (const std::optional<glm::dvec2>& end : ends)
+        picture.readInFrame.push_back(
+            end ? picture.withoutMirrors[static_cast<size_t>(end->y) * width + static_cast<size_t>(end->x)]
+                : glm::vec3(0));
     return picture;
 }
 
@@ -108,6 +157,7 @@ MirrorError compareMirrors(const ExactPicture& exact, std::span<const float> rgb
         if (exact.bounces[i] == 1) {
             ++error.oneBouncePixels;
             error.oneBounceWrong += wrong;
+            error.oneBounceWrongInFrame += srgbDifference(exact.radiance[i], exact.readInFrame[i]) > kWrong;
         }
     }
     return error;

@@ -15,6 +15,10 @@ struct ExactPicture {
     std::vector<glm::vec3> radiance;       ///< linear, at pixel centres
     std::vector<glm::vec3> withoutMirrors; ///< as `radiance`, with black mirrors
     std::vector<uint8_t> bounces;          ///< mirrors hit before the end of the path; 0: no mirror
+    /// For paths of one bounce that end on a surface: what the camera's picture without mirrors shows at the path's
+    /// end, in the pixel into which it falls; black where the end is hidden or outside of the picture, and for other
+    /// paths. Screen space cannot do better for a single ray, except by guessing what the picture does not show.
+    std::vector<glm::vec3> readInFrame;
 };
 
 /// `worldToClip` is the renderer's own matrix (reversed depth), so that pixel centres and the near plane agree. The
@@ -29,6 +33,7 @@ struct MirrorError {
     uint64_t wrongPixels = 0;     ///< of mirrorPixels: a channel of the sRGB value is off by more than 24/255
     uint64_t oneBouncePixels = 0; ///< of mirrorPixels: one bounce reaches the end of the path
     uint64_t oneBounceWrong = 0;
+    uint64_t oneBounceWrongInFrame = 0; ///< of oneBouncePixels: ExactPicture::readInFrame is wrong in the same sense
     /// By the number of bounces of a path, from one on.
     struct ByBounces {
         uint64_t pixels = 0;
@@ -37,6 +42,9 @@ struct MirrorError {
     std::vector<ByBounces> byBounces;
     double share() const { return mirrorPixels ? double(wrongPixels) / double(mirrorPixels) : 0; }
     double oneBounceShare() const { return oneBouncePixels ? double(oneBounceWrong) / double(oneBouncePixels) : 0; }
+    double inFrameShare() const {
+        return oneBouncePixels ? double(oneBounceWrongInFrame) / double(oneBouncePixels) : 0;
+    }
 };
 
 /// `rgba`: linear radiance, four floats per pixel, of the exact picture's size.

@@ -96,14 +96,19 @@ TEST_F(ScenesTest, surfacesBehindOccludersAreInferredFromEveryCamera) {
     };
     for (const Share& expected : {Share{"front", 0.031}, {"left", 0.036}, {"low", 0.0175}, {"high", 0.051}}) {
         double shares[2] = {};
+        double inFrame = 0;
         for (int inferred = 0; inferred < 2; ++inferred) {
             render::RenderJob job = makeJob("builtin:exact", 640, 360, {"composite"},
                                             {"fade.border=none", fmt::format("screen.inferred={}", inferred)});
             job.camera = expected.camera;
-            shares[inferred] = must(measure::measureExact(job, run(job))).oneBounceShare();
+            const measure::MirrorError error = must(measure::measureExact(job, run(job)));
+            shares[inferred] = error.oneBounceShare();
+            inFrame = error.inFrameShare();
         }
         EXPECT_LE(shares[1], expected.most) << expected.camera;
         EXPECT_LT(shares[1], shares[0]) << expected.camera;
+        // Measured 3.9, 4.3, 1.7, 11.3 %: reading the frame at each exact hit is no better.
+        EXPECT_LT(shares[1], inFrame + 0.0005) << expected.camera;
     }
 }
 
