@@ -137,13 +137,9 @@ vec3 physical(vec3 lit, vec3 fallback, Share front, Share second) {
 }
 
 vec3 lerpedSurface(Share share) {
-    vec3 fresnel = F_Schlick(share.f0, 1.0, share.NoV);
-    vec3 m = clamp(falloff(settings, settings.fresnel != 0u ? fresnel : share.f0), 0.0, 1.0);
-    vec3 color = share.reflection.rgb;
-    if (settings.fresnel == 0u) // as Babylon.js: without it in the factor, the colour itself takes the Fresnel term
-        color *= fresnel;
-    color = clamp(color, 0.0, 1000.0) + (1.0 - share.reflection.a) * share.lit;
-    return maxComponent(share.f0) > 0.0 ? share.lit * (1.0 - m) + color * m : share.lit;
+    if (maxComponent(share.f0) <= 0.0)
+        return share.lit;
+    return lerpedReflection(settings, share.lit, share.reflection, share.f0, 1.0, share.NoV);
 }
 
 vec3 lerped(vec3 lit, Share front, Share second) {

@@ -2,6 +2,7 @@
 #ifndef GLINT_LIB_USER_RESPONSE_GLSL
 #define GLINT_LIB_USER_RESPONSE_GLSL
 
+#include "lib/brdf.glsl"
 #include "lib/math.glsl"
 #include "shared/trace_constants.h"
 
@@ -23,6 +24,19 @@ Response userResponse(CompositeConstants settings, vec3 full) {
         return Response(full, vec3(1.0));
     vec3 given = falloff(settings, full);
     return Response(given, min(given / max(full, vec3(1e-6)), vec3(1.0)));
+}
+
+/// The surface with its reflection by composite.model lerp, as Babylon.js: by reflectance between what the surface shows
+/// without (`lit`) and the reflected radiance. `reflection`: weighted radiance, total weight; the remaining weight takes
+/// `lit`.
+vec3 lerpedReflection(CompositeConstants settings, vec3 lit, vec4 reflection, vec3 f0, float f90, float NoV) {
+    vec3 fresnel = F_Schlick(f0, f90, NoV);
+    vec3 m = clamp(falloff(settings, settings.fresnel != 0u ? fresnel : f0), 0.0, 1.0);
+    vec3 color = reflection.rgb;
+    if (settings.fresnel == 0u) // without it in the factor, the colour itself takes the Fresnel term
+        color *= fresnel;
+    color = clamp(color, 0.0, 1000.0) + (1.0 - reflection.a) * lit;
+    return lit * (1.0 - m) + color * m;
 }
 
 #endif

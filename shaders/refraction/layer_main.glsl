@@ -537,12 +537,20 @@ vec3 layered(LayerSurface s, ivec2 px) {
     vec3 result = pictureAt(px) * (1.0 - coverage) + linearColor(radiance.rgb, encoded);
     vec3 response = surfaceResponse(s);
     float reflectance = saturate(maxComponent(response));
-    vec3 through = sanitize(tint.rgb) * (1.0 - reflectance);
+    CompositeConstants composited = frame.settings.composite;
+    bool lerps = composited.model != 0u; // transmitted light is a part of what the reflection is lerped over
+    vec3 through = sanitize(tint.rgb) * (lerps ? 1.0 : 1.0 - reflectance);
     bool reflects = layerHas(kLayerReflects) && maxComponent(s.here.f0) > 0.0 && tint.a > 0.0;
     Light light = followRays(s, px, reflectance, maxComponent(through) > 0.0, reflects);
     result += through * light.transmitted;
-    if (reflects) {
-        Response given = userResponse(frame.settings.composite, response);
+    if (reflects && lerps) {
+        vec4 reflection = vec4(light.reflected, light.reflectedWeight);
+        float NoV = clamp(dot(s.here.normalVS, s.toEyeVS), 0.0, 1.0);
+        float f90 = edgeReflectance(maxComponent(s.here.f0));
+        vec3 lerped = lerpedReflection(composited, result, reflection, s.here.f0, f90, NoV);
+        result = mix(result, lerped, saturate(tint.a));
+    } else if (reflects) {
+        Response given = userResponse(composited, response);
         if (layerHas(kLayerFallback))
             result -= light.reflectedWeight * given.taken * linearColor(texelFetch(layerFallback, px, 0).rgb, encoded);
         result += light.reflected * given.value * saturate(tint.a);
