@@ -124,6 +124,9 @@ struct GBuffer {
     /// Optional: depth of the nearest surfaces that face away from the camera, drawn with the same camera and stored
     /// like `depth`, in any size. With screen.thicknessMode backface each surface extends back to this depth.
     HostImage backDepth;
+    /// Optional: depth of the nearest transparent surfaces, drawn with the same camera and stored like `depth`, with
+    /// one sample per pixel; background depth where there are none. With screen.transparents, screen rays end there.
+    HostImage transparentDepth;
     Conventions conventions;
 };
 

@@ -316,6 +316,7 @@ typedef struct GlintGBuffer {
     const GlintImage* motion;
     const GlintImage* backDepth;
     const GlintConventions* conventions;
+    const GlintImage* transparentDepth;
 } GlintGBuffer;
 
 GLINT_API void glint_gbuffer_init(GlintGBuffer* gbuffer, uint32_t size);

@@ -75,6 +75,10 @@
     SETTING(bool, backfaceTransparents, true, "", "",                                                                  \
         "Treat transparent surfaces as solid in back-face depth",                                                      \
         "babylon:backfaceForceDepthWriteTransparentMeshes")                                                            \
+    SETTING(bool, transparents, false, "", "",                                                                         \
+        "Screen rays end at transparent surfaces (GBuffer::transparentDepth), with colours of the previous frame; off: "  \
+        "rays pass through them",                                                                                      \
+        "")                                                                                                            \
     SETTING(float, resolutionScale, 1, "[0.1, 1]", "",                                                                 \
         "Width and height of the traced image relative to the frame; the G-buffer keeps full resolution",              \
         "babylon:ssrDownsample=1/(n+1) compute-ssr:resolutionScale",                                                   \

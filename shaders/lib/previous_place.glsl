@@ -35,15 +35,15 @@ vec2 jitterChange() {
     return beforeH.xy / beforeH.w * frame.constants.prevInvSize - nowH.xy / nowH.w * frame.constants.invSize;
 }
 
-PreviousPlace previousPlace(ivec2 px, float z) {
+/// Of a surface at `px`: at rest or, if `moves`, with the motion that the host gives there.
+PreviousPlace previousPlace(ivec2 px, float z, vec3 normalVS, bool moves) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
-    vec3 normalVS = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
     PreviousPlace before;
     before.positionVS = (frame.constants.viewToPrevView * vec4(viewPosition(frame.constants, uv, z), 1.0)).xyz;
     before.normalVS = mat3(frame.constants.viewToPrevView) * normalVS;
     before.px = previousPixel(before.positionVS);
     before.moved = false;
-    if ((frame.constants.flags & kInputMotion) != 0u) {
+    if (moves && (frame.constants.flags & kInputMotion) != 0u) {
         vec2 movedUV = uv + texelFetch(motion, px, 0).rg * frame.constants.motionScale + jitterChange();
         vec2 movedPX = movedUV * frame.constants.prevSize;
         before.moved = distance(movedPX, before.px) > kMovedPX;
@@ -51,6 +51,11 @@ PreviousPlace previousPlace(ivec2 px, float z) {
             before.px = movedPX;
     }
     return before;
+}
+
+/// Of the surface that the frame shows at `px`.
+PreviousPlace previousPlace(ivec2 px, float z) {
+    return previousPlace(px, z, unpackSurface(texelFetch(surface, px, 0).xy).normalVS, true);
 }
 
 /// Where the surface at `px` was, as a displacement from where it is now: 0 at rest. Motion tells nothing of depth: the

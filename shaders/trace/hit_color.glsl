@@ -9,6 +9,7 @@
 #include "lib/input_color.glsl"
 #include "lib/math.glsl"
 #include "lib/surface.glsl"
+#include "trace/met_surface.glsl"
 
 layout(set = 0, binding = 3) uniform sampler2D litRadiance;
 layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame's colour
@@ -27,9 +28,11 @@ float samePlaceSlack(vec2 pixel, float viewZ) {
     return kSamePlace * viewZ + 0.25 * pixel.y;
 }
 
-/// True if the previous frame's texel shows the surface of `before`.
+/// True if the previous frame's texel shows the surface of `before`. Of transparent surfaces only what hid them is known.
 bool showedIt(PreviousPlace before, ivec2 texel) {
     float z = texelFetch(prevViewZ, texel, 0).r;
+    if (kAmongTransparents)
+        return z >= -before.positionVS.z;
     if (z >= kBackgroundZ)
         return false;
     float expectedZ = -before.positionVS.z;
@@ -43,10 +46,11 @@ bool showedIt(PreviousPlace before, ivec2 texel) {
 /// the previous frame did not show the surface.
 bool previousRadiance(ivec2 px, out vec3 radiance) {
     radiance = vec3(0.0);
-    float z = texelFetch(viewZ, px, 0).r;
+    float z = texelFetch(metViewZ, px, 0).r;
     if (z >= kBackgroundZ)
         return false;
-    PreviousPlace before = previousPlace(px, z);
+    vec3 normalVS = unpackSurface(texelFetch(metSurface, px, 0).xy).normalVS;
+    PreviousPlace before = previousPlace(px, z, normalVS, !kAmongTransparents);
     bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.prevSize));
     if (!onScreen)
         return false;
@@ -101,7 +105,7 @@ vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
 /// texel.
 vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     ivec2 at = floorToInt(px);
-    Surface met = unpackSurface(texelFetch(surface, at, 0).xy);
+    Surface met = unpackSurface(texelFetch(metSurface, at, 0).xy);
     vec3 nearest = shownRadiance(at, met.perceptualRoughness);
 #ifdef GLINT_ONE_TEXEL_A_HIT
     return nearest;
@@ -109,7 +113,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 normalVS = met.normalVS;
     if (!isMagnified(hitVS, normalVS, originVS))
         return nearest;
-    float z = texelFetch(viewZ, at, 0).r;
+    float z = texelFetch(metViewZ, at, 0).r;
     ++lookups;
     vec3 texelVS = viewPosition(frame.constants, (vec2(at) + 0.5) * frame.constants.invSize, z);
     const float kLike = 0.9; // 25 degrees
@@ -126,12 +130,12 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
             sum += weight * vec4(nearest, 1.0);
             continue;
         }
-        float texelZ = texelFetch(viewZ, texel, 0).r;
+        float texelZ = texelFetch(metViewZ, texel, 0).r;
         ++lookups;
         vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
         bool same = texelZ < kBackgroundZ &&
                     abs(dot(normalVS, viewPosition(frame.constants, uv, texelZ) - texelVS)) <= offPlane &&
-                    dot(normalVS, unpackSurface(texelFetch(surface, texel, 0).xy).normalVS) > kLike;
+                    dot(normalVS, unpackSurface(texelFetch(metSurface, texel, 0).xy).normalVS) > kLike;
         if (same)
             sum += weight * vec4(shownRadiance(texel, met.perceptualRoughness), 1.0);
     }

@@ -41,7 +41,7 @@ Sample takeSample(ScreenRay ray, ivec2 px, float share, inout uint lookups) {
     s.share = share;
     s.px = clamp(ray.startPX + ray.deltaPX * share, vec2(px), vec2(px) + 0.999);
     s.rayZ = rayViewZ(ray, share);
-    s.sceneZ = texelFetch(viewZ, px, 0).r;
+    s.sceneZ = texelFetch(metViewZ, px, 0).r;
     ++lookups;
     logSample(ray, share, s.px, s.rayZ, s.sceneZ);
     return s;
@@ -80,7 +80,7 @@ bool facesRay(vec3 hitNormalVS, bool own, Ray ray) {
 }
 
 vec3 normalAt(vec2 px) {
-    return unpackSurface(texelFetch(surface, floorToInt(px), 0).xy).normalVS;
+    return unpackSurface(texelFetch(metSurface, floorToInt(px), 0).xy).normalVS;
 }
 
 const uint kPasses = 0u;      // far behind the surface
@@ -98,7 +98,7 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 norma
     vec2 at = ray.startPX + ray.deltaPX * share;
     ivec2 there = floorToInt(at);
     if (there != px && onScreen(at)) {
-        float sceneZ = texelFetch(viewZ, there, 0).r;
+        float sceneZ = texelFetch(metViewZ, there, 0).r;
         ++lookups;
         logPlace(ray, share, at, rayViewZ(ray, share), sceneZ);
         vec3 thereVS = viewPosition(frame.constants, (vec2(there) + 0.5) * frame.constants.invSize, sceneZ);
@@ -134,7 +134,7 @@ bool endsAsRim(ivec2 px, vec3 normalVS, vec3 surfaceVS, float metZ, inout uint l
     bool beside = metZ <= -surfaceVS.z || nearnessOf(frame.constants, metZ) >= here - min(away, edge);
     if (beside || !onScreen(vec2(next)))
         return false;
-    float nextZ = texelFetch(viewZ, next, 0).r;
+    float nextZ = texelFetch(metViewZ, next, 0).r;
     ++lookups;
     float shown = nearnessOf(frame.constants, nextZ);
     bool onPlane = nextZ < kBackgroundZ && abs(shown - (here - away)) <= edge;

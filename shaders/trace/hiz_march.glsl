@@ -278,7 +278,7 @@ March march(Ray r) {
     result.share = endShare;
     if (endShare >= 1.0) { // the ray ends on screen
         vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
-        float sceneZ = texelFetch(viewZ, floorToInt(endPX), 0).r;
+        float sceneZ = texelFetch(metViewZ, floorToInt(endPX), 0).r;
         ++result.lookups;
         logSample(ray, 1.0, endPX, rayViewZ(ray, 1.0), sceneZ);
         result.outcome = endedOnScreen(ray, sceneZ, rayViewZ(ray, 1.0) >= sceneZ, nearlyThickEnough);

@@ -63,7 +63,7 @@ uint compare(ShownPlane plane, vec2 px, float sceneZ) {
 uint lookBeside(Ray r, ShownPlane plane, Sample crossing, vec2 px, inout uint lookups) {
     if (!onScreen(px))
         return kOffScreen;
-    float sceneZ = texelFetch(viewZ, floorToInt(px), 0).r;
+    float sceneZ = texelFetch(metViewZ, floorToInt(px), 0).r;
     ++lookups;
     logBeside(r.screen, crossing.share, px, crossing.rayZ, sceneZ);
     return compare(plane, px, sceneZ);

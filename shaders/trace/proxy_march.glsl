@@ -83,7 +83,7 @@ March march(Ray r) {
         result.outcome = kOutcomeOffScreen;
         return result;
     }
-    Sample s = Sample(result.share, endPX, rayViewZ(ray, result.share), texelFetch(viewZ, ivec2(endPX), 0).r);
+    Sample s = Sample(result.share, endPX, rayViewZ(ray, result.share), texelFetch(metViewZ, ivec2(endPX), 0).r);
     result.lookups = 1u;
     logSample(ray, s.share, s.px, s.rayZ, s.sceneZ);
     result.hitPX = endPX;

@@ -7,6 +7,7 @@
 #include "lib/surface.glsl"
 #include "shared/outcome.h"
 #include "shared/trace_constants.h"
+#include "trace/met_surface.glsl"
 
 layout(set = 0, binding = 11) uniform sampler2D backViewZ;
 #ifdef GLINT_REFRACTION

@@ -22,6 +22,7 @@
 #include "trace/hit_color.glsl"
 #include "trace/infer.glsl"
 #include "trace/ray_inputs.glsl"
+#define GLINT_READ_TRACED
 #include "trace/traced.glsl"
 
 layout(local_size_x = 64) in; // kRaysPerGroup
@@ -48,7 +49,7 @@ float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float percept
     if (end.outcome == kOutcomeInferred)
         weight *= logFade(kLoggedInferred, settings.inferredWeight);
     if (isOn(kFadeBackface)) {
-        vec3 hitNormalVS = unpackSurface(texelFetch(surface, ivec2(end.hitPX), 0).xy).normalVS;
+        vec3 hitNormalVS = unpackSurface(texelFetch(metSurface, ivec2(end.hitPX), 0).xy).normalVS;
         weight *= logFade(kLoggedBackface, fadeBackface(dot(hitNormalVS, -ray.directionVS)));
     }
     return weight;
@@ -58,6 +59,22 @@ vec3 jitter(vec3 directionVS, ivec2 px, Surface origin) {
     vec3 noise = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed) - 0.5;
     vec3 jittered = normalize(directionVS + noise * origin.perceptualRoughness * settings.roughnessFactor);
     return dot(jittered, origin.normalVS) > 0.0 ? jittered : directionVS;
+}
+
+/// The picture does not show where a ray enters an unseen side of a transparent body. So much of the answer is what the
+/// picture shows beside, the rest what lies behind the body. More would go around in circles where a pane meets a
+/// mirror: the pane shows the mirror, which shows the pane.
+const float kUnseenSide = 0.5;
+
+/// True if a hit on a transparent surface comes before what the ray met among the frame's surfaces, and the previous
+/// frame showed it. Adds to `record` that march's lookups.
+bool meetsFirst(ivec2 tracePX, inout RayRecord record, inout March end, out vec3 radiance) {
+    RayRecord solid = unpackRayRecord(imageLoad(rayRecord, tracePX).xy);
+    end.lookups += solid.lookups;
+    record.passedBehind = record.passedBehind || solid.passedBehind;
+    radiance = vec3(0.0);
+    bool nearer = !isAnswered(solid.outcome) || record.hitDistance < solid.hitDistance;
+    return nearer && hasHistory(frame.constants) && previousRadiance(floorToInt(end.hitPX), radiance);
 }
 
 void main() {
@@ -84,7 +101,7 @@ void main() {
         ray.directionVS = jitter(ray.directionVS, px, origin);
     ray.screen = makeScreenRay(frame.constants, ray.originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);
-    if (!isAnswered(end.outcome) && firstBehind < end.share && settings.inferredWeight > 0.0)
+    if (!kAmongTransparents && !isAnswered(end.outcome) && firstBehind < end.share && settings.inferredWeight > 0.0)
         inferCrossing(ray, end);
 
     bool hit = isAnswered(end.outcome);
@@ -96,11 +113,16 @@ void main() {
     record.passedBehind = passedBehind;
 
     vec4 answer = vec4(0.0);
+    if (kAmongTransparents && !(hit && meetsFirst(tracePX, record, end, answer.rgb)))
+        return; // the answer of the march among the frame's surfaces remains
     if (hit) {
         float VoR = dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS);
-        answer.rgb = hitRadiance(end.hitPX, ray.originVS, ray.originVS + ray.directionVS * record.hitDistance, end.lookups);
+        if (!kAmongTransparents)
+            answer.rgb = hitRadiance(end.hitPX, ray.originVS, ray.originVS + ray.directionVS * record.hitDistance, end.lookups);
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
+    if (kAmongTransparents && end.outcome == kOutcomeSide)
+        answer = mix(loadTraced(tracePX), answer, kUnseenSide);
     record.lookups = end.lookups;
     storeTraced(tracePX, answer.rgb, answer.a, record);
     logRay(ray, end, endPX, record, hit, answer);

@@ -7,9 +7,21 @@
 #include "lib/ray_record.glsl"
 
 // Radiance, not multiplied by weight. screen.targetFormat selects one of the two images; the other is a single texel.
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D radianceWeight;
-layout(set = 0, binding = 9, rgba8) uniform writeonly image2D radianceWeight8;
-layout(set = 0, binding = 5, rg32ui) uniform writeonly uimage2D rayRecord;
+#ifdef GLINT_READ_TRACED
+#define GLINT_TRACED_ACCESS
+#else
+#define GLINT_TRACED_ACCESS writeonly
+#endif
+layout(set = 0, binding = 4, rgba16f) uniform GLINT_TRACED_ACCESS image2D radianceWeight;
+layout(set = 0, binding = 9, rgba8) uniform GLINT_TRACED_ACCESS image2D radianceWeight8;
+layout(set = 0, binding = 5, rg32ui) uniform GLINT_TRACED_ACCESS uimage2D rayRecord;
+
+#ifdef GLINT_READ_TRACED
+vec4 loadTraced(ivec2 tracePX) {
+    bool eightBits = (frame.constants.flags & kTraceTarget8) != 0u;
+    return eightBits ? imageLoad(radianceWeight8, tracePX) : imageLoad(radianceWeight, tracePX);
+}
+#endif
 
 void storeTraced(ivec2 tracePX, vec3 radiance, float weight, RayRecord record) {
     if ((frame.constants.flags & kTraceTarget8) != 0u)

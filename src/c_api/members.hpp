@@ -155,6 +155,7 @@ void members(Visitor& visitor, GlintGBuffer& c, GBuffer& cpp) {
     GLINT_PAIR(fallbackSpecular)
     GLINT_PAIR(motion)
     GLINT_PAIR(backDepth)
+    GLINT_PAIR(transparentDepth)
     GLINT_PAIR(conventions)
 }
 

@@ -3,6 +3,7 @@
 #include "reflect/input_checks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace glint::reflect {
 
@@ -11,6 +12,7 @@ namespace glint::reflect {
 void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     const Settings& settings = stages_.settings();
     clear(frame);
+    previousHasLayers_ = std::exchange(hasLayers_, false);
     if (view.cut)
         forgetFrames(HistoryReset::View);
     if (colors_.begin(frame, wantsHistory()))
@@ -25,6 +27,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
         if (techniqueFor(settings.screen.march).usesPyramid || expectsLayers())
             pyramid_->record(frame, inputs(), prepared(), expectsLayers() ? nullptr : &trace_->rays());
         const Traced traced = trace_->record(frame, traceInputs());
+        if (meetsTransparents())
+            transparentTrace_->record(frame, traceInputs(), trace_->target());
         denoise_->record(frame, {traceInputs(), traced});
     } else {
         denoise_->recordNothing(trace_->recordNothing(frame));
@@ -87,6 +91,8 @@ void FrameStages::clear(gpu::Frame& frame) {
     prepare_->clear(frame);
     pyramid_->clear(frame);
     trace_->clear(frame);
+    if (transparentTrace_)
+        transparentTrace_->clear(frame);
     tables_->record(frame, stages_.progress);
 }
 
@@ -161,6 +167,7 @@ HostImage FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLa
     outputs_.lend();
     frame.find(composite(), layout); // the host may have drawn over it
     recordLayer(frame, layer_);
+    hasLayers_ = true;
     outputs_.handOut(frame);
     for (const LayerImage& image : kLayerImages)
         giveBack(frame, layer_.*image.borrowed, layer.*image.host);
@@ -216,6 +223,11 @@ bool FrameStages::wantsHistory() const {
     return screen.enabled && screen.colorSource == ColorSource::Previous;
 }
 
+/// Without a previous frame no colour of a transparent surface is known.
+bool FrameStages::meetsTransparents() const {
+    return TransparentTrace::isWanted(stages_.settings()) && host_.images.transparentDepth && colors_.valid();
+}
+
 /// Joins and denoises the answers of screen and rays.
 gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
     const Traced traced = trace_->traced();
@@ -240,9 +252,10 @@ gpu::Image& FrameStages::rayRecord() {
 }
 
 TraceInputs FrameStages::traceInputs() {
-    TraceInputs trace = {inputs(), prepared(), trace_->rays(), pyramid_->pyramid(), {}, probes()};
+    TraceInputs trace = {inputs(), prepared(), met(), trace_->rays(), pyramid_->pyramid(), {}, probes()};
     if (colors_.valid())
-        trace.previous.emplace(outputs_.previous(), colors_.before(kViewZ));
+        trace.previous.emplace(previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
+                               outputs_.previous(), colors_.before(kViewZ));
     return trace;
 }
 

@@ -21,6 +21,7 @@
 #include "reflect/rays/rays.hpp"
 #include "reflect/refraction/refraction.hpp"
 #include "reflect/trace/screen_trace.hpp"
+#include "reflect/trace/transparents.hpp"
 
 namespace glint::reflect {
 
@@ -100,6 +101,7 @@ private:
     Result<void> createStages();
     Result<void> createDepths();
     Result<void> rememberColors();
+    Result<void> setTransparents(const Settings& settings);
     std::vector<Source> makeSources();
     Result<void> rehearse();
     Result<void> giveScene();
@@ -121,12 +123,14 @@ private:
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
+    bool meetsTransparents() const;
     bool followsSentinels() const { return usesRays() && raysSource_->followsSentinels(); }
     bool denoisesLobes() const { return lobeDenoise_ && denoises(stages_.settings()); }
     ProbesState* probes() const { return probesSource_ ? probesSource_->probes() : nullptr; }
 
     // Outputs of stages that other stages read.
     Prepared prepared() { return prepare_->prepared(host_, colors_.now(kViewZ)); }
+    Met met() { return {prepared().viewZ, prepared().surface, prepared().backViewZ}; }
     TraceInputs traceInputs();
     HierarchyInputs hierarchyInputs();
     InspectorInputs inspectorInputs();
@@ -142,6 +146,7 @@ private:
     std::unique_ptr<Prepare> prepare_;
     std::unique_ptr<DepthPyramid> pyramid_;
     std::unique_ptr<ScreenTrace> trace_;
+    std::unique_ptr<TransparentTrace> transparentTrace_; ///< absent until settings need it
     std::unique_ptr<Denoise> denoise_;
     std::unique_ptr<LobeDenoise> lobeDenoise_; ///< absent until settings need it
     std::unique_ptr<RaysSource> raysSource_;   ///< absent until settings need it
@@ -162,6 +167,8 @@ private:
     uint64_t frameNumber_ = 0; ///< the host's frame number
     View lastView_;
     bool recorded_ = false;
+    bool hasLayers_ = false;         ///< a layer was recorded over the last frame
+    bool previousHasLayers_ = false; ///< and over the frame that OutputImages::previous shows
     std::vector<gpu::WrittenImage> written_;
     bool ranPasses_ = false; ///< the last frame had something to do
     gpu::Standing upToDate_; ///< the images belong to lastView_, whose frame recorded no passes

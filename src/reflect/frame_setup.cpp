@@ -60,6 +60,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(pyramid_->make());
     GLINT_CHECK(setDenoise(settings));
     stages_.desc.settings = settings;
+    GLINT_CHECK(setTransparents(settings));
     recorded_ = false;
     written_.clear();
     return prepare_->setInputs(host_.gbuffer);
@@ -68,6 +69,20 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
 Result<void> FrameStages::rememberColors() {
     GLINT_CHECK(outputs_.makePrevious());
     return colors_.remember();
+}
+
+/// Creates the march among transparent surfaces once settings need it.
+Result<void> FrameStages::setTransparents(const Settings& settings) {
+    if (!TransparentTrace::isWanted(settings))
+        return {};
+    if (!transparentTrace_) {
+        GLINT_TRY(trace, TransparentTrace::create(stages_));
+        transparentTrace_ = std::move(trace);
+    }
+    GLINT_CHECK(transparentTrace_->make(settings));
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    transparentTrace_->record(frame, traceInputs(), trace_->target());
+    return frame.firstError();
 }
 
 /// Creates the denoiser once settings need it, and starts its history anew.

@@ -40,7 +40,7 @@ inline bool byColors(const GBuffer& gbuffer) {
 
 } // namespace needed
 
-constexpr std::array<GBufferImage, 8> kGBufferImages = {{
+constexpr std::array<GBufferImage, 9> kGBufferImages = {{
     {"depth", &GBuffer::depth, &Inputs::depth, needed::always, ImageRole::Depth, true, false},
     {"normal", &GBuffer::normal, &Inputs::normal, needed::always, ImageRole::Color, true, false},
     {"material", &GBuffer::material, &Inputs::material, needed::byColors, ImageRole::Color, true, false},
@@ -49,6 +49,8 @@ constexpr std::array<GBufferImage, 8> kGBufferImages = {{
     {"fallbackSpecular", &GBuffer::fallbackSpecular, &Inputs::fallbackSpecular, needed::never, ImageRole::Color, false,
      false},
     {"backDepth", &GBuffer::backDepth, &Inputs::backDepth, needed::never, ImageRole::Depth, false, true},
+    {"transparentDepth", &GBuffer::transparentDepth, &Inputs::transparentDepth, needed::never, ImageRole::Depth, false,
+     false},
     {"motion", &GBuffer::motion, &Inputs::motion, needed::never, ImageRole::Color, false, false},
 }};
 

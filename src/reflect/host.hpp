@@ -17,6 +17,7 @@ struct Inputs {
     gpu::Image litRadiance;
     gpu::Image fallbackSpecular;   ///< may be absent
     gpu::Image backDepth;          ///< may be absent; own size
+    gpu::Image transparentDepth;   ///< may be absent
     gpu::Image motion;             ///< may be absent
     gpu::Image environment;        ///< cube; may be absent
     gpu::Image environmentDiffuse; ///< cube; may be absent

@@ -76,6 +76,13 @@ void Reflections::State::collectNotes() {
     if (settings.screen.enabled && settings.screen.thicknessMode == ThicknessMode::Backface && !gbuffer.backDepth)
         notes.emplace_back("no backDepth: screen.thicknessMode backface takes every surface to be as thick as "
                            "screen.thickness says");
+    if (settings.screen.enabled && settings.screen.transparents) {
+        if (settings.screen.colorSource != ColorSource::Previous)
+            notes.emplace_back("screen.transparents has no effect with screen.colorSource current: only the previous "
+                               "frame shows transparent surfaces");
+        else if (!gbuffer.transparentDepth)
+            notes.emplace_back("no transparentDepth: screen.transparents has no effect");
+    }
 }
 
 Result<void> Reflections::State::checkRecord(VkCommandBuffer commands, const View& view) const {

@@ -43,6 +43,14 @@ struct Prepared {
     bool backFacesKnown;
 };
 
+/// What a march may meet: the surfaces of `Prepared`, or the transparent ones in front of them
+/// (trace/transparents.hpp).
+struct Met {
+    gpu::Image& viewZ;     ///< R32F
+    gpu::Image& surface;   ///< RG32UI
+    gpu::Image& backViewZ; ///< R32F
+};
+
 /// Which pixels need a ray.
 struct Rays {
     gpu::Buffer list; ///< shared::RayListHeader, then one word per ray
@@ -65,8 +73,9 @@ struct Traced {
 
 /// The previous frame, which hits fetch their radiance from (screen.colorSource previous).
 struct PreviousFrame {
-    gpu::Image& color; ///< its image with reflections
-    gpu::Image& viewZ; ///< its viewZ
+    gpu::Image& color;      ///< its image with reflections, without layers of transparent surfaces
+    gpu::Image& withLayers; ///< the same with layers
+    gpu::Image& viewZ;      ///< its viewZ
 };
 
 /// Images of the sentinels (rays/sentinels_main.glsl), a texel for each tile.

@@ -218,17 +218,27 @@ bool SceneHost::hasLayers() const {
     return settings.refraction.enabled && !settings.debug.outcome && renderer_->scene().transmitsLight();
 }
 
+/// True if the library needs the depth of the nearest layer before it reflects.
+bool SceneHost::showsLayerDepth() const {
+    return job_.settings.reflections.screen.transparents && renderer_->layers() != nullptr;
+}
+
 Result<void> SceneHost::draw(gpu::Frame& frame, VkCommandBuffer commands, uint32_t frameIndex) {
     if (mirrorWorld_)
         GLINT_CHECK(mirrorWorld_->record(commands, parameters_, inputs_->environment != EnvironmentKind::None,
                                          frameIndex, job_.seed));
     renderer_->drawOpaque(frame, parameters_);
+    if (showsLayerDepth())
+        renderer_->peelLayers(frame);
     parameters_.prevCamera.reset();
     return {};
 }
 
 glint::GBuffer SceneHost::lend(gpu::Frame& frame) {
-    return lendGBuffer(frame, renderer_->gbuffer());
+    glint::GBuffer lent = lendGBuffer(frame, renderer_->gbuffer());
+    if (showsLayerDepth())
+        lent.transparentDepth = render::lend(frame, renderer_->layers()->depth(0));
+    return lent;
 }
 
 EnvironmentMap SceneHost::lendEnvironment(gpu::Frame& frame) {
@@ -248,7 +258,8 @@ Result<HostImage> SceneHost::drawLayers(gpu::Frame& frame, VkCommandBuffer comma
     if (!renderer_->layers())
         return lit;
     TransparentLayers& layers = *renderer_->layers();
-    renderer_->peelLayers(frame);
+    if (!showsLayerDepth())
+        renderer_->peelLayers(frame);
     for (uint32_t i = layers.count(); i-- > 0;) {
         LayerImages& images = renderer_->drawLayer(frame, i);
         const TransparentLayer layer = lendLayer(frame, layers.depth(i), images, layers.coverage());

@@ -56,6 +56,7 @@ private:
     Result<void> applySettings(const RenderSettings& before);
     Result<void> resizeGBuffer();
     Result<void> makeProbes();
+    bool showsLayerDepth() const;
     void findMirrors();
     std::vector<PlanarMirror> wantedMirrors() const;
     Result<void> makeMirrors(Reflections& reflections);

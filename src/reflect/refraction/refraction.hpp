@@ -59,6 +59,8 @@ public:
     void record(gpu::Frame& frame, LayerImages& layer, const LayerInputs& inputs, gpu::Image& composite);
     /// Begins the layers of a frame, whose image has no layers yet.
     void begin(gpu::Frame& frame, gpu::Image& composite);
+    /// The image without layers of the last frame that `begin` began.
+    gpu::Image& withoutLayers() { return solid_; }
 
     gpu::Image& refracted() { return refracted_; } ///< RGBA16F: radiance transmitted by the nearest layer; a = 1
     gpu::Image& weights() { return weights_; }     ///< RGBA16F: weights of screen, probes and sky
@@ -72,7 +74,7 @@ private:
     gpu::Pipeline edges_;
     gpu::Pipeline depth_;
     gpu::MipChain mips_;
-    gpu::Image solid_;     ///< RGBA16F with mips: the image without layers
+    gpu::Image solid_;     ///< RGBA16F with mips: the image without layers, until the next frame's begin
     gpu::Image behind_;    ///< RGBA16F with mips: the image with the layers so far
     gpu::Image layersZ_;   ///< R32F: viewZ of the nearest layer so far; kBackgroundZ: none
     gpu::Image refracted_; ///< one texel unless views are kept

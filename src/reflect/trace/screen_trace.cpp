@@ -71,7 +71,7 @@ void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const P
     gpu::Pass pass = frame.pass(classify_);
     pass.read("frame", inputs.constants).read("viewZ", prepared.viewZ).read("surface", prepared.surface);
     pass.read("rayRates", inputs.rayRates, kTexels);
-    lister_.bind(writeTraced(pass, target(), false)).dispatch(width_, height_);
+    lister_.bind(writeTraced(pass, target())).dispatch(width_, height_);
     const glm::uvec2 pyramidGroups = (stages_.extent + shared::kPyramidTile - 1u) / shared::kPyramidTile;
     lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups});
 }

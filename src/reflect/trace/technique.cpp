@@ -32,15 +32,17 @@ gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs) {
     Inputs& host = inputs.frame.host;
     gpu::Image& black = inputs.frame.standIns.black;
     return pass.read("litRadiance", host.litRadiance, kTexels)
+        .read("metViewZ", inputs.met.viewZ)
+        .read("metSurface", inputs.met.surface)
         .read("prevColor", inputs.previous ? inputs.previous->color : black, kTexels)
         .read("prevViewZ", inputs.previous ? inputs.previous->viewZ : black, kTexels)
         .read("motion", host.motion ? host.motion : black, kTexels);
 }
 
-gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out, bool keep) {
-    return pass.write("radianceWeight", out.radianceWeight, 0, keep)
-        .write("radianceWeight8", out.radianceWeight8, 0, keep)
-        .write("rayRecord", out.rayRecord, 0, keep);
+gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out) {
+    return pass.write("radianceWeight", out.radianceWeight)
+        .write("radianceWeight8", out.radianceWeight8)
+        .write("rayRecord", out.rayRecord);
 }
 
 gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs& inputs, TraceTarget out) {
@@ -48,13 +50,15 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInput
     pass.read("frame", inputs.frame.constants)
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
-        .read("backViewZ", inputs.prepared.backViewZ)
+        .read("backViewZ", inputs.met.backViewZ)
         .read("surface", inputs.prepared.surface)
         .read("blueNoise", inputs.frame.standIns.blueNoise);
     readHitColor(pass, inputs);
     if (inputs.log)
         pass.readWrite("rayLog", *inputs.log);
-    writeTraced(pass, out, true);
+    pass.readWrite("radianceWeight", out.radianceWeight) // other passes wrote the rest of the images
+        .readWrite("radianceWeight8", out.radianceWeight8)
+        .readWrite("rayRecord", out.rayRecord);
     return pass;
 }
 

@@ -16,6 +16,7 @@ namespace glint::reflect {
 struct TraceInputs {
     FrameInputs frame;
     Prepared prepared;
+    Met met; ///< what the rays may meet
     Rays& rays;
     Pyramid pyramid;                       ///< present if Technique::usesPyramid
     std::optional<PreviousFrame> previous; ///< absent: hits fetch this frame's radiance
@@ -56,8 +57,8 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
 
 /// Binds what shaders/trace/hit_color.glsl reads.
 gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs);
-/// Binds what shaders/trace/traced.glsl writes; `keep`: other passes wrote the rest of the images.
-gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out, bool keep);
+/// Binds what shaders/trace/traced.glsl writes: all of the images.
+gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out);
 
 /// Begins the pass of any marcher over the listed rays, without the bindings that only one marcher reads.
 gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs& inputs, TraceTarget out);

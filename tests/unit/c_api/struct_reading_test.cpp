@@ -130,11 +130,12 @@ TEST(CStructs, ImagesAndWhatPointsToThemAreRead) {
 
     GlintGBuffer gbuffer = initialized(glint_gbuffer_init);
     const GlintImage* GlintGBuffer::*const images[] = {
-        &GlintGBuffer::depth,       &GlintGBuffer::normal,           &GlintGBuffer::material, &GlintGBuffer::baseColor,
-        &GlintGBuffer::litRadiance, &GlintGBuffer::fallbackSpecular, &GlintGBuffer::motion,   &GlintGBuffer::backDepth};
+        &GlintGBuffer::depth,     &GlintGBuffer::normal,      &GlintGBuffer::material,
+        &GlintGBuffer::baseColor, &GlintGBuffer::litRadiance, &GlintGBuffer::fallbackSpecular,
+        &GlintGBuffer::motion,    &GlintGBuffer::backDepth,   &GlintGBuffer::transparentDepth};
     HostImage GBuffer::*const read[] = {&GBuffer::depth,     &GBuffer::normal,      &GBuffer::material,
                                         &GBuffer::baseColor, &GBuffer::litRadiance, &GBuffer::fallbackSpecular,
-                                        &GBuffer::motion,    &GBuffer::backDepth};
+                                        &GBuffer::motion,    &GBuffer::backDepth,   &GBuffer::transparentDepth};
     for (size_t i = 0; i < std::size(images); ++i) {
         GlintGBuffer one = gbuffer;
         one.*images[i] = &image;

@@ -1,0 +1,91 @@
+#include "reflect/trace/transparents.hpp"
+
+#include <optional>
+
+namespace glint::reflect {
+
+Result<std::unique_ptr<TransparentTrace>> TransparentTrace::create(StageContext& stages) {
+    std::unique_ptr<TransparentTrace> trace(new TransparentTrace(stages));
+    GLINT_TRY(surface, gpu::Pipeline::compute(stages.gpu, {"prepare/transparents", 0, {}}));
+    GLINT_TRY(backFaces, gpu::Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}));
+    GLINT_TRY(pyramid, DepthPyramid::create(stages));
+    trace->surfacePass_ = std::move(surface);
+    trace->backFacesPass_ = std::move(backFaces);
+    trace->pyramid_ = std::move(pyramid);
+    trace->marchers_.resize(techniques().size());
+    const uint32_t w = stages.width();
+    const uint32_t h = stages.height();
+    GLINT_CHECK(makeImage(stages.gpu, trace->viewZ_, {"glint/transparentViewZ", VK_FORMAT_R32_SFLOAT, w, h}));
+    GLINT_CHECK(makeImage(stages.gpu, trace->surface_, {"glint/transparentSurface", VK_FORMAT_R32G32_UINT, w, h}));
+    GLINT_CHECK(
+        makeImage(stages.gpu, trace->backViewZ_, {"glint/transparentBackViewZ", VK_FORMAT_R32_SFLOAT, w, h, kCleared}));
+    return trace;
+}
+
+bool TransparentTrace::isWanted(const Settings& settings) {
+    const ScreenSettings& screen = settings.screen;
+    return screen.enabled && screen.transparents && screen.colorSource == ColorSource::Previous;
+}
+
+Result<void> TransparentTrace::make(const Settings& settings) {
+    const Technique& technique = techniqueFor(settings.screen.march);
+    gpu::Pipeline& marcher = marchers_[static_cast<size_t>(&technique - techniques().data())];
+    if (technique.usesPyramid)
+        GLINT_CHECK(pyramid_->make());
+    if (marcher)
+        return {};
+    constexpr uint32_t kAmongTransparents = 1; // shaders/trace/met_surface.glsl
+    GLINT_TRY(made, gpu::Pipeline::compute(stages_.gpu, {technique.shader, 0, {{kAmongTransparents, 1}}}));
+    marcher = std::move(made);
+    return {};
+}
+
+void TransparentTrace::clear(gpu::Frame& frame) {
+    pyramid_->clear(frame);
+}
+
+void TransparentTrace::record(gpu::Frame& frame, const TraceInputs& inputs, TraceTarget out) {
+    const Technique& technique = techniqueFor(stages_.settings().screen.march);
+    const auto index = static_cast<size_t>(&technique - techniques().data());
+    Inputs& host = inputs.frame.host;
+    const Prepared& solid = inputs.prepared;
+    const bool backFacesKnown = solid.backFacesKnown && stages_.settings().screen.backfaceTransparents;
+    const Prepared seen = {viewZ_, surface_, solid.material, solid.edge, backViewZ_, backFacesKnown};
+    std::optional<PreviousFrame> previous;
+    if (inputs.previous)
+        previous.emplace(inputs.previous->withLayers, inputs.previous->withLayers, inputs.previous->viewZ);
+    const auto recordPasses = [&] {
+        frame.pass(surfacePass_)
+            .read("frame", inputs.frame.constants)
+            .read("viewZ", solid.viewZ)
+            .read("transparentDepth", host.transparentDepth, kTexels)
+            .write("transparentViewZ", viewZ_)
+            .write("transparentSurface", surface_)
+            .dispatch(stages_.extent.x, stages_.extent.y);
+        if (backFacesKnown || frame.rehearsing())
+            frame.pass(backFacesPass_)
+                .read("frame", inputs.frame.constants)
+                .read("backDepth", host.backDepth, kTexels)
+                .read("viewZ", viewZ_)
+                .read("resolvedMaterial", solid.material)
+                .read("edge", solid.edge)
+                .write("backViewZ", backViewZ_)
+                .dispatchIndirect(inputs.rays.list, offsetof(shared::RayListHeader, backFaceGroups));
+        else
+            frame.clear(backViewZ_, {.float32 = {shared::kBackgroundZ}});
+        if (technique.usesPyramid)
+            pyramid_->record(frame, inputs.frame, seen, &inputs.rays);
+        technique.record(frame, marchers_[index],
+                         {inputs.frame,
+                          solid,
+                          {viewZ_, surface_, backViewZ_},
+                          inputs.rays,
+                          pyramid_->pyramid(),
+                          previous,
+                          inputs.probes},
+                         out);
+    };
+    frame.scope("trace/transparents", [&] { frame.untimed(recordPasses); });
+}
+
+} // namespace glint::reflect
