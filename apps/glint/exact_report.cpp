@@ -16,6 +16,7 @@ nlohmann::ordered_json exactJson(const measure::MirrorError& error) {
             {"oneBounceWrong", error.oneBounceWrong},
             {"oneBounceWrongShare", error.oneBounceShare()},
             {"oneBounceWrongInFrameShare", error.inFrameShare()},
+            {"oneBounceUnseenShare", error.unseenShare()},
             {"byBounces", byBounces}};
 }
 

@@ -131,10 +131,12 @@ Result<ExactPicture> exactPicture(const scene::Scene& scene, const scene::Pose& 
             picture.bounces.push_back(bounces);
             ends.push_back(end);
         }
-    for (const std::optional<glm::dvec2>& end : ends)
+    for (const std::optional<glm::dvec2>& end : ends) {
+        picture.endSeen.push_back(end ? 1 : 0);
         picture.readInFrame.push_back(
             end ? picture.withoutMirrors[static_cast<size_t>(end->y) * width + static_cast<size_t>(end->x)]
                 : glm::vec3(0));
+    }
     return picture;
 }
 
@@ -157,7 +159,9 @@ MirrorError compareMirrors(const ExactPicture& exact, std::span<const float> rgb
         if (exact.bounces[i] == 1) {
             ++error.oneBouncePixels;
             error.oneBounceWrong += wrong;
-            error.oneBounceWrongInFrame += srgbDifference(exact.radiance[i], exact.readInFrame[i]) > kWrong;
+            const bool wrongInFrame = srgbDifference(exact.radiance[i], exact.readInFrame[i]) > kWrong;
+            error.oneBounceWrongInFrame += wrongInFrame;
+            error.oneBounceUnseen += wrongInFrame && !exact.endSeen[i];
         }
     }
     return error;

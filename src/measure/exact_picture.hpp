@@ -19,6 +19,7 @@ struct ExactPicture {
     /// end, in the pixel into which it falls; black where the end is hidden or outside of the picture, and for other
     /// paths. Screen space cannot do better for a single ray, except by guessing what the picture does not show.
     std::vector<glm::vec3> readInFrame;
+    std::vector<uint8_t> endSeen; ///< 1 where the camera sees the end of such a path
 };
 
 /// `worldToClip` is the renderer's own matrix (reversed depth), so that pixel centres and the near plane agree. The
@@ -34,6 +35,7 @@ struct MirrorError {
     uint64_t oneBouncePixels = 0; ///< of mirrorPixels: one bounce reaches the end of the path
     uint64_t oneBounceWrong = 0;
     uint64_t oneBounceWrongInFrame = 0; ///< of oneBouncePixels: ExactPicture::readInFrame is wrong in the same sense
+    uint64_t oneBounceUnseen = 0;       ///< of oneBounceWrongInFrame: the end of the path is hidden or off screen
     /// By the number of bounces of a path, from one on.
     struct ByBounces {
         uint64_t pixels = 0;
@@ -45,6 +47,7 @@ struct MirrorError {
     double inFrameShare() const {
         return oneBouncePixels ? double(oneBounceWrongInFrame) / double(oneBouncePixels) : 0;
     }
+    double unseenShare() const { return oneBouncePixels ? double(oneBounceUnseen) / double(oneBouncePixels) : 0; }
 };
 
 /// `rgba`: linear radiance, four floats per pixel, of the exact picture's size.

@@ -110,6 +110,23 @@ protected:
     }
     std::vector<float> without(const Settings& settings) { return over({}, settings); }
 
+    /// An opaque surface of this radiance with an F0 of 0.2, seen at 63 degrees.
+    static LayerSurface slanted(float radiance) {
+        LayerSurface surface;
+        surface.f0 = glm::vec3(0.2f);
+        surface.radiance = glm::vec4(glm::vec3(radiance), 1);
+        surface.transmittance = glm::vec4(0, 0, 0, 1);
+        surface.normalWS = glm::normalize(glm::dvec3(2, 0, 1));
+        return surface;
+    }
+    /// What the middle of the image shows of a pane that reflects a white sky alone.
+    double underWhiteSky(const LayerSurface& surface, Settings wanted) {
+        const TestEnvironment white =
+            TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
+        wanted.screen.enabled = wanted.refraction.screen = false;
+        return shown(over({pane(-1, surface)}, wanted, white.map), (kHeight / 2) * kWidth + kWidth / 2).x;
+    }
+
     static glm::dvec3 shown(const std::vector<float>& picture, size_t pixel) {
         return {picture[pixel * 4], picture[pixel * 4 + 1], picture[pixel * 4 + 2]};
     }
@@ -648,20 +665,12 @@ TEST_F(RefractionTest, EverySettingActs) {
 
 /// A dark surface under a white sky shows its reflectance.
 TEST_F(RefractionTest, SettingsOfReflectionActOnLayers) {
-    LayerSurface surface;
-    surface.f0 = glm::vec3(0.2f);
-    surface.transmittance = glm::vec4(0, 0, 0, 1);
-    surface.normalWS = glm::normalize(glm::dvec3(2, 0, 1));
-    const TestEnvironment white =
-        TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
-    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2;
     const auto reflectance = [&](float strength, float exponent, bool fresnel) {
         Settings wanted;
-        wanted.screen.enabled = wanted.refraction.screen = false;
         wanted.reflect.strength = strength;
         wanted.reflect.falloffExponent = exponent;
         wanted.reflect.fresnel = fresnel;
-        return shown(over({pane(-1, surface)}, wanted, white.map), middle).x;
+        return underWhiteSky(slanted(0), wanted);
     };
     const double full = reflectance(1, 1, true);
     EXPECT_GT(full, 0.22); // Schlick, at 63 degrees: 0.24
@@ -671,35 +680,25 @@ TEST_F(RefractionTest, SettingsOfReflectionActOnLayers) {
     EXPECT_NEAR(reflectance(2, 2, false), 0.16, 0.001);
 }
 
-/// A layer under a white sky. Babylon.js' model: m = clamp((F * strength) ^ exponent), lit * (1 - m) + reflection * m.
+/// Babylon.js' model: m = clamp((F * strength) ^ exponent), lit * (1 - m) + reflection * m.
 TEST_F(RefractionTest, TheCompositeModelActsOnLayers) {
-    LayerSurface surface;
-    surface.f0 = glm::vec3(0.2f);
-    surface.transmittance = glm::vec4(0, 0, 0, 1);
-    surface.normalWS = glm::normalize(glm::dvec3(2, 0, 1));
-    const TestEnvironment white =
-        TestEnvironment::make(gpu(), 16, 4, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
-    const size_t middle = (kHeight / 2) * kWidth + kWidth / 2;
-    const auto lerped = [&](float strength, float exponent, bool fresnel) {
+    const auto lerped = [&](float lit, float strength, float exponent, bool fresnel) {
         Settings wanted;
-        wanted.screen.enabled = wanted.refraction.screen = false;
         wanted.composite.model = CompositeModel::Lerp;
         wanted.reflect.strength = strength;
         wanted.reflect.falloffExponent = exponent;
         wanted.reflect.fresnel = fresnel;
-        return shown(over({pane(-1, surface)}, wanted, white.map), middle).x;
+        return underWhiteSky(slanted(lit), wanted);
     };
     const glm::dvec3 eye = -camera_.rayThrough(kWidth / 2, kHeight / 2, kWidth, kHeight);
-    const double schlick = 0.2 + 0.8 * std::pow(1 - glm::dot(surface.normalWS, eye), 5);
-    EXPECT_NEAR(lerped(1, 1, true), schlick, 0.002);
-    EXPECT_NEAR(lerped(1, 1, false), 0.2 * schlick, 0.002) << "the colour takes the Fresnel term";
-    EXPECT_NEAR(lerped(2, 1, true), 2 * schlick, 0.002);
-    EXPECT_NEAR(lerped(1, 2, true), schlick * schlick, 0.002);
-    EXPECT_NEAR(lerped(10, 1, true), 1, 0.002) << "never more than the reflection";
-    surface.radiance = glm::vec4(1, 1, 1, 1);
-    EXPECT_NEAR(lerped(1, 1, true), 1, 0.002) << "white between white and white";
-    surface.radiance = glm::vec4(0.5f, 0.5f, 0.5f, 1);
-    EXPECT_NEAR(lerped(1, 1, true), 0.5 * (1 - schlick) + schlick, 0.002);
+    const double schlick = 0.2 + 0.8 * std::pow(1 - glm::dot(slanted(0).normalWS, eye), 5);
+    EXPECT_NEAR(lerped(0, 1, 1, true), schlick, 0.002);
+    EXPECT_NEAR(lerped(0, 1, 1, false), 0.2 * schlick, 0.002) << "the colour takes the Fresnel term";
+    EXPECT_NEAR(lerped(0, 2, 1, true), 2 * schlick, 0.002);
+    EXPECT_NEAR(lerped(0, 1, 2, true), schlick * schlick, 0.002);
+    EXPECT_NEAR(lerped(0, 10, 1, true), 1, 0.002) << "never more than the reflection";
+    EXPECT_NEAR(lerped(1, 1, 1, true), 1, 0.002) << "white between white and white";
+    EXPECT_NEAR(lerped(0.5f, 1, 1, true), 0.5 * (1 - schlick) + schlick, 0.002);
 }
 
 TEST_F(RefractionTest, WhatCannotBeIsSaid) {
