@@ -147,6 +147,22 @@ TEST_F(TransparentTraceTest, theFirstFrameAndFramesAfterACutHaveNone) {
     EXPECT_EQ(count(trace(made, cut)).cardGreen, 0u);
 }
 
+TEST_F(TransparentTraceTest, aDepthThatDoesNotFitIsSaid) {
+    Reflections made = make(settings(March::Hiz));
+    GBuffer gbuffer = g_.gbuffer;
+    gbuffer.transparentDepth = layer_.layer.depth;
+    gbuffer.transparentDepth.width /= 2;
+    const Result<void> small = made.setInputs(gbuffer);
+    ASSERT_FALSE(small);
+    EXPECT_THAT(small.error().message,
+                testing::AllOf(testing::HasSubstr("transparentDepth"), testing::HasSubstr("60x67")));
+    gbuffer.transparentDepth = layer_.layer.depth;
+    gbuffer.transparentDepth.samples = 4;
+    const Result<void> many = made.setInputs(gbuffer);
+    ASSERT_FALSE(many);
+    EXPECT_THAT(many.error().message, testing::HasSubstr("transparentDepth"));
+}
+
 TEST_F(TransparentTraceTest, coloursAreFoundAgainWhenTheCameraMoves) {
     SyntheticCamera before = camera_;
     before.position += glm::dvec3(0.15, 0.05, 0.1);
