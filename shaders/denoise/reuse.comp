@@ -47,8 +47,7 @@ Lobe lobeOf(LobeSurface at, SentRay ray) {
     lobe.toEyeVS = normalize(at.toEyeVS + at.normalVS * max(1e-3 - NoV, 0.0)); // a bent normal may face away
     lobe.NoV = dot(at.normalVS, lobe.toEyeVS);
     lobe.alpha = square(at.perceptualRoughness);
-    float a2 = square(lobe.alpha);
-    lobe.scale = 0.5 / (lobe.NoV + sqrt(a2 + (1.0 - a2) * square(lobe.NoV)));
+    lobe.scale = reflectedGGXScale(lobe.NoV, lobe.alpha);
     lobe.ray = ray;
     lobe.distance = endDistance(ray.nearness);
     return lobe;
@@ -66,7 +65,7 @@ float densityOf(Lobe lobe, vec3 wiVS) {
 }
 
 float shadowing(Lobe lobe, vec3 wiVS) {
-    return visibleGGXWeight(lobe.NoV, max(dot(lobe.at.normalVS, wiVS), 1e-6), lobe.alpha);
+    return reflectedGGXWeight(lobe.NoV, max(dot(lobe.at.normalVS, wiVS), 1e-6), lobe.alpha);
 }
 
 /// Where `from`'s ray ended, as seen from `to`: its direction, and by how much solid angles shrink on the way.

@@ -1,5 +1,5 @@
-// A direction of a surface's reflection lobe, drawn with the density of visible normals. Every source that samples the
-// lobe draws it here: with the same noise they follow the same ray.
+// A direction of a surface's reflection lobe, drawn with the density of visible normals that reflect upwards. Every
+// source that samples the lobe draws it here: with the same noise they follow the same ray.
 #ifndef GLINT_GENERATE_LOBE_GLSL
 #define GLINT_GENERATE_LOBE_GLSL
 
@@ -52,18 +52,14 @@ float ggxNormals(vec3 h, float alpha) {
     return a2 / (kPi * square(dot(h.xy, h.xy) + a2 * h.z * h.z));
 }
 
-/// Density over solid angle with which sampleLobe draws `wi`; local directions, z along the normal. Heitz 2018.
+/// Density over solid angle with which sampleLobe draws `wi`; local directions, z along the normal.
 float lobeDensity(vec3 wo, vec3 wi, float alpha) {
-    if (wi.z <= 0.0)
-        return 0.0;
-    float a2 = alpha * alpha;
-    float lambdaV = sqrt(a2 + (1.0 - a2) * wo.z * wo.z) / wo.z; // 1 + 2 Lambda
-    return ggxNormals(normalize(wo + wi), alpha) / (2.0 * wo.z * (1.0 + lambdaV));
+    return wi.z <= 0.0 ? 0.0 : ggxNormals(normalize(wo + wi), alpha) * reflectedGGXScale(wo.z, alpha);
 }
 
 /// The lobe itself, times the cosine, without Fresnel: D G2 / (4 NoV).
 float lobeResponse(vec3 wo, vec3 wi, float alpha) {
-    return wi.z <= 0.0 ? 0.0 : lobeDensity(wo, wi, alpha) * visibleGGXWeight(wo.z, wi.z, alpha);
+    return wi.z <= 0.0 ? 0.0 : lobeDensity(wo, wi, alpha) * reflectedGGXWeight(wo.z, wi.z, alpha);
 }
 
 /// A rough lobe in its own axes, z along the normal.
@@ -85,11 +81,11 @@ Direction sampleLobe(vec3 N, vec3 V, float perceptualRoughness, vec2 noise) {
     if (perceptualRoughness == 0.0)
         return Direction(reflect(-V, N), 1.0);
     LobeFrame lobe = makeLobeFrame(N, V, perceptualRoughness);
-    vec3 wm = sampleGGXVisibleCap(lobe.wo, noise, lobe.alpha);
+    vec3 wm = sampleGGXReflected(lobe.wo, noise, lobe.alpha);
     vec3 wi = reflect(-lobe.wo, wm);
     if (wi.z <= kLeastLobeCosine)
         return Direction(N, 0.0);
-    return Direction(lobe.axes * wi, visibleGGXWeight(lobe.wo.z, wi.z, lobe.alpha));
+    return Direction(lobe.axes * wi, reflectedGGXWeight(lobe.wo.z, wi.z, lobe.alpha));
 }
 
 #endif

@@ -54,4 +54,37 @@ float visibleGGXWeight(float NoV, float NoL, float alpha) {
     return (1.0 + lambdaV) / (lambdaV + lambdaL);
 }
 
+/// Height below which sampleGGXReflected cuts the spherical cap, as a part of the height at which sampleGGXVisibleCap
+/// does. Eto and Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia, eq. 5.
+float reflectedCapBound(float NoV, float alpha) {
+    const float a2 = alpha * alpha;
+    const float s = 1.0 + sqrt(max(1.0 - NoV * NoV, 0.0));
+    return (1.0 - a2) * s * s / (s * s + a2 * NoV * NoV);
+}
+
+/// Like sampleGGXVisibleCap, but without most of the normals that reflect below the surface. For reflection alone.
+vec3 sampleGGXReflected(vec3 wo, vec2 u, float alpha) {
+    const vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
+    const float lowest = reflectedCapBound(wo.z, alpha) * stretched.z;
+    const float phi = 2.0 * kPi * u.x;
+    const float z = (1.0 - u.y) * (1.0 + lowest) - lowest;
+    const float sinTheta = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
+    const vec3 halfway = vec3(sinTheta * cos(phi), sinTheta * sin(phi), z) + stretched;
+    return normalize(vec3(alpha * halfway.xy, max(halfway.z, 1e-6)));
+}
+
+/// Density over solid angle of directions reflected at normals of sampleGGXReflected, as a multiple of D(wm).
+float reflectedGGXScale(float NoV, float alpha) {
+    const float a2 = alpha * alpha;
+    return 0.5 / (reflectedCapBound(NoV, alpha) * NoV + sqrt(a2 + (1.0 - a2) * NoV * NoV));
+}
+
+/// D G2 / (4 NoV) over the density of sampleGGXReflected: the weight of its samples, without Fresnel.
+float reflectedGGXWeight(float NoV, float NoL, float alpha) {
+    const float a2 = alpha * alpha;
+    const float lengthV = sqrt(a2 + (1.0 - a2) * NoV * NoV);
+    const float ofCap = (reflectedCapBound(NoV, alpha) * NoV + lengthV) / (NoV + lengthV);
+    return ofCap * visibleGGXWeight(NoV, NoL, alpha);
+}
+
 #endif

@@ -11,8 +11,9 @@ struct Item {
     vec3 wo; // unit, z > 0
     float alpha;
     vec2 u;       // [0, 1)^2
+    uint reflected; // 1: only normals that may reflect upwards
     vec3 wm;      // out: the microfacet's normal
-    float weight; // out: G2 / G1 of the reflected direction; 0 below the surface
+    float weight; // out: of the reflected direction; 0 below the surface
 };
 
 layout(scalar, set = 0, binding = 0) buffer ItemBlock {
@@ -24,8 +25,12 @@ void main() {
     if (i >= uint(items.list.length()))
         return;
     Item item = items.list[i];
-    item.wm = sampleGGXVisibleCap(item.wo, item.u, item.alpha);
+    bool reflected = item.reflected != 0u;
+    item.wm = reflected ? sampleGGXReflected(item.wo, item.u, item.alpha) : sampleGGXVisibleCap(item.wo, item.u, item.alpha);
     vec3 wi = reflect(-item.wo, item.wm);
-    item.weight = wi.z > 0.0 ? visibleGGXWeight(item.wo.z, wi.z, item.alpha) : 0.0;
+    item.weight = 0.0;
+    if (wi.z > 0.0)
+        item.weight = reflected ? reflectedGGXWeight(item.wo.z, wi.z, item.alpha)
+                                : visibleGGXWeight(item.wo.z, wi.z, item.alpha);
     items.list[i] = item;
 }
