@@ -216,6 +216,10 @@
         "Frames in the short average, which denoise.antilag compares with the long one",                               \
         "",                                                                                                            \
         "log 1..30; if denoise.antilag=mean; motion")                                                                  \
+    SETTING(float, firefly, 10, "[0, 1000]", "of the mean",                                                            \
+        "Brightest new light kept, relative to the average over frames or to the pixels around; smaller: fewer bright points, but small lamps lose light; 0: all is kept", \
+        "",                                                                                                            \
+        "log 4..100; if denoise.enabled=true")                                                                         \
     SETTING(float, maxRadius, 16, "[0, 64]", "px",                                                                     \
         "Largest radius of the filter that smooths the noise that is left; 0: no filter",                              \
         "",                                                                                                            \

@@ -27,6 +27,7 @@ struct DenoiseConstants {
     float filterRadius;   // pixels
     float noiseTarget;    // fraction of the mean
     float fastFrames;     // most frames in the short mean
+    float firefly;        // multiples of the mean; 0: no limit
     uint rayRate;         // kRate*
     uint comparesMeans;   // 1: the short mean shortens the long one
     uint hitMotion;       // 1: what moves in reflections is followed

@@ -26,6 +26,19 @@ SyntheticScene roughFloor(float perceptualRoughness) {
     };
 }
 
+/// A lamp that few of the floor's rays meet.
+SyntheticScene roughFloorAndSmallLamp() {
+    Stage stage = floorAndWall();
+    stage.floorRoughness = 0.5f;
+    stage.cards.push_back({.low = {-0.06, 0.3}, .high = {0.06, 0.42}, .z = -1});
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = stage(origin, direction);
+        if (hit && hit->f0.x == 0)
+            hit->radiance = glm::vec3(hit->distance * direction.z + origin.z > -2 ? 500.0f : 0.1f);
+        return hit;
+    };
+}
+
 class LobeDenoiseTest : public LibraryTest {
 protected:
     static Settings denoised() {
@@ -198,6 +211,47 @@ TEST_F(LobeDenoiseTest, aMovingCameraKeepsItsHistory) {
     }
 }
 
+TEST_F(LobeDenoiseTest, whatIsReflectedStaysSharpInMotion) {
+    // Thin bars. Every frame shifts them by a fraction of a pixel, and every mix of neighbours would blur them further.
+    const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
+        Stage stage = floorAndWall();
+        stage.floorRoughness = 0.12f;
+        auto hit = stage(origin, direction);
+        if (hit && hit->f0.x == 0)
+            hit->radiance = glm::vec3(std::sin(8 * (origin.x + hit->distance * direction.x)) > 0 ? 1.0f : 0.3f);
+        return hit;
+    };
+    Settings settings = denoised();
+    settings.denoise.maxRadius = 0;
+    const Picture rested = play(settings, scene, 64);
+    const Picture moved = play(settings, scene, 24, 0.013);
+    double same = 0; // of the gradients along x
+    double whole = 0;
+    for (size_t i = 0; i + 1 < rested.pixels(); ++i)
+        if ((i + 1) % kWidth != 0 && rested.weight[i * 4] > 0.99f && rested.weight[i * 4 + 4] > 0.99f) {
+            const double gradient = rested.reflection[i * 4 + 4] - rested.reflection[i * 4];
+            same += gradient * (moved.reflection[i * 4 + 4] - moved.reflection[i * 4]);
+            whole += gradient * gradient;
+        }
+    std::cout << "gradients in motion: " << same / whole << " of those at rest\n";
+    EXPECT_GT(same / whole, 0.58) << "0.45 if texels are mixed linearly";
+}
+
+TEST_F(LobeDenoiseTest, rareBrightPointsAreDimmed) {
+    const SyntheticScene scene = roughFloorAndSmallLamp();
+    Settings all = denoised();
+    all.denoise.firefly = 0;
+    Settings dimmed = denoised();
+    EXPECT_LT(noise(dimmed, scene, 30), 0.85 * noise(all, scene, 30));
+    EXPECT_GT(sumOf(play(dimmed, scene, 30)), 0.5 * sumOf(play(all, scene, 30)));
+    for (const float perceptualRoughness : {0.15f, 0.3f, 0.6f}) {
+        const SyntheticScene even = roughFloor(perceptualRoughness);
+        for (const double step : {0.0, 0.02})
+            EXPECT_NEAR(sumOf(play(dimmed, even, 30, step)) / sumOf(play(all, even, 30, step)), 1, 0.003)
+                << "no light is lost that many rays find, roughness " << perceptualRoughness << ", step " << step;
+    }
+}
+
 TEST_F(LobeDenoiseTest, aThinLampBeforeAWallKeepsItsPlaceInMotion) {
     // Most rays miss the lamp, most light comes from it. Taken to be as far as the wall, its image would smear.
     const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
@@ -337,6 +391,7 @@ TEST_F(LobeDenoiseTest, everySettingActs) {
     acts(floor, "reuse.rate", "checkerboard");
     acts(floor, "denoise.historySeconds", "0.02");
     acts(floor, "denoise.lobeTrail", "0.05");
+    acts(roughFloorAndSmallLamp(), "denoise.firefly", "1");
     acts(floor, "denoise.maxRadius", "2");
     acts(floor, "denoise.noiseTarget", "0.5");
     // Two rough surfaces with one normal, one behind the other.

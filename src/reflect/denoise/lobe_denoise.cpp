@@ -101,6 +101,7 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
             settings.denoise.maxRadius,
             settings.denoise.noiseTarget,
             static_cast<float>(settings.denoise.fastFrames),
+            settings.denoise.firefly,
             rateOf(settings),
             comparesMeans() ? 1u : 0u,
             settings.denoise.hitMotion ? 1u : 0u,
