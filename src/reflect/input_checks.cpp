@@ -2,6 +2,7 @@
 
 #include "reflect/gbuffer_images.hpp"
 #include "reflect/host_image.hpp"
+#include "reflect/host_numbers.hpp"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -271,6 +272,15 @@ Result<void> checkView(const View& view) {
         return invalidArgument("View::worldToView has no inverse (determinant {})", glm::determinant(worldToView));
     if (!(volume(viewToClip) > kFlat))
         return invalidArgument("View::viewToClip has no inverse (determinant {})", glm::determinant(viewToClip));
+    return {};
+}
+
+Result<void> checkPlane(const KnownPlane& plane) {
+    constexpr float kRounding = 1e-3f;
+    const float length = glm::length(toVec(plane.normalWS));
+    if (!within(plane.pointWS, -kLongest, kLongest) || !(std::abs(length - 1) < kRounding))
+        return invalidArgument("a KnownPlane needs a point in metres and a normal of unit length; it has the length {}",
+                               length);
     return {};
 }
 
