@@ -197,7 +197,7 @@ Finding findRoughnessOutside(std::span<const float> roughness) {
 MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size, const MotionUnit& declared,
                           const std::function<std::string(const MotionUnit&)>& nameOf) {
     constexpr float kMovesPX = 2;
-    constexpr double kGood = 0.3, kClearly = 0.1;
+    constexpr double kGood = 0.3, kMuch = 0.1;
     const auto moved =
         std::ranges::count_if(motions, [](const Motion& motion) { return glm::length(motion.still) > kMovesPX; });
     if (motions.size() < kFewestSamples || moved < std::ssize(motions) / 2)
@@ -214,7 +214,7 @@ MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size
                     best = unit;
                 }
             }
-    if (asDeclared >= kGood && most < asDeclared + kClearly)
+    if (asDeclared >= kGood && most < asDeclared + kMuch)
         return {true, {}};
     if (most < kGood)
         return {true, fmt::format("the motion of only {} of pixels agrees with the cameras: everything moves, or "
