@@ -270,8 +270,8 @@ gpu::Image& FrameStages::rayRecord() {
 TraceInputs FrameStages::traceInputs() {
     TraceInputs trace = {inputs(), prepared(), met(), trace_->rays(), pyramid_->pyramid(), {}, probes()};
     if (colors_.valid())
-        trace.previous.emplace(previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
-                               outputs_.previous(), colors_.before(kViewZ));
+        trace.previous.emplace(PreviousFrame{previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
+                                             outputs_.previous(), colors_.before(kViewZ)});
     return trace;
 }
 
