@@ -329,11 +329,13 @@ Result<void> checkOutput(const gpu::Context& context, const HostImage& image, co
 } // namespace
 
 Result<void> checkApart(const Outputs& outputs, const GBuffer& gbuffer) {
-    for (const auto& [image, name] :
+    for (const auto& output :
          {std::pair(&outputs.composite, "composite"), std::pair(&outputs.reflection, "reflection")}) {
+        const HostImage* const image = output.first;
+        const char* const name = output.second;
         if (!*image)
             continue;
-        const auto check = [&](const HostImage& input, const char* inputName) -> Result<void> {
+        const auto check = [image, name](const HostImage& input, const char* inputName) -> Result<void> {
             if (input.image == image->image)
                 return invalidArgument("the output `{}` is the image of the G-buffer's `{}`, which is read while it is "
                                        "written: hand over another",
