@@ -90,6 +90,8 @@ struct Conventions {
     /// direction, so highlights copied from the frame appear at wrong places in a mirror. With this mean, hits exclude
     /// them (screen.highlights).
     bool highlightsInAlpha = false;
+
+    bool operator==(const Conventions&) const = default;
 };
 
 /// The host's images of one frame. Requires the same size for all images except backDepth, VK_IMAGE_USAGE_SAMPLED_BIT

@@ -199,6 +199,28 @@ GLINT_API void glint_context_destroy(GlintContext* context);
 GLINT_API const char* glint_context_device_name(const GlintContext* context);
 GLINT_API const char* glint_context_driver(const GlintContext* context);
 
+/// Device memory of all images and buffers of one name (glint::MemoryUse).
+typedef struct GlintMemoryUse {
+    const char* name;
+    uint64_t bytes;
+    uint32_t count;
+    uint32_t reserved;
+} GlintMemoryUse;
+
+/// glint::MemoryReport
+typedef struct GlintMemoryReport {
+    uint32_t size;
+    uint32_t useCount;
+    const GlintMemoryUse*
+        uses;       ///< the largest first; valid until the next call of glint_context_memory with this object
+    uint64_t bytes; ///< of all images and buffers
+    uint64_t taken; ///< of the driver
+} GlintMemoryReport;
+
+GLINT_API void glint_memory_report_init(GlintMemoryReport* report, uint32_t size);
+/// Device memory in use now. `report->size` must be set.
+GLINT_API GlintResult glint_context_memory(GlintContext* context, GlintMemoryReport* report);
+
 // ---------------------------------------------------------------- settings
 
 /// One setting (glint::SettingInfo). Texts belong to the library and last as long as it is loaded.
@@ -440,6 +462,9 @@ GLINT_API void glint_ray_scene_destroy(GlintRayScene* scene);
 GLINT_API GlintRayBackend glint_ray_scene_backend(const GlintRayScene* scene);
 GLINT_API GlintResult glint_ray_scene_set_instances(GlintRayScene* scene, const GlintRayInstance* instances,
                                                     uint32_t count);
+/// Replaces `count` instances from `first` on and leaves the others.
+GLINT_API GlintResult glint_ray_scene_update_instances(GlintRayScene* scene, uint32_t first,
+                                                       const GlintRayInstance* instances, uint32_t count);
 GLINT_API GlintResult glint_ray_scene_deform(GlintRayScene* scene, uint32_t mesh, const float* positions,
                                              uint32_t vertexCount, uint32_t vertexStride);
 GLINT_API void glint_ray_scene_record(GlintRayScene* scene, VkCommandBuffer commands);
@@ -573,6 +598,11 @@ GLINT_API GlintResult glint_surface_table_create(GlintContext* context, const Gl
 GLINT_API void glint_surface_table_destroy(GlintSurfaceTable* table);
 GLINT_API GlintResult glint_surface_table_set_instances(GlintSurfaceTable* table, const GlintSurfaceInstance* instances,
                                                         uint32_t count);
+/// Replaces `count` items from `first` on and leaves the others.
+GLINT_API GlintResult glint_surface_table_update_instances(GlintSurfaceTable* table, uint32_t first,
+                                                           const GlintSurfaceInstance* instances, uint32_t count);
+GLINT_API GlintResult glint_surface_table_update_materials(GlintSurfaceTable* table, uint32_t first,
+                                                           const GlintSurfaceMaterial* materials, uint32_t count);
 GLINT_API GlintResult glint_surface_table_set_lights(GlintSurfaceTable* table, const GlintSurfaceLight* lights,
                                                      uint32_t count);
 GLINT_API GlintResult glint_surface_table_set_materials(GlintSurfaceTable* table, const GlintSurfaceMaterial* materials,
@@ -725,6 +755,8 @@ typedef struct GlintReflectionsDesc {
     VkBool32 views;
     VkBool32 transparentLayers;
     VkBool32 timers;
+    VkBool32 inspection;
+    VkBool32 inputCheck;
 } GlintReflectionsDesc;
 
 GLINT_API void glint_reflections_desc_init(GlintReflectionsDesc* desc, uint32_t size);
@@ -752,6 +784,110 @@ typedef struct GlintStatistics {
 } GlintStatistics;
 
 GLINT_API void glint_statistics_init(GlintStatistics* statistics, uint32_t size);
+
+/// glint::InputCheck. The texts of the findings: glint_reflections_input_finding.
+typedef struct GlintInputCheck {
+    uint32_t size;
+    uint32_t findingCount;
+    uint64_t tested;
+    double normalsAgree;
+    VkBool32 motionCompared;
+    uint32_t reserved;
+} GlintInputCheck;
+
+GLINT_API void glint_input_check_init(GlintInputCheck* check, uint32_t size);
+
+/// glint::KnownPlane
+typedef struct GlintKnownPlane {
+    uint32_t size;
+    float pointWS[3];
+    float normalWS[3];
+    uint32_t reserved;
+} GlintKnownPlane;
+
+GLINT_API void glint_known_plane_init(GlintKnownPlane* plane, uint32_t size);
+
+/// glint::RaySample. Texts are valid until the program ends.
+typedef struct GlintRaySample {
+    float positionPX[2];
+    uint32_t level;
+    float rayDepth;
+    float sceneDepth;
+    float slabEndDepth; ///< NaN: not fetched
+    float distance;
+    uint32_t reserved;
+    const char* decision;
+} GlintRaySample;
+
+/// glint::RayInspection::Point
+typedef struct GlintRayPoint {
+    float px[2];
+    float positionVS[3];
+    float positionWS[3];
+    float depth;
+} GlintRayPoint;
+
+/// glint::RayInspection::Fade
+typedef struct GlintRayFade {
+    const char* name;
+    float factor;
+    uint32_t reserved;
+} GlintRayFade;
+
+/// glint::RayInspection::Source
+typedef struct GlintRaySource {
+    const char* name;
+    float weight;
+    float radiance[3];
+} GlintRaySource;
+
+/// glint::RayInspection. Lists are valid until the next call of glint_reflections_inspection with this object.
+typedef struct GlintRayInspection {
+    uint32_t size;
+    uint32_t sampleCount;
+    const GlintRaySample* samples;
+    const GlintRayFade* fades;
+    const GlintRaySource* sources;
+    uint32_t fadeCount;
+    uint32_t sourceCount;
+    const char* whyNoRay; ///< null: a ray was traced
+    const char* outcome;
+    uint32_t pixel[2];
+    uint32_t rayPixel[2];
+    VkBool32 background;
+    float depth;
+    float positionWS[3];
+    float normalWS[3];
+    float f0[3];
+    float perceptualRoughness;
+    VkBool32 traced;
+    GlintRayPoint start;
+    GlintRayPoint end;
+    float directionVS[3];
+    float directionWS[3];
+    float maxLength;
+    float length;
+    VkBool32 hit;
+    VkBool32 answered;
+    VkBool32 hasHitPixel;
+    uint32_t hitPixel[2];
+    float hitDepth;
+    float radiance[3];
+    float weight;
+    uint32_t lookups;
+    uint32_t iterations;
+    VkBool32 truncated;
+    VkBool32 sameAsFrame;
+    float totalWeight;
+    float reflected[3];
+    float composite[4];
+    uint32_t projectedProbe; ///< march proxy; UINT32_MAX: no probe holds the pixel
+    const char* proxy;       ///< march proxy: "none", "box" or "sphere"; null: another march
+    float projectionDistance;
+    uint32_t reserved;
+} GlintRayInspection;
+
+GLINT_API void glint_ray_inspection_init(GlintRayInspection* inspection, uint32_t size);
 
 GLINT_API GlintResult glint_reflections_create(GlintContext* context, const GlintReflectionsDesc* desc,
                                                GlintReflections** reflections);
@@ -786,6 +922,20 @@ GLINT_API GlintResult glint_reflections_record_view(GlintReflections* reflection
 GLINT_API uint32_t glint_view_name_count(void);
 /// Returns the name of a debug view; null for an index out of range.
 GLINT_API const char* glint_view_name(uint32_t index);
+
+/// Records an inspection of pixel (x, y) of the last recorded frame.
+GLINT_API GlintResult glint_reflections_record_inspection(GlintReflections* reflections, VkCommandBuffer commands,
+                                                          uint32_t x, uint32_t y);
+/// Reads the last inspected pixel, once the GPU has finished. `inspection->size` must be set.
+GLINT_API GlintResult glint_reflections_inspection(GlintReflections* reflections, GlintRayInspection* inspection);
+/// Records a check of the host's declarations with the last recorded frame. `plane` may be null.
+GLINT_API GlintResult glint_reflections_record_input_check(GlintReflections* reflections, VkCommandBuffer commands,
+                                                           const GlintKnownPlane* plane);
+/// Evaluates and reads the newest check that the GPU has finished. `check->size` must be set.
+GLINT_API GlintResult glint_reflections_input_check(GlintReflections* reflections, GlintInputCheck* check);
+/// Text of a finding; valid until the next call of glint_reflections_input_check with this object. Null for an index
+/// out of range.
+GLINT_API const char* glint_reflections_input_finding(const GlintReflections* reflections, uint32_t index);
 
 // Lists. A read_... function reads the list and returns its length. The texts of its items are valid until it is called
 // again for the same object; an index out of range gives null or 0.

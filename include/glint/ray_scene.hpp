@@ -48,7 +48,7 @@ struct RaySceneDesc {
 /// Build times. GPU times arrive some frames later; they are 0 until then, and with the Bvh back end.
 struct RaySceneTimes {
     double cpuBuildMs = 0;  ///< create: building hierarchies (Bvh) or preparing buffers (Query)
-    double cpuUpdateMs = 0; ///< the last setInstances or deform
+    double cpuUpdateMs = 0; ///< the last setInstances, updateInstances or deform
     double gpuBuildMs = 0;  ///< the record that built meshes
     double gpuUpdateMs = 0; ///< the last record that built or refitted
 };
@@ -71,6 +71,12 @@ public:
     /// Replaces all instances: the host may move, add or remove instances. Takes effect with the next record.
     /// Errors: InvalidArgument as in create, and for more than maxInstances instances.
     Result<void> setInstances(std::span<const RayInstance> instances);
+    /// Replaces the instances from `first` on, as many as are given; the others stay. The same hits as with
+    /// setInstances. With the Bvh back end, cost and upload are those of the given instances and of the nodes above
+    /// them, unless an instance appears or disappears (its transform becomes singular) or the hierarchy is worn out.
+    /// The Query back end uploads the given instances and builds its top level on the GPU, as with setInstances.
+    /// Errors: InvalidArgument as in create, and for instances after the list's last one.
+    Result<void> updateInstances(uint32_t first, std::span<const RayInstance> instances);
     /// Moves the vertices of a mesh created with `deforms`. A vertex with a non-finite position keeps its old position.
     /// The hierarchy is refitted, not rebuilt. Takes effect with the next record.
     /// Errors: InvalidArgument for a mesh created without `deforms`, or for a different vertex count.

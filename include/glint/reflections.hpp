@@ -5,6 +5,7 @@
 #include "glint/api.h"
 #include "glint/context.hpp"
 #include "glint/gbuffer.hpp"
+#include "glint/input_check.hpp"
 #include "glint/inspection.hpp"
 #include "glint/outputs.hpp"
 #include "glint/planar.hpp"
@@ -46,7 +47,10 @@ struct ReflectionsDesc {
     bool views = false;             ///< allocate an image for debug views (recordView)
     bool inspection = false;        ///< enable recordInspection: one more pipeline per marcher, and 256 KiB
     bool transparentLayers = false; ///< enable recordLayer: two more images of the frame's size, with mips
-    bool timers = true;             ///< time each pass (passTimes): two timestamps per pass
+    /// Check the host's declarations in the first frames (InputCheck): a small pass in one frame, later in ever rarer
+    /// ones until a frame has shown enough surfaces and motion. 250 KiB twice. Also enables recordInputCheck.
+    bool inputCheck = false;
+    bool timers = true; ///< time each pass (passTimes): two timestamps per pass
     /// Maximum frames in flight, at least 1. When frame n is recorded, the GPU has finished, or will never run, all
     /// frames up to n - framesInFlight. Objects that new settings or inputs replace are kept for this number of frames,
     /// and a history starts this number of frames later (screen.colorSource previous, rays.accumulate). 1: the host
@@ -199,6 +203,17 @@ public:
     /// Returns the inspection of the last inspected pixel. Call it after the GPU has finished that inspection.
     RayInspection inspection() const;
 
+    /// Records a check of the host's declarations (Conventions, View, motion) against the images of the last recorded
+    /// frame: copies samples of them. Requires ReflectionsDesc::inputCheck. The host's images must still hold that
+    /// frame, in the layouts that the host declared. `plane`: null, or a flat surface of known place that at least a
+    /// tenth of the pixels shows; the check then finds wrong distances too.
+    /// Errors: InvalidArgument if no frame was recorded, or for a plane without a unit normal.
+    Result<void> recordInputCheck(VkCommandBuffer commands, const KnownPlane* plane = nullptr);
+    /// Evaluates the newest check that the GPU has finished and returns it; `tested` is 0 until there is one. Never
+    /// waits. Findings become notes. Cost: none without a new check, otherwise up to about 50 ms of the CPU if
+    /// declarations are wrong or normals are bent by maps.
+    const InputCheck& inputCheck();
+
     /// Returns the GPU time of each pass of the newest frame that the GPU has finished. Never waits. Empty without
     /// ReflectionsDesc::timers.
     std::vector<PassTime> passTimes();
@@ -208,7 +223,8 @@ public:
     Statistics statistics();
 
     /// Returns notes for the host, each given once: for example, that reflections are added because the host did not
-    /// provide fallbackSpecular, or why record() recorded nothing.
+    /// provide fallbackSpecular, or why record() recorded nothing. With ReflectionsDesc::inputCheck, evaluates a
+    /// finished check, as inputCheck does.
     const std::vector<std::string>& notes() const;
 
 private:

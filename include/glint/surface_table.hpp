@@ -162,6 +162,11 @@ public:
     Result<void> setMaterials(std::span<const SurfaceMaterial> materials);
     Result<void> setMeshes(std::span<const SurfaceMesh> meshes);
 
+    /// Each of these two functions replaces the items from `first` on, as many as are given, and uploads these alone.
+    /// Errors: InvalidArgument as in create, and for items after the list's last one.
+    Result<void> updateInstances(uint32_t first, std::span<const SurfaceInstance> instances);
+    Result<void> updateMaterials(uint32_t first, std::span<const SurfaceMaterial> materials);
+
     /// Records the pending updates of the calls above, outside of rendering; without pending updates it records
     /// nothing. Call it before Reflections::record. Updates are stored in the command buffer itself, so any number of
     /// frames may be in flight.

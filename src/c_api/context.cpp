@@ -42,7 +42,7 @@ GlintResult glint_context_adopt(const GlintContextDesc* desc, uint32_t abi, Glin
                                     abi, GLINT_C_ABI));
     GLINT_C_TRY(device, readStruct<HostDevice>(desc));
     GLINT_C_TRY(adopted, Context::adopt(device));
-    *context = new GlintContext{std::move(adopted)};
+    *context = new GlintContext{std::move(adopted), {}, {}};
     return GLINT_SUCCESS;
 }
 
@@ -56,4 +56,22 @@ const char* glint_context_device_name(const GlintContext* context) {
 
 const char* glint_context_driver(const GlintContext* context) {
     return context ? context->context.driver().c_str() : nullptr;
+}
+
+void glint_memory_report_init(GlintMemoryReport* report, uint32_t size) {
+    initStruct<MemoryReport>(report, size);
+}
+
+GlintResult glint_context_memory(GlintContext* context, GlintMemoryReport* report) {
+    GLINT_C_REQUIRE(context);
+    GLINT_C_CHECK(checkResultStruct<MemoryReport>(report));
+    context->memory = context->context.memory();
+    context->memoryUses.clear();
+    for (const MemoryUse& use : context->memory.uses)
+        context->memoryUses.push_back({use.name.c_str(), use.bytes, use.count, 0});
+    GlintMemoryReport c = toC(context->memory);
+    c.uses = context->memoryUses.data();
+    c.useCount = static_cast<uint32_t>(context->memoryUses.size());
+    writeStruct(c, report, report->size);
+    return GLINT_SUCCESS;
 }

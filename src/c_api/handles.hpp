@@ -8,8 +8,11 @@
 #include <utility>
 #include <vector>
 
+/// With the list that was read last (glint_context_memory).
 struct GlintContext {
     glint::Context context;
+    glint::MemoryReport memory;
+    std::vector<GlintMemoryUse> memoryUses;
 };
 
 struct GlintSettings {
@@ -34,12 +37,17 @@ struct GlintProbes {
 
 /// With the lists that were read last (glint_reflections_read_...).
 struct GlintReflections {
-    explicit GlintReflections(glint::Reflections&& made) : reflections(std::move(made)) {}
+    GlintReflections(glint::Reflections&& made, bool inspected) : reflections(std::move(made)), inspects(inspected) {}
 
     glint::Reflections reflections;
+    bool inspects; ///< ReflectionsDesc::inspection
     std::vector<std::string> passImages;
     std::vector<glint::PassTime> passTimes;
     std::vector<std::string> notes;
     std::vector<std::string> outcomeNames;
     std::vector<GlintOutcome> outcomes;
+    std::vector<std::string> inputFindings;
+    std::vector<GlintRaySample> raySamples;
+    std::vector<GlintRayFade> rayFades;
+    std::vector<GlintRaySource> raySources;
 };

@@ -44,6 +44,10 @@ GLINT_C_STRUCT(ProbesDesc, GlintProbesDesc)
 GLINT_C_STRUCT(ReflectionsDesc, GlintReflectionsDesc)
 GLINT_C_STRUCT(SettingInfo, GlintSettingInfo)
 GLINT_C_STRUCT(Statistics, GlintStatistics)
+GLINT_C_STRUCT(MemoryReport, GlintMemoryReport)
+GLINT_C_STRUCT(InputCheck, GlintInputCheck)
+GLINT_C_STRUCT(KnownPlane, GlintKnownPlane)
+GLINT_C_STRUCT(RayInspection, GlintRayInspection)
 #undef GLINT_C_STRUCT
 
 /// The last value of each enum that C may pass; greater numbers are errors. Both languages count from 0.
@@ -384,6 +388,8 @@ void members(Visitor& visitor, GlintReflectionsDesc& c, ReflectionsDesc& cpp) { 
     GLINT_PAIR(views)
     GLINT_PAIR(transparentLayers)
     GLINT_PAIR(timers)
+    GLINT_PAIR(inspection)
+    GLINT_PAIR(inputCheck)
 }
 
 template <class Visitor>
@@ -396,6 +402,64 @@ void members(Visitor& visitor, GlintStatistics& c, Statistics& cpp) { // and out
     GLINT_PAIR(rays)
     GLINT_PAIR(lookupsMean)
     GLINT_PAIR(lookups95)
+}
+
+template <class Visitor>
+void members(Visitor& visitor, GlintMemoryReport& c, MemoryReport& cpp) { // and the uses (context.cpp)
+    GLINT_PAIR(bytes)
+    GLINT_PAIR(taken)
+}
+
+template <class Visitor>
+void members(Visitor& visitor, GlintInputCheck& c, InputCheck& cpp) { // and the findings (reflections.cpp)
+    GLINT_PAIR(tested)
+    GLINT_PAIR(normalsAgree)
+    GLINT_PAIR(motionCompared)
+}
+
+template <class Visitor>
+void members(Visitor& visitor, GlintKnownPlane& c, KnownPlane& cpp) {
+    GLINT_PAIR(pointWS)
+    GLINT_PAIR(normalWS)
+}
+
+template <class Visitor>
+void members(Visitor& visitor, GlintRayPoint& c, RayInspection::Point& cpp) {
+    GLINT_PAIR(px)
+    GLINT_PAIR(positionVS)
+    GLINT_PAIR(positionWS)
+    GLINT_PAIR(depth)
+}
+
+template <class Visitor>
+void members(Visitor& visitor, GlintRayInspection& c, RayInspection& cpp) { // lists, texts, optionals: inspection.cpp
+    GLINT_PAIR(pixel)
+    GLINT_PAIR(rayPixel)
+    GLINT_PAIR(background)
+    GLINT_PAIR(depth)
+    GLINT_PAIR(positionWS)
+    GLINT_PAIR(normalWS)
+    GLINT_PAIR(f0)
+    GLINT_PAIR(perceptualRoughness)
+    GLINT_PAIR(traced)
+    GLINT_PAIR(start)
+    GLINT_PAIR(end)
+    GLINT_PAIR(directionVS)
+    GLINT_PAIR(directionWS)
+    GLINT_PAIR(maxLength)
+    GLINT_PAIR(length)
+    GLINT_PAIR(hit)
+    GLINT_PAIR(answered)
+    GLINT_PAIR(hitDepth)
+    GLINT_PAIR(radiance)
+    GLINT_PAIR(weight)
+    GLINT_PAIR(lookups)
+    GLINT_PAIR(iterations)
+    GLINT_PAIR(truncated)
+    GLINT_PAIR(sameAsFrame)
+    GLINT_PAIR(totalWeight)
+    GLINT_PAIR(reflected)
+    GLINT_PAIR(composite)
 }
 
 #undef GLINT_PAIR

@@ -67,6 +67,13 @@ GlintResult glint_ray_scene_set_instances(GlintRayScene* scene, const GlintRayIn
     return outcome(scene->scene.setInstances(list));
 }
 
+GlintResult glint_ray_scene_update_instances(GlintRayScene* scene, uint32_t first, const GlintRayInstance* instances,
+                                             uint32_t count) {
+    GLINT_C_REQUIRE(scene);
+    GLINT_C_TRY(list, readArray<RayInstance>(instances, count));
+    return outcome(scene->scene.updateInstances(first, list));
+}
+
 GlintResult glint_ray_scene_deform(GlintRayScene* scene, uint32_t mesh, const float* positions, uint32_t vertexCount,
                                    uint32_t vertexStride) {
     GLINT_C_REQUIRE(scene);

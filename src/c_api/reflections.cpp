@@ -23,7 +23,7 @@ GlintResult glint_reflections_create(GlintContext* context, const GlintReflectio
     if (whole.settings)
         cpp.settings = whole.settings->settings;
     GLINT_C_TRY(made, Reflections::create(context->context, cpp));
-    *reflections = new GlintReflections(std::move(made));
+    *reflections = new GlintReflections(std::move(made), cpp.inspection);
     return GLINT_SUCCESS;
 }
 

@@ -62,6 +62,20 @@ GlintResult glint_surface_table_set_instances(GlintSurfaceTable* table, const Gl
     return outcome(table->table.setInstances(list));
 }
 
+GlintResult glint_surface_table_update_instances(GlintSurfaceTable* table, uint32_t first,
+                                                 const GlintSurfaceInstance* instances, uint32_t count) {
+    GLINT_C_REQUIRE(table);
+    GLINT_C_TRY(list, readArray<SurfaceInstance>(instances, count));
+    return outcome(table->table.updateInstances(first, list));
+}
+
+GlintResult glint_surface_table_update_materials(GlintSurfaceTable* table, uint32_t first,
+                                                 const GlintSurfaceMaterial* materials, uint32_t count) {
+    GLINT_C_REQUIRE(table);
+    GLINT_C_TRY(list, readArray<SurfaceMaterial>(materials, count));
+    return outcome(table->table.updateMaterials(first, list));
+}
+
 GlintResult glint_surface_table_set_lights(GlintSurfaceTable* table, const GlintSurfaceLight* lights, uint32_t count) {
     GLINT_C_REQUIRE(table);
     GLINT_C_TRY(list, readArray<SurfaceLight>(lights, count));

@@ -217,10 +217,25 @@ void Frame::update(Buffer& buffer, const void* data, size_t size, size_t offset)
     if (rehearsing())
         return;
     flushBarriers();
+    copyIn(buffer, static_cast<const std::byte*>(data), size, offset);
+}
+
+void Frame::copyIn(Buffer& buffer, const std::byte* data, size_t size, size_t offset) {
     constexpr size_t kMost = 65536; // Vulkan's limit per command
     for (size_t done = 0; done < size; done += kMost)
         context_.api().CmdUpdateBuffer(commands_, buffer.handle(), offset + done, std::min(size - done, kMost),
-                                       static_cast<const std::byte*>(data) + done);
+                                       data + done);
+}
+
+void Frame::update(Buffer& buffer, std::span<const std::byte> content, std::span<const ByteRange> parts) {
+    if (parts.empty())
+        return;
+    use(buffer, kTransferWriteBuffer);
+    if (rehearsing())
+        return;
+    flushBarriers();
+    for (const ByteRange& part : parts)
+        copyIn(buffer, content.data() + part.first, part.size, part.first);
 }
 
 void Frame::upload(Buffer& staging, Buffer& target) {

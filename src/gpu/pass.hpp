@@ -8,6 +8,7 @@
 #pragma once
 
 #include "gpu/acceleration_structure.hpp"
+#include "gpu/dirty_ranges.hpp"
 #include "gpu/pipeline.hpp"
 #include "gpu/resources.hpp"
 #include "gpu/timers.hpp"
@@ -172,6 +173,8 @@ public:
     /// TRANSFER_DST usage; at most 65536 per command. For data that change each frame: `data` need not stay valid until
     /// execution.
     void update(Buffer& buffer, const void* data, size_t size, size_t offset = 0);
+    /// As update, for parts of a buffer that `content` is all of.
+    void update(Buffer& buffer, std::span<const std::byte> content, std::span<const ByteRange> parts);
     /// Copies a whole upload buffer to the start of a buffer with TRANSFER_DST usage.
     void upload(Buffer& staging, Buffer& target);
     /// Builds acceleration structures from their inputs, as many in parallel as `scratch` has room for; `scratch` must
@@ -237,6 +240,7 @@ private:
     void use(Buffer& buffer, const Use& use);
     void buildAll(std::span<AccelerationStructure* const> structures, Buffer& scratch, bool refit);
     void flushBarriers();
+    void copyIn(Buffer& buffer, const std::byte* data, size_t size, size_t offset);
     void fail(std::string message);
     void beginScope(const char* name);
     void endScope();

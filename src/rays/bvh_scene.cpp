@@ -122,6 +122,69 @@ void BvhScene::setInstances(std::span<const RayInstance> instances) {
     fitTop();
 }
 
+void BvhScene::updateInstances(uint32_t first, std::span<const RayInstance> instances) {
+    if (instances.empty())
+        return;
+    std::ranges::copy(instances, instances_.begin() + first);
+    // The cost of the tree takes as long as a whole refit, so it is not computed for each small change.
+    constexpr size_t kPart = 4;
+    moved_ += instances.size();
+    if (moved_ * kPart > topInstances_.size() || !replace(first, static_cast<uint32_t>(instances.size())))
+        fitTop();
+}
+
+std::optional<BvhScene::Placed> BvhScene::place(uint32_t index) const {
+    const RayInstance& instance = instances_[index];
+    const Part& part = parts_[instance.mesh];
+    const std::optional<Placement> placement = placementOf(instance);
+    if (part.bounds.empty() || !placement)
+        return std::nullopt;
+    shared::BvhInstance record = {};
+    const glm::mat3 rows(glm::transpose(placement->worldToLocal));
+    const glm::vec3 originWS(placement->localToWorld[3]);
+    for (int row = 0; row < 3; ++row)
+        record.worldToLocal[row] = glm::vec4(rows[row], originWS[row]);
+    record.rootNode = part.firstNode;
+    record.number = index;
+    record.maskAndFlags = instance.mask | (instance.opaque ? shared::kBvhInstanceOpaque : 0) |
+                          (instance.doubleSided ? shared::kBvhInstanceDoubleSided : 0);
+    return Placed{boundsWS(*placement, part.bounds), record};
+}
+
+bool BvhScene::replace(uint32_t first, uint32_t count) {
+    const auto begin = std::ranges::lower_bound(topInstances_, first);
+    const auto end = std::ranges::lower_bound(topInstances_, first + count);
+    auto present = begin;
+    std::vector<Placed> placed;
+    for (uint32_t i = first; i < first + count; ++i) {
+        const bool before = present != end && *present == i;
+        const std::optional<Placed> now = place(i);
+        if (before != now.has_value())
+            return false;
+        present += before ? 1 : 0;
+        if (now)
+            placed.push_back(*now);
+    }
+    if (!topLinks_)
+        topLinks_ = linksOf(top_);
+    if (topUpload_.isDone()) {
+        dirtyNodes_.clear();
+        dirtyRecords_.clear();
+    }
+    std::vector<uint32_t> primitives(placed.size());
+    std::iota(primitives.begin(), primitives.end(), static_cast<uint32_t>(begin - topInstances_.begin()));
+    for (size_t i = 0; i < placed.size(); ++i) {
+        const uint32_t where = topLinks_->places[primitives[i]];
+        topBoxes_[primitives[i]] = placed[i].boundsWS;
+        topRecords_[where] = placed[i].record;
+        dirtyRecords_.add(where * sizeof(shared::BvhInstance), sizeof(shared::BvhInstance));
+    }
+    for (const uint32_t node : refit(top_, *topLinks_, topBoxes_, primitives))
+        dirtyNodes_.add(node * sizeof(shared::BvhNode), sizeof(shared::BvhNode));
+    topUpload_.ask();
+    return true;
+}
+
 void BvhScene::fitMesh(uint32_t index) {
     Part& part = parts_[index];
     refit(part.tree, boxesOf(part));
@@ -136,38 +199,31 @@ void BvhScene::fitMesh(uint32_t index) {
 
 void BvhScene::fitTop() {
     std::vector<uint32_t> present;
-    std::vector<Bounds> boxes;
     std::vector<shared::BvhInstance> records;
-    for (uint32_t i = 0; i < instances_.size(); ++i) {
-        const RayInstance& instance = instances_[i];
-        const Part& part = parts_[instance.mesh];
-        const std::optional<Placement> placement = placementOf(instance);
-        if (part.bounds.empty() || !placement)
-            continue;
-        present.push_back(i);
-        boxes.push_back(boundsWS(*placement, part.bounds));
-        shared::BvhInstance record = {};
-        const glm::mat3 rows(glm::transpose(placement->worldToLocal));
-        const glm::vec3 originWS(placement->localToWorld[3]);
-        for (int row = 0; row < 3; ++row)
-            record.worldToLocal[row] = glm::vec4(rows[row], originWS[row]);
-        record.rootNode = part.firstNode;
-        record.number = i;
-        record.maskAndFlags = instance.mask | (instance.opaque ? shared::kBvhInstanceOpaque : 0) |
-                              (instance.doubleSided ? shared::kBvhInstanceDoubleSided : 0);
-        records.push_back(record);
-    }
+    topBoxes_.clear();
+    for (uint32_t i = 0; i < instances_.size(); ++i)
+        if (const std::optional<Placed> placed = place(i)) {
+            present.push_back(i);
+            topBoxes_.push_back(placed->boundsWS);
+            records.push_back(placed->record);
+        }
     const bool sameInstances = present == topInstances_ && !top_.nodes.empty();
     if (sameInstances)
-        refit(top_, boxes);
-    if (!sameInstances || sahCost(top_, boxes) > kWornOut * topCost_) {
-        top_ = buildWideBvh(boxes, 1, shared::kBvhTopLevels);
-        topCost_ = sahCost(top_, boxes);
+        refit(top_, topBoxes_);
+    if (!sameInstances || sahCost(top_, topBoxes_) > kWornOut * topCost_) {
+        top_ = buildWideBvh(topBoxes_, 1, shared::kBvhTopLevels);
+        topCost_ = sahCost(top_, topBoxes_);
         topInstances_ = std::move(present);
+        topLinks_.reset();
     }
+    moved_ = 0;
     topRecords_.clear();
     for (const uint32_t primitive : top_.order)
         topRecords_.push_back(records[primitive]);
+    dirtyNodes_.clear();
+    dirtyRecords_.clear();
+    dirtyNodes_.add(0, top_.nodes.size() * sizeof(shared::BvhNode));
+    dirtyRecords_.add(0, topRecords_.size() * sizeof(shared::BvhInstance));
     topUpload_.ask();
 }
 
@@ -208,9 +264,8 @@ void BvhScene::record(gpu::Frame& frame, const gpu::Progress& progress) {
             deformedUpload_.recorded(progress);
         }
         if (top) {
-            frame.update(nodes_, top_.nodes.data(), top_.nodes.size() * sizeof(shared::BvhNode));
-            if (!topRecords_.empty())
-                frame.update(instanceRecords_, topRecords_.data(), topRecords_.size() * sizeof(shared::BvhInstance));
+            frame.update(nodes_, std::as_bytes(std::span(top_.nodes)), dirtyNodes_.merged());
+            frame.update(instanceRecords_, std::as_bytes(std::span(topRecords_)), dirtyRecords_.merged());
             topUpload_.recorded(progress);
         }
     });

@@ -104,12 +104,29 @@ Result<std::unique_ptr<QueryScene>> QueryScene::create(gpu::Context& context, st
 
 void QueryScene::setInstances(std::span<const RayInstance> instances) {
     std::fill(records_.begin(), records_.end(), VkAccelerationStructureInstanceKHR{});
+    place(0, instances);
+    dirty_.clear();
+    dirty_.add(0, records_.size() * sizeof(records_.front()));
+    topUpload_.ask();
+}
+
+void QueryScene::updateInstances(uint32_t first, std::span<const RayInstance> instances) {
+    if (instances.empty())
+        return;
+    place(first, instances);
+    if (topUpload_.isDone())
+        dirty_.clear();
+    dirty_.add(first * sizeof(records_.front()), instances.size() * sizeof(records_.front()));
+    topUpload_.ask();
+}
+
+void QueryScene::place(size_t first, std::span<const RayInstance> instances) {
     for (size_t i = 0; i < instances.size(); ++i) {
         const Part& part = parts_[instances[i].mesh];
-        if (const auto placement = placementOf(instances[i]); placement && part.structure)
-            records_[i] = recordOf(instances[i], *placement, part.structure.address());
+        const auto placement = placementOf(instances[i]);
+        records_[first + i] = placement && part.structure ? recordOf(instances[i], *placement, part.structure.address())
+                                                          : VkAccelerationStructureInstanceKHR{};
     }
-    topUpload_.ask();
 }
 
 void QueryScene::fitMesh(uint32_t index) {
@@ -153,7 +170,7 @@ void QueryScene::record(gpu::Frame& frame, const gpu::Progress& progress) {
             deformedUpload_.recorded(progress);
         }
         if (top) {
-            frame.update(instances_, records_.data(), records_.size() * sizeof(records_.front()));
+            frame.update(instances_, std::as_bytes(std::span(records_)), dirty_.merged());
             topUpload_.recorded(progress);
         }
         frame.build(std::array{&top_}, scratch_); // its boxes depend on the meshes' boxes

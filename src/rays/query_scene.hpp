@@ -1,6 +1,7 @@
 // Back end `query`: the driver's acceleration structures, one bottom level per mesh, for shaders/rays/query.glsl.
 #pragma once
 
+#include "gpu/dirty_ranges.hpp"
 #include "gpu/pass.hpp"
 #include "gpu/progress.hpp"
 #include "rays/instance.hpp"
@@ -16,6 +17,8 @@ public:
 
     /// Requires, checked by the caller: at most maxInstances, and every mesh exists.
     void setInstances(std::span<const RayInstance> instances);
+    /// Requires, checked by the caller: they exist.
+    void updateInstances(uint32_t first, std::span<const RayInstance> instances);
     Mesh& mesh(uint32_t index) { return parts_[index].mesh; }
     /// Call after the mesh's vertices were moved.
     void fitMesh(uint32_t index);
@@ -27,6 +30,7 @@ public:
 
 private:
     QueryScene() = default;
+    void place(size_t first, std::span<const RayInstance> instances);
 
     struct Part {
         Mesh mesh; ///< positions are kept only for meshes that deform
@@ -37,6 +41,7 @@ private:
 
     std::vector<Part> parts_;
     std::vector<VkAccelerationStructureInstanceKHR> records_; ///< maxInstances records; the inactive ones last
+    gpu::DirtyRanges dirty_;                                  ///< bytes of records_, since the GPU had all of them
     gpu::Standing topUpload_;
     gpu::Standing deformedUpload_ = gpu::Standing(false); ///< of the parts with `deformed`
     gpu::Standing upload_;                                ///< of all other data, from the staging buffers

@@ -34,14 +34,18 @@ Bounds Scene::instanceBounds(uint32_t instance) const {
     return placement && !local.empty() ? boundsWS(*placement, local) : Bounds();
 }
 
+Result<void> Scene::checkMeshes(std::span<const RayInstance> instances, size_t first) const {
+    for (size_t i = 0; i < instances.size(); ++i)
+        if (instances[i].mesh >= deformable_.size())
+            return invalidArgument("ray instance {} is of mesh {}, the scene has {}", first + i, instances[i].mesh,
+                                   deformable_.size());
+    return {};
+}
+
 Result<void> Scene::check(std::span<const RayInstance> instances) const {
     if (instances.size() > maxInstances_)
         return invalidArgument("{} ray instances, the scene was made for at most {}", instances.size(), maxInstances_);
-    for (size_t i = 0; i < instances.size(); ++i)
-        if (instances[i].mesh >= deformable_.size())
-            return invalidArgument("ray instance {} is of mesh {}, the scene has {}", i, instances[i].mesh,
-                                   deformable_.size());
-    return {};
+    return checkMeshes(instances, 0);
 }
 
 Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySceneDesc& desc) {
@@ -87,6 +91,18 @@ Result<void> Scene::setInstances(std::span<const RayInstance> instances) {
     GLINT_CHECK(check(instances));
     instances_.assign(instances.begin(), instances.end());
     std::visit([&](auto& backend) { backend->setInstances(instances); }, scene_);
+    times_.cpuUpdateMs = millisecondsSince(start);
+    return {};
+}
+
+Result<void> Scene::updateInstances(uint32_t first, std::span<const RayInstance> instances) {
+    const auto start = std::chrono::steady_clock::now();
+    if (uint64_t{first} + instances.size() > instances_.size())
+        return invalidArgument("ray instances {} to {} are updated, the scene has {}", first,
+                               uint64_t{first} + instances.size(), instances_.size());
+    GLINT_CHECK(checkMeshes(instances, first));
+    std::ranges::copy(instances, instances_.begin() + first);
+    std::visit([&](auto& backend) { backend->updateInstances(first, instances); }, scene_);
     times_.cpuUpdateMs = millisecondsSince(start);
     return {};
 }
@@ -162,6 +178,10 @@ RayBackend RayScene::backend() const {
 
 Result<void> RayScene::setInstances(std::span<const RayInstance> instances) {
     return scene_->setInstances(instances);
+}
+
+Result<void> RayScene::updateInstances(uint32_t first, std::span<const RayInstance> instances) {
+    return scene_->updateInstances(first, instances);
 }
 
 Result<void> RayScene::deform(uint32_t mesh, const float* positions, uint32_t vertexCount, uint32_t vertexStride) {

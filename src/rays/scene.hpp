@@ -23,6 +23,7 @@ public:
     /// World-space bounds of an instance; empty if no ray can intersect it.
     Bounds instanceBounds(uint32_t instance) const;
     Result<void> setInstances(std::span<const RayInstance> instances);
+    Result<void> updateInstances(uint32_t first, std::span<const RayInstance> instances);
     Result<void> deform(uint32_t mesh, const float* positions, uint32_t vertexCount, uint32_t vertexStride);
     void record(VkCommandBuffer commands);
     void releaseStaging();
@@ -35,6 +36,8 @@ public:
 
 private:
     explicit Scene(gpu::Context& context) : KeepsContext(context), context_(context) {}
+    /// `first`: the number of the first one in the list, for messages.
+    Result<void> checkMeshes(std::span<const RayInstance> instances, size_t first) const;
     Result<void> check(std::span<const RayInstance> instances) const;
 
     gpu::Context& context_;

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 
 namespace glint::rays {
 namespace {
@@ -303,6 +304,17 @@ void visitSlots(const WideBvh& bvh, size_t index, std::span<const Bounds> boxes,
     }
 }
 
+void refitNode(WideBvh& bvh, size_t index, std::span<const Bounds> boxes) {
+    SlotBounds slots;
+    Bounds whole;
+    visitSlots(bvh, index, boxes, [&](uint32_t slot, const Bounds& box, uint32_t) {
+        slots[slot] = box;
+        whole.add(box);
+    });
+    bvh.bounds[index] = whole;
+    quantize(bvh.nodes[index], slots, whole);
+}
+
 } // namespace
 
 WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t maxLevels) {
@@ -314,16 +326,50 @@ WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t m
 }
 
 void refit(WideBvh& bvh, std::span<const Bounds> boxes) {
-    for (size_t i = bvh.nodes.size(); i-- > 0;) { // children are stored after their parents
-        SlotBounds slots;
-        Bounds whole;
-        visitSlots(bvh, i, boxes, [&](uint32_t slot, const Bounds& box, uint32_t) {
-            slots[slot] = box;
-            whole.add(box);
-        });
-        bvh.bounds[i] = whole;
-        quantize(bvh.nodes[i], slots, whole);
+    for (size_t i = bvh.nodes.size(); i-- > 0;) // children are stored after their parents
+        refitNode(bvh, i, boxes);
+}
+
+BvhLinks linksOf(const WideBvh& bvh) {
+    BvhLinks links;
+    links.parents.resize(bvh.nodes.size());
+    links.leaves.resize(bvh.order.size());
+    links.places.resize(bvh.order.size());
+    for (uint32_t i = 0; i < bvh.nodes.size(); ++i) {
+        const shared::BvhNode& node = bvh.nodes[i];
+        for (uint32_t slot = 0; slot < kSlots; ++slot) {
+            const uint32_t meta = metaOf(node, slot);
+            if (isNode(node, slot))
+                links.parents[childNode(node, slot)] = i;
+            else if (meta != 0)
+                for (int k = 0; k < std::popcount(meta >> 5); ++k) {
+                    const uint32_t place = node.words[1].y + (meta & 31) + static_cast<uint32_t>(k);
+                    links.leaves[bvh.order[place]] = i;
+                    links.places[bvh.order[place]] = place;
+                }
+        }
     }
+    return links;
+}
+
+std::vector<uint32_t> refit(WideBvh& bvh, const BvhLinks& links, std::span<const Bounds> boxes,
+                            std::span<const uint32_t> primitives) {
+    std::vector<bool> found(bvh.nodes.size());
+    std::vector<uint32_t> nodes;
+    const auto add = [&](uint32_t node) {
+        const bool isNew = !found[node];
+        if (isNew)
+            nodes.push_back(node);
+        found[node] = true;
+        return isNew;
+    };
+    for (const uint32_t primitive : primitives)
+        for (uint32_t node = links.leaves[primitive]; add(node) && node != 0;)
+            node = links.parents[node];
+    std::ranges::sort(nodes, std::greater()); // children are stored after their parents
+    for (const uint32_t node : nodes)
+        refitNode(bvh, node, boxes);
+    return nodes;
 }
 
 double sahCost(const WideBvh& bvh, std::span<const Bounds> boxes) {

@@ -27,6 +27,19 @@ WideBvh buildWideBvh(std::span<const Bounds> boxes, uint32_t maxLeaf, uint32_t m
 /// Refits all boxes of the tree to the moved primitives; `boxes` as in buildWideBvh. Cost: O(n).
 void refit(WideBvh& bvh, std::span<const Bounds> boxes);
 
+/// Where the nodes and the primitives of a tree hang. Valid until the tree is built again.
+struct BvhLinks {
+    std::vector<uint32_t> parents; ///< by node; 0 for the root
+    std::vector<uint32_t> leaves;  ///< by primitive: the node whose slot holds it
+    std::vector<uint32_t> places;  ///< by primitive: its place in WideBvh::order
+};
+BvhLinks linksOf(const WideBvh& bvh);
+
+/// Refits the boxes above these primitives alone: if all others keep theirs, the same result as refit of the whole
+/// tree. Returns the nodes that were refitted.
+std::vector<uint32_t> refit(WideBvh& bvh, const BvhLinks& links, std::span<const Bounds> boxes,
+                            std::span<const uint32_t> primitives);
+
 /// Returns the surface area heuristic's cost with the exact boxes of nodes. A refitted tree whose cost has grown should
 /// be rebuilt.
 double sahCost(const WideBvh& bvh, std::span<const Bounds> boxes);

@@ -134,12 +134,16 @@ HostImage FrameStages::record(VkCommandBuffer commands, const View& view) {
     ranPasses_ = hierarchy_->anySource() || stages_.settings().debug.outcome || expectsLayers() || outputs_.areHosts();
     upToDate_.ask();
     written_.clear();
+    if (checker_)
+        checker_->begin(view, frameNumber_);
     if (!ranPasses_) {
         forgetFrames(HistoryReset::NotLight);
         return host_.gbuffer.litRadiance;
     }
     gpu::Frame frame(stages_.gpu, commands, timers_.get(), views_ ? &written_ : nullptr);
     recordFrame(frame, view);
+    if (checker_ && checker_->isDue())
+        checker_->record(frame, inputs(), host_.gbuffer);
     outputs_.handOut(frame);
     host_.giveBack(frame);
     stages_.progress.end(frame);
@@ -150,6 +154,8 @@ void FrameStages::forget() {
     written_.clear();
     recorded_ = ranPasses_ = false;
     upToDate_.ask();
+    if (checker_)
+        checker_->forget();
     forgetFrames(HistoryReset::NotLight);
 }
 
@@ -216,6 +222,16 @@ void FrameStages::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_
     stages_.progress.end(frame);
 }
 
+void FrameStages::recordInputCheck(VkCommandBuffer commands, const std::optional<KnownPlane>& plane) {
+    host_.lend();
+    stages_.progress.begin(frameNumber_);
+    gpu::Frame frame(stages_.gpu, commands);
+    tables_->record(frame, stages_.progress);
+    checker_->record(frame, inputs(), host_.gbuffer, plane);
+    host_.giveBack(frame);
+    stages_.progress.end(frame);
+}
+
 // ---------------------------------------------------------------- outputs that other stages read
 
 bool FrameStages::wantsHistory() const {
@@ -254,8 +270,8 @@ gpu::Image& FrameStages::rayRecord() {
 TraceInputs FrameStages::traceInputs() {
     TraceInputs trace = {inputs(), prepared(), met(), trace_->rays(), pyramid_->pyramid(), {}, probes()};
     if (colors_.valid())
-        trace.previous.emplace(previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
-                               outputs_.previous(), colors_.before(kViewZ));
+        trace.previous.emplace(PreviousFrame{previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
+                                             outputs_.previous(), colors_.before(kViewZ)});
     return trace;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/timers.hpp"
+#include "reflect/check/input_check.hpp"
 #include "reflect/composite/composite.hpp"
 #include "reflect/composite/ray_counts.hpp"
 #include "reflect/composite/views.hpp"
@@ -72,6 +73,7 @@ public:
     /// An image that a pass of the last frame wrote: its place in `written`.
     gpu::Image& recordWritten(VkCommandBuffer commands, size_t image);
     void recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y);
+    void recordInputCheck(VkCommandBuffer commands, const std::optional<KnownPlane>& plane);
 
     /// The images that the passes of the last frame wrote, each by the pass and the name that it has there.
     const std::vector<gpu::WrittenImage>& written() const { return written_; }
@@ -87,6 +89,8 @@ public:
     bool hasComposite() const { return outputs_.hasComposite(); }
     gpu::Image& composite() { return outputs_.composite(); }
 
+    /// Null without ReflectionsDesc::inputCheck.
+    InputChecker* inputChecker() { return checker_.get(); }
     RayInspection inspection() const { return inspector_->read(*hierarchy_); }
     std::vector<gpu::PassTime> passTimes() const;
     Statistics statistics() const;
@@ -162,6 +166,7 @@ private:
     std::unique_ptr<RayCounts> counts_;      ///< ReflectionsDesc::statistics
     std::unique_ptr<Views> views_;           ///< ReflectionsDesc::views
     std::unique_ptr<Inspector> inspector_;   ///< ReflectionsDesc::inspection
+    std::unique_ptr<InputChecker> checker_;  ///< ReflectionsDesc::inputCheck
     std::unique_ptr<gpu::Timers> timers_;    ///< ReflectionsDesc::timers
 
     uint64_t frameNumber_ = 0; ///< the host's frame number

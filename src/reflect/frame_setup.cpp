@@ -106,6 +106,8 @@ Result<void> FrameStages::setDenoise(const Settings& settings) {
 Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap& environment) {
     if (raysSource_ && environment.cube.view != host_.environment.cube.view)
         raysSource_->environmentChanged();
+    if (checker_ && (!host_.isSet() || gbuffer.conventions != host_.conventions()))
+        checker_->restart();
     host_.set(gbuffer, environment);
     return prepare_->setInputs(gbuffer);
 }
@@ -243,6 +245,8 @@ Result<void> FrameStages::createStages() {
     written_.reserve(desc.views ? kMaxWritten : 0);
     if (desc.inspection)
         GLINT_CHECK(keep(inspector_, Inspector::create(stages_)));
+    if (desc.inputCheck)
+        GLINT_CHECK(keep(checker_, InputChecker::create(stages_)));
     if (desc.timers)
         GLINT_CHECK(keep(timers_, gpu::Timers::create(stages_.gpu)));
     return {};
@@ -276,6 +280,8 @@ Result<void> FrameStages::rehearse() {
         views_->rehearse(frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), nullptr});
     if (inspector_)
         inspector_->rehearse(frame, inspectorInputs());
+    if (checker_)
+        checker_->rehearse(frame, inputs());
     return frame.firstError();
 }
 

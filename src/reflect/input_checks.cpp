@@ -2,6 +2,7 @@
 
 #include "reflect/gbuffer_images.hpp"
 #include "reflect/host_image.hpp"
+#include "reflect/host_numbers.hpp"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -274,6 +275,15 @@ Result<void> checkView(const View& view) {
     return {};
 }
 
+Result<void> checkPlane(const KnownPlane& plane) {
+    constexpr float kRounding = 1e-3f;
+    const float length = glm::length(toVec(plane.normalWS));
+    if (!within(plane.pointWS, -kLongest, kLongest) || !(std::abs(length - 1) < kRounding))
+        return invalidArgument("a KnownPlane needs a point in metres and a normal of unit length; it has the length {}",
+                               length);
+    return {};
+}
+
 Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, const EnvironmentMap& environment,
                          const ReflectionsDesc& desc) {
     const uint32_t samples = gbuffer.depth.samples;
@@ -319,11 +329,13 @@ Result<void> checkOutput(const gpu::Context& context, const HostImage& image, co
 } // namespace
 
 Result<void> checkApart(const Outputs& outputs, const GBuffer& gbuffer) {
-    for (const auto& [image, name] :
+    for (const auto& output :
          {std::pair(&outputs.composite, "composite"), std::pair(&outputs.reflection, "reflection")}) {
+        const HostImage* const image = output.first;
+        const char* const name = output.second;
         if (!*image)
             continue;
-        const auto check = [&](const HostImage& input, const char* inputName) -> Result<void> {
+        const auto check = [image, name](const HostImage& input, const char* inputName) -> Result<void> {
             if (input.image == image->image)
                 return invalidArgument("the output `{}` is the image of the G-buffer's `{}`, which is read while it is "
                                        "written: hand over another",

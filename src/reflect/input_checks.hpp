@@ -49,6 +49,9 @@ Result<void> checkCube(const gpu::Context& context, const HostImage& cube, uint3
 /// not (0, 0, 0, 1), as in a transposed matrix.
 Result<void> checkView(const View& view);
 
+/// Errors: InvalidArgument for a number that is not finite, or a normal without unit length.
+Result<void> checkPlane(const KnownPlane& plane);
+
 /// Checks the arguments of Reflections::setInputs. Errors: InvalidArgument names the image or the number.
 Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, const EnvironmentMap& environment,
                          const ReflectionsDesc& desc);

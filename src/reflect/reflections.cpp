@@ -8,6 +8,7 @@
 #include "reflect/input_checks.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace glint {
 
@@ -36,9 +37,11 @@ struct Reflections::State : gpu::KeepsContext {
     std::vector<std::unique_ptr<reflect::FrameStages>> outgoing;
     std::vector<std::string> notes;
     bool refused = false; ///< `notes` says why record did nothing
+    InputCheck check;     ///< the newest
 
     void note();
     void collectNotes();
+    void readCheck();
     Result<void> checkRecord(VkCommandBuffer commands, const View& view) const;
     void refuse(const Error& why);
 };
@@ -66,6 +69,7 @@ void Reflections::State::collectNotes() {
                                            std::pair(settings.rough.factor > 0, "rough.factor")})
             if (wanted)
                 notes.push_back(fmt::format("{} has no effect with denoise.enabled", name));
+    notes.insert(notes.end(), check.findings.begin(), check.findings.end());
     if (!frame->host().isSet())
         return;
     const GBuffer& gbuffer = frame->host().gbuffer;
@@ -82,6 +86,20 @@ void Reflections::State::collectNotes() {
                                "frame shows transparent surfaces");
         else if (!gbuffer.transparentDepth)
             notes.emplace_back("no transparentDepth: screen.transparents has no effect");
+    }
+}
+
+/// Keeps the reason for which record did nothing.
+void Reflections::State::readCheck() {
+    reflect::InputChecker* const checker = frame->inputChecker();
+    if (!checker || !checker->evaluate())
+        return;
+    std::erase_if(notes, [&](const std::string& text) { return std::ranges::count(check.findings, text) > 0; });
+    const std::vector<std::string> before = std::exchange(check, checker->result()).findings;
+    for (const std::string& text : check.findings) {
+        notes.push_back(text);
+        if (std::ranges::find(before, text) == before.end())
+            frame->context().message(text);
     }
 }
 
@@ -160,7 +178,10 @@ Result<void> Reflections::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     reflect::FrameStages& frame = *state_->frame;
     GLINT_CHECK(reflect::checkInputs(frame.context(), gbuffer, environment, frame.desc()));
     GLINT_CHECK(reflect::checkApart(frame.outputs(), gbuffer));
+    const bool others = gbuffer.conventions != frame.host().conventions();
     GLINT_CHECK(frame.setInputs(gbuffer, environment));
+    if (others)
+        state_->check = {};
     state_->note();
     return {};
 }
@@ -283,6 +304,25 @@ RayInspection Reflections::inspection() const {
     return state_->frame->inspection();
 }
 
+Result<void> Reflections::recordInputCheck(VkCommandBuffer commands, const KnownPlane* plane) {
+    reflect::FrameStages& frame = *state_->frame;
+    if (!frame.inputChecker())
+        return invalidArgument("these reflections were made without a check: set ReflectionsDesc::inputCheck");
+    if (!frame.recorded())
+        return invalidArgument("nothing was recorded with these settings: record a frame, then check its inputs");
+    if (!commands)
+        return invalidArgument("recordInputCheck without a command buffer");
+    if (plane)
+        GLINT_CHECK(reflect::checkPlane(*plane));
+    frame.recordInputCheck(commands, plane ? std::optional(*plane) : std::nullopt);
+    return {};
+}
+
+const InputCheck& Reflections::inputCheck() {
+    state_->readCheck();
+    return state_->check;
+}
+
 std::vector<std::string_view> Reflections::viewNames() {
     return {reflect::kViewNames.begin(), reflect::kViewNames.end()};
 }
@@ -307,6 +347,7 @@ Statistics Reflections::statistics() {
 }
 
 const std::vector<std::string>& Reflections::notes() const {
+    state_->readCheck();
     return state_->notes;
 }
 

@@ -1,8 +1,4 @@
-// Compares the layers of a G-buffer with each other and with the camera, and names declarations that contradict them:
-// "normals agree with space view, not world as declared".
-//
-// Depth and camera determine a surface's normal. The given normals agree with it only if depth, normals, axes, rows and
-// camera all mean what the mapping declares, so each other meaning is tried, and the one that agrees best is named.
+// Compares the layers of a G-buffer file with each other and with the camera, by the rules of check/rules.hpp.
 #pragma once
 
 #include "scene/gbuffer_pixels.hpp"

@@ -106,6 +106,8 @@ protected:
         desc.settings = settings_;
         desc.statistics = desc.views = VK_TRUE;
         desc.transparentLayers = transparentLayers ? VK_TRUE : VK_FALSE;
+        desc.inspection = inspection_ ? VK_TRUE : VK_FALSE;
+        desc.inputCheck = inputCheck_ ? VK_TRUE : VK_FALSE;
         desc.framesInFlight = 1;
         must(glint_reflections_create(context_, &desc, &reflections_));
     }
@@ -143,6 +145,8 @@ protected:
     GlintContext* context_ = nullptr;
     GlintSettings* settings_ = nullptr;
     GlintReflections* reflections_ = nullptr;
+    bool inspection_ = false; ///< of `create`
+    bool inputCheck_ = false;
     SurfaceScene scene_;
     SyntheticCamera camera_ = {.position = {0, 1, 4}, .target = {0, 0.3, 0}};
     TestEnvironment environment_;
@@ -220,6 +224,12 @@ TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
     tableDesc.instanceCount = static_cast<uint32_t>(instances.size());
     GlintSurfaceTable* table = nullptr;
     must(glint_surface_table_create(context_, &tableDesc, &table));
+    must(glint_surface_table_update_instances(table, 1, &instances[1], 1));
+    must(glint_surface_table_update_materials(table, 1, &materials[1], 1));
+    EXPECT_EQ(glint_surface_table_update_instances(table, tableDesc.instanceCount, instances.data(), 1),
+              GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_surface_table_update_materials(table, tableDesc.materialCount, materials.data(), 1),
+              GLINT_ERROR_INVALID_ARGUMENT);
     HostStructs structs;
     GlintProbe cProbe = toC(probe);
     cProbe.cube = structs.image(probe.cube);
@@ -298,6 +308,108 @@ TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
     glint_probes_destroy(cProbes);
     glint_surface_table_destroy(table);
     glint_ray_scene_destroy(rayScene);
+}
+
+TEST_F(CApiTest, AnInspectedPixelIsThatOfCpp) {
+    ReflectionsDesc desc = {kWidth, kHeight};
+    desc.inspection = true;
+    desc.framesInFlight = 1;
+    Reflections cpp = test::must(Reflections::create(library(), desc));
+    test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));
+    inspection_ = true;
+    create({});
+    setInputs(gbuffer_.gbuffer, environment_.map);
+    GlintRayInspection found = initialized(glint_ray_inspection_init);
+    size_t samples = 0;
+    for (const glm::uvec2 pixel : {glm::uvec2(kWidth / 2, kHeight - 4), glm::uvec2(kWidth / 3, kHeight - 9)}) {
+        run([&](VkCommandBuffer commands) {
+            cpp.record(commands, view(1));
+            test::must(cpp.recordInspection(commands, pixel.x, pixel.y));
+            recordC(commands, 1);
+            must(glint_reflections_record_inspection(reflections_, commands, pixel.x, pixel.y));
+        });
+        const RayInspection expected = cpp.inspection();
+        must(glint_reflections_inspection(reflections_, &found));
+        EXPECT_EQ(found.pixel[0], expected.pixel[0]);
+        EXPECT_EQ(found.pixel[1], expected.pixel[1]);
+        EXPECT_EQ(found.outcome, expected.outcome);
+        EXPECT_EQ(found.traced != 0, expected.traced);
+        EXPECT_EQ(found.depth, expected.depth);
+        EXPECT_EQ(found.lookups, expected.lookups);
+        EXPECT_EQ(found.end.positionWS[2], expected.end.positionWS[2]);
+        EXPECT_EQ(found.composite[1], expected.composite[1]);
+        EXPECT_EQ(found.hasHitPixel != 0, expected.hitPixel.has_value());
+        ASSERT_EQ(found.sampleCount, expected.samples.size());
+        for (uint32_t i = 0; i < found.sampleCount; ++i) {
+            EXPECT_EQ(found.samples[i].rayDepth, expected.samples[i].rayDepth);
+            EXPECT_EQ(found.samples[i].decision, expected.samples[i].decision);
+            EXPECT_EQ(std::isnan(found.samples[i].slabEndDepth), !expected.samples[i].slabEndDepth.has_value());
+        }
+        samples += found.sampleCount;
+        ASSERT_EQ(found.fadeCount, expected.fades.size());
+        for (uint32_t i = 0; i < found.fadeCount; ++i)
+            EXPECT_EQ(found.fades[i].name, expected.fades[i].name);
+        ASSERT_EQ(found.sourceCount, expected.sources.size());
+        for (uint32_t i = 0; i < found.sourceCount; ++i) {
+            EXPECT_EQ(found.sources[i].name, expected.sources[i].name);
+            EXPECT_EQ(found.sources[i].weight, expected.sources[i].weight);
+        }
+    }
+    EXPECT_GT(samples, 0u) << "a ray was traced";
+    run([&](VkCommandBuffer commands) {
+        EXPECT_EQ(glint_reflections_record_inspection(reflections_, commands, kWidth, 0), GLINT_ERROR_INVALID_ARGUMENT);
+    });
+    glint_reflections_destroy(reflections_);
+    inspection_ = false;
+    create({});
+    EXPECT_EQ(glint_reflections_inspection(reflections_, &found), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_THAT(glint_last_error(), HasSubstr("GlintReflectionsDesc::inspection"));
+}
+
+TEST_F(CApiTest, MemoryIsReportedByName) {
+    create({});
+    GlintMemoryReport report = initialized(glint_memory_report_init);
+    must(glint_context_memory(context_, &report));
+    ASSERT_GT(report.useCount, 5u);
+    uint64_t sum = 0;
+    bool surface = false;
+    for (uint32_t i = 0; i < report.useCount; ++i) {
+        sum += report.uses[i].bytes;
+        surface = surface || report.uses[i].name == std::string_view("glint/surface");
+        EXPECT_GT(report.uses[i].count, 0u);
+    }
+    EXPECT_EQ(sum, report.bytes);
+    EXPECT_TRUE(surface);
+    EXPECT_GE(report.taken, report.bytes);
+}
+
+TEST_F(CApiTest, WrongDeclarationsAreNamed) {
+    inputCheck_ = true;
+    create({});
+    GBuffer wrong = gbuffer_.gbuffer;
+    wrong.conventions.clipYDown = true;
+    setInputs(wrong, {});
+    GlintKnownPlane floor = initialized(glint_known_plane_init);
+    EXPECT_EQ(floor.normalWS[1], 1);
+    run([&](VkCommandBuffer commands) {
+        recordC(commands, 1);
+        must(glint_reflections_record_input_check(reflections_, commands, nullptr));
+        must(glint_reflections_record_input_check(reflections_, commands, &floor));
+        floor.normalWS[1] = 3;
+        EXPECT_EQ(glint_reflections_record_input_check(reflections_, commands, &floor), GLINT_ERROR_INVALID_ARGUMENT);
+    });
+    GlintInputCheck check = initialized(glint_input_check_init);
+    must(glint_reflections_input_check(reflections_, &check));
+    EXPECT_GT(check.tested, 50u);
+    EXPECT_LT(check.normalsAgree, 0.5);
+    ASSERT_GT(check.findingCount, 0u);
+    EXPECT_THAT(glint_reflections_input_finding(reflections_, 0), HasSubstr("clipYDown false, not true as declared"));
+    EXPECT_EQ(glint_reflections_input_finding(reflections_, check.findingCount), nullptr);
+    bool noted = false;
+    for (uint32_t i = 0, count = glint_reflections_read_notes(reflections_); i < count; ++i)
+        noted = noted || glint_reflections_note(reflections_, i) ==
+                             std::string_view(glint_reflections_input_finding(reflections_, 0));
+    EXPECT_TRUE(noted);
 }
 
 TEST_F(CApiTest, LayersGiveTheBitsOfCpp) {
@@ -384,6 +496,8 @@ TEST_F(CApiTest, AHostMayShadeHitsItself) {
     EXPECT_GT(times.cpuBuildMs, 0);
     glint_ray_scene_release_staging(scene);
     must(glint_ray_scene_set_instances(scene, &instance, 1));
+    must(glint_ray_scene_update_instances(scene, 0, &instance, 1));
+    EXPECT_EQ(glint_ray_scene_update_instances(scene, 1, &instance, 1), GLINT_ERROR_INVALID_ARGUMENT);
     const std::array<GlintRayInstance, 2> two = {instance, instance};
     EXPECT_EQ(glint_ray_scene_set_instances(scene, two.data(), 2), GLINT_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(glint_ray_scene_deform(scene, 0, mesh.positions, mesh.vertexCount, 12), GLINT_ERROR_INVALID_ARGUMENT)

@@ -1,9 +1,13 @@
 // RayScene: both back ends find the hits of an oracle that tests every triangle in double precision.
+#include "gpu/support/frames_in_flight.hpp"
 #include "gpu/support/ray_test.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
 #include <random>
 
 namespace glint::test {
@@ -393,6 +397,111 @@ TEST_P(RaySceneTest, nothingIsRecordedWhenNothingChanged) {
     }
     EXPECT_TRUE(traceRays(gpu(), *scene, {TestRay{}})[0].met());
     EXPECT_EQ(scene->times().gpuUpdateMs, first.gpuUpdateMs);
+}
+
+// ---------------------------------------------------------------- parts of the instances
+
+/// `count` triangles on a grid that faces +Z.
+TestScene grid(uint32_t count) {
+    TestScene scene;
+    scene.meshes.emplace_back().addTriangle({-0.4f, -0.4f, 0}, {0.4f, -0.4f, 0}, {0, 0.4f, 0});
+    const uint32_t side = static_cast<uint32_t>(std::ceil(std::sqrt(double(count))));
+    for (uint32_t i = 0; i < count; ++i) {
+        RayInstance& instance = scene.instances.emplace_back();
+        instance.localToWorld[12] = static_cast<float>(i % side);
+        instance.localToWorld[13] = static_cast<float>(i / side);
+        instance.localToWorld[14] = -2;
+    }
+    return scene;
+}
+
+/// The instances [first, first + count) of a list, changed.
+std::vector<RayInstance> changed(std::vector<RayInstance>& list, uint32_t first, uint32_t count, uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(-1, 1);
+    for (uint32_t i = first; i < first + count; ++i) {
+        list[i].localToWorld[12] += unit(random);
+        list[i].localToWorld[14] = -2 + unit(random);
+        list[i].mask = static_cast<uint8_t>(1u << random() % 2);
+    }
+    return {list.begin() + first, list.begin() + first + count};
+}
+
+void expectSameHits(const std::vector<TestHit>& part, const std::vector<TestHit>& whole) {
+    ASSERT_EQ(part.size(), whole.size());
+    size_t met = 0;
+    for (size_t i = 0; i < part.size(); ++i) {
+        ASSERT_EQ(part[i].instance, whole[i].instance) << i;
+        ASSERT_EQ(part[i].distance, whole[i].distance) << i;
+        ASSERT_EQ(part[i].occluded, whole[i].occluded) << i;
+        met += part[i].met();
+    }
+    EXPECT_GT(met, part.size() / 10);
+}
+
+/// Updates of parts, of which some are recorded together, some alone, and some never executed, give the hits of a scene
+/// that got all instances at once.
+TEST_P(RaySceneTest, partsOfTheInstancesAreReplacedAsTheWhole) {
+    constexpr uint32_t kCount = 2000;
+    TestScene scene = grid(kCount);
+    const auto parts = build(scene), whole = build(scene);
+    std::vector<TestRay> rays;
+    for (int y = 0; y < 45; ++y)
+        for (int x = 0; x < 45; ++x)
+            rays.push_back({.originWS = {float(x) + 0.1f, float(y) - 0.1f, 3}, .mask = x % 2 ? 0xffu : 1u});
+    expectSameHits(traceRays(gpu(), *parts, rays), traceRays(gpu(), *whole, rays));
+    std::mt19937 random(3);
+    for (uint32_t round = 0; round < 12; ++round) {
+        const uint32_t updates = 1 + round % 3;
+        for (uint32_t u = 0; u < updates; ++u) {
+            const uint32_t count = round == 7 ? kCount : 1 + static_cast<uint32_t>(random() % 60);
+            const uint32_t first = static_cast<uint32_t>(random() % (kCount - count + 1));
+            std::vector<RayInstance> now = changed(scene.instances, first, count, round * 10 + u);
+            if (round == 4) { // one disappears, and comes back later
+                now.front().localToWorld[0] = now.front().localToWorld[5] = now.front().localToWorld[10] = 0;
+                scene.instances[first] = now.front();
+            }
+            ASSERT_TRUE(parts->updateInstances(first, now));
+            if (round == 5)
+                const Recording neverExecuted(gpu(), [&](VkCommandBuffer commands) { parts->record(commands); });
+        }
+        ASSERT_TRUE(whole->setInstances(scene.instances));
+        expectSameHits(traceRays(gpu(), *parts, rays), traceRays(gpu(), *whole, rays));
+    }
+    EXPECT_TRUE(parts->updateInstances(kCount, {}));
+    const auto beyond = parts->updateInstances(kCount - 1, std::span(scene.instances).first(2));
+    ASSERT_FALSE(beyond);
+    EXPECT_NE(beyond.error().message.find("the scene has 2000"), std::string::npos) << beyond.error().message;
+    RayInstance wrong;
+    wrong.mesh = 1;
+    EXPECT_FALSE(parts->updateInstances(5, std::span(&wrong, 1)));
+}
+
+/// One instance in a hundred of 100000 moves: a frame pays for what moves, not for what there is.
+TEST_P(RaySceneTest, aSmallPartCostsLittle) {
+    constexpr uint32_t kCount = 100000, kMoved = kCount / 100;
+    TestScene scene = grid(kCount);
+    const auto rays = build(scene);
+    const auto milliseconds = [&](const auto& update) {
+        double best = 1e9;
+        for (uint32_t repeat = 0; repeat < 5; ++repeat) {
+            const std::vector<RayInstance> now = changed(scene.instances, kMoved * repeat, kMoved, repeat);
+            const auto start = std::chrono::steady_clock::now();
+            run([&](VkCommandBuffer commands) {
+                update(kMoved * repeat, now);
+                rays->record(commands);
+            });
+            best = std::min(
+                best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+        }
+        return best;
+    };
+    const double whole = milliseconds([&](uint32_t, const auto&) { ASSERT_TRUE(rays->setInstances(scene.instances)); });
+    const double part =
+        milliseconds([&](uint32_t first, const auto& now) { ASSERT_TRUE(rays->updateInstances(first, now)); });
+    std::printf("%u of %u instances: all replaced %.2f ms, these alone %.2f ms\n", kMoved, kCount, whole, part);
+    // The query back end builds its top level on the device either way.
+    EXPECT_LT(part, GetParam() == RayBackend::Bvh ? whole / 3 : whole);
 }
 
 } // namespace

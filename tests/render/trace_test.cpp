@@ -394,7 +394,7 @@ TEST_F(TraceSequenceTest, MotionOfAnotherMeaningIsNamed) {
     const Camera previous = must(scene::readCameraFile(cameraOf(kFrames - 2)));
     EXPECT_THAT(must(render::loadTraceInputs(all.back(), &previous)).health.findings,
                 testing::ElementsAre(HasSubstr("motion agrees with the cameras as motion.unit pixels and motion.scale "
-                                               "[1, -1], not pixels and [1, 1] as declared")));
+                                               "[1, -1], not motion.unit pixels and motion.scale [1, 1] as declared")));
     EXPECT_THAT(must(render::loadTraceInputs(all.back())).health.findings, IsEmpty());
 }
 

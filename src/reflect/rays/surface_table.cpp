@@ -153,7 +153,7 @@ Result<void> TableBuffer::create(gpu::Context& context, const char* name, size_t
 void TableBuffer::record(gpu::Frame& frame, const gpu::Progress& progress) {
     if (!upload_.isNeeded(progress))
         return;
-    frame.update(buffer_, content_.data(), content_.size());
+    frame.update(buffer_, content_, dirty_.merged());
     upload_.recorded(progress);
 }
 
@@ -191,28 +191,46 @@ Result<std::unique_ptr<SurfaceTableState>> SurfaceTableState::create(gpu::Contex
     return table;
 }
 
-Result<void> SurfaceTableState::setInstances(std::span<const SurfaceInstance> instances) {
-    if (instances.size() > maxInstances_)
-        return invalidArgument("{} surface instances, the table was made for at most {}", instances.size(),
-                               maxInstances_);
+/// `first`: the number of the first one in the list, for messages.
+Result<std::vector<shared::SurfaceInstanceRecord>> SurfaceTableState::pack(std::span<const SurfaceInstance> instances,
+                                                                           uint32_t first) const {
     std::vector<shared::SurfaceInstanceRecord> records;
-    std::vector<uint32_t> materials;
     for (const SurfaceInstance& instance : instances) {
         if (instance.mesh >= maxMeshes_ || instance.material >= maxMaterials_)
-            return invalidArgument("surface instance {} has mesh {} of {} and material {} of {}", records.size(),
-                                   instance.mesh, maxMeshes_, instance.material, maxMaterials_);
+            return invalidArgument("surface instance {} has mesh {} of {} and material {} of {}",
+                                   first + records.size(), instance.mesh, maxMeshes_, instance.material, maxMaterials_);
         const Matrix4& m = instance.localToWorld;
         shared::SurfaceInstanceRecord record = {};
         for (size_t row = 0; row < 3; ++row)
             record.localToWorld[row] = {m[row], m[4 + row], m[8 + row], m[12 + row]};
         record.mesh = instance.mesh;
         record.material = instance.material;
-        materials.push_back(instance.material);
         records.push_back(record);
     }
+    return records;
+}
+
+Result<void> SurfaceTableState::setInstances(std::span<const SurfaceInstance> instances) {
+    if (instances.size() > maxInstances_)
+        return invalidArgument("{} surface instances, the table was made for at most {}", instances.size(),
+                               maxInstances_);
+    GLINT_TRY(records, pack(instances, 0));
     instances_.set(records);
     instanceCount_ = static_cast<uint32_t>(records.size());
-    instanceMaterials_ = std::move(materials);
+    instanceMaterials_.clear();
+    for (const SurfaceInstance& instance : instances)
+        instanceMaterials_.push_back(instance.material);
+    return {};
+}
+
+Result<void> SurfaceTableState::updateInstances(uint32_t first, std::span<const SurfaceInstance> instances) {
+    if (uint64_t{first} + instances.size() > instanceCount_)
+        return invalidArgument("surface instances {} to {} are updated, the table has {}", first,
+                               uint64_t{first} + instances.size(), instanceCount_);
+    GLINT_TRY(records, pack(instances, first));
+    instances_.replace(first, records);
+    for (size_t i = 0; i < instances.size(); ++i)
+        instanceMaterials_[first + i] = instances[i].material;
     return {};
 }
 
@@ -248,6 +266,23 @@ Result<void> SurfaceTableState::setMaterials(std::span<const SurfaceMaterial> ma
         emits_.push_back(reflect::emits(material));
     }
     materials_.set(records);
+    return {};
+}
+
+Result<void> SurfaceTableState::updateMaterials(uint32_t first, std::span<const SurfaceMaterial> materials) {
+    if (uint64_t{first} + materials.size() > emits_.size())
+        return invalidArgument("surface materials {} to {} are updated, the table has {}", first,
+                               uint64_t{first} + materials.size(), emits_.size());
+    std::vector<shared::Material> records;
+    for (const SurfaceMaterial& material : materials) {
+        GLINT_TRY(record, packMaterial(material, first + records.size(), textureCount_));
+        records.push_back(record);
+    }
+    materials_.replace(first, records);
+    for (size_t i = 0; i < materials.size(); ++i) {
+        isTransparent_[first + i] = isTransparent(materials[i]);
+        emits_[first + i] = reflect::emits(materials[i]);
+    }
     return {};
 }
 
@@ -315,6 +350,14 @@ Result<void> SurfaceTable::setMaterials(std::span<const SurfaceMaterial> materia
 
 Result<void> SurfaceTable::setMeshes(std::span<const SurfaceMesh> meshes) {
     return state_->setMeshes(meshes);
+}
+
+Result<void> SurfaceTable::updateInstances(uint32_t first, std::span<const SurfaceInstance> instances) {
+    return state_->updateInstances(first, instances);
+}
+
+Result<void> SurfaceTable::updateMaterials(uint32_t first, std::span<const SurfaceMaterial> materials) {
+    return state_->updateMaterials(first, materials);
 }
 
 void SurfaceTable::record(VkCommandBuffer commands) {

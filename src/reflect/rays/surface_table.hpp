@@ -2,15 +2,18 @@
 #pragma once
 
 #include "glint/surface_table.hpp"
+#include "gpu/dirty_ranges.hpp"
 #include "gpu/pass.hpp"
 #include "gpu/progress.hpp"
 #include "gpu/texture_table.hpp"
+#include "shared/surface_table.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace glint::reflect {
 
-/// A list that is replaced as a whole, and kept until the GPU has a copy.
+/// A list that is replaced as a whole or in part, and kept until the GPU has a copy.
 class TableBuffer {
 public:
     /// `most`: maximum size in bytes.
@@ -19,7 +22,21 @@ public:
     void set(const std::vector<T>& items) {
         const auto bytes = std::as_bytes(std::span(items));
         content_.assign(bytes.begin(), bytes.end());
+        dirty_.clear();
+        dirty_.add(0, content_.size());
         upload_ = gpu::Standing(!content_.empty());
+    }
+    /// Replaces the items from `first` on, which must exist.
+    template <class T>
+    void replace(size_t first, const std::vector<T>& items) {
+        if (items.empty())
+            return;
+        if (upload_.isDone())
+            dirty_.clear();
+        const auto bytes = std::as_bytes(std::span(items));
+        std::ranges::copy(bytes, content_.begin() + static_cast<std::ptrdiff_t>(first * sizeof(T)));
+        dirty_.add(first * sizeof(T), bytes.size());
+        upload_.ask();
     }
     bool pending(const gpu::Progress& progress) { return upload_.isNeeded(progress); }
     void record(gpu::Frame& frame, const gpu::Progress& progress);
@@ -28,6 +45,7 @@ public:
 private:
     gpu::Buffer buffer_;
     std::vector<std::byte> content_;
+    gpu::DirtyRanges dirty_; ///< of content_, since the GPU had all of it
     gpu::Standing upload_ = gpu::Standing(false);
 };
 
@@ -39,6 +57,8 @@ public:
     Result<void> setLights(std::span<const SurfaceLight> lights);
     Result<void> setMaterials(std::span<const SurfaceMaterial> materials);
     Result<void> setMeshes(std::span<const SurfaceMesh> meshes);
+    Result<void> updateInstances(uint32_t first, std::span<const SurfaceInstance> instances);
+    Result<void> updateMaterials(uint32_t first, std::span<const SurfaceMaterial> materials);
     void record(VkCommandBuffer commands);
 
     uint32_t instanceCount() const { return instanceCount_; }
@@ -60,6 +80,8 @@ public:
     gpu::Pass& bind(gpu::Pass& pass);
 
 private:
+    Result<std::vector<shared::SurfaceInstanceRecord>> pack(std::span<const SurfaceInstance> instances,
+                                                            uint32_t first) const;
     explicit SurfaceTableState(gpu::Context& context) : KeepsContext(context), context_(context) {}
 
     gpu::Context& context_;

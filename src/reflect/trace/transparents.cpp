@@ -53,7 +53,8 @@ void TransparentTrace::record(gpu::Frame& frame, const TraceInputs& inputs, Trac
     const Prepared seen = {viewZ_, surface_, solid.material, solid.edge, backViewZ_, backFacesKnown};
     std::optional<PreviousFrame> previous;
     if (inputs.previous)
-        previous.emplace(inputs.previous->withLayers, inputs.previous->withLayers, inputs.previous->viewZ);
+        previous.emplace(
+            PreviousFrame{inputs.previous->withLayers, inputs.previous->withLayers, inputs.previous->viewZ});
     const auto recordPasses = [&] {
         frame.pass(surfacePass_)
             .read("frame", inputs.frame.constants)

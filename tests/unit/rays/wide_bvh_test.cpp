@@ -204,5 +204,36 @@ TEST(BinaryBvh, costsLessThanHalvingByNumber) {
     }
 }
 
+/// Refitting the boxes above some primitives gives the bits of refitting all, and touches few nodes.
+TEST(WideBvh, aPartIsRefittedAsTheWhole) {
+    std::vector<Bounds> boxes = randomBoxes(5, 20000);
+    WideBvh part = buildWideBvh(boxes, 1, shared::kBvhTopLevels);
+    WideBvh whole = part;
+    const BvhLinks links = linksOf(part);
+    for (uint32_t place = 0; place < part.order.size(); ++place)
+        ASSERT_EQ(links.places[part.order[place]], place);
+    std::mt19937 random(9);
+    for (const size_t count : {1, 7, 200, 20000}) {
+        std::vector<uint32_t> moved;
+        for (size_t i = 0; i < count; ++i) {
+            const uint32_t primitive = static_cast<uint32_t>(random() % boxes.size());
+            const Bounds before = boxes[primitive];
+            boxes[primitive] = {};
+            boxes[primitive].add(before.low + glm::vec3(0.5f, 0, -0.25f));
+            boxes[primitive].add(before.high + glm::vec3(0.5f, 0.1f, -0.25f));
+            moved.push_back(primitive);
+        }
+        const std::vector<uint32_t> nodes = refit(part, links, boxes, moved);
+        EXPECT_LE(nodes.size(), count * shared::kBvhTopLevels);
+        refit(whole, boxes);
+        EXPECT_EQ(part.bounds.front().low, whole.bounds.front().low);
+        for (size_t i = 0; i < whole.nodes.size(); ++i)
+            for (int word = 0; word < 5; ++word)
+                ASSERT_EQ(part.nodes[i].words[word], whole.nodes[i].words[word]) << count << " moved, node " << i;
+        expectSound(part, boxes, shared::kBvhTopLevels);
+    }
+    EXPECT_TRUE(refit(part, links, boxes, std::span<const uint32_t>()).empty());
+}
+
 } // namespace
 } // namespace glint::rays

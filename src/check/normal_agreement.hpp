@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace glint::scene {
+namespace glint::check {
 
 /// Directions closer than this agree: shading normals of smooth meshes are this near to their triangles'.
 constexpr float kAgreeDegrees = 10;
@@ -28,4 +28,4 @@ struct RotationFit {
 /// Based on: Fischler, Bolles 1981, "Random Sample Consensus".
 RotationFit fitRotation(std::span<const glm::vec3> from, std::span<const glm::vec3> to);
 
-} // namespace glint::scene
+} // namespace glint::check

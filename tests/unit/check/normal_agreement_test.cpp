@@ -1,4 +1,4 @@
-#include "scene/normal_agreement.hpp"
+#include "check/normal_agreement.hpp"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace glint::scene {
+namespace glint::check {
 namespace {
 
 /// Points on the sphere, evenly spread (Fibonacci lattice).
@@ -57,4 +57,4 @@ TEST(NormalAgreement, ParallelDirectionsDetermineNoRotation) {
 }
 
 } // namespace
-} // namespace glint::scene
+} // namespace glint::check

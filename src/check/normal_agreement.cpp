@@ -1,4 +1,4 @@
-#include "scene/normal_agreement.hpp"
+#include "check/normal_agreement.hpp"
 
 #include "base/assert.hpp"
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace glint::scene {
+namespace glint::check {
 namespace {
 
 float degreesBetween(const glm::vec3& a, const glm::vec3& b) {
@@ -74,4 +74,4 @@ RotationFit fitRotation(std::span<const glm::vec3> from, std::span<const glm::ve
     return best;
 }
 
-} // namespace glint::scene
+} // namespace glint::check
