@@ -105,7 +105,7 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 norma
         if (abs(dot(normalVS, thereVS - surfaceVS)) <= kAtSurface * sceneZ && dot(normalAt(at), normalVS) > kOwnNormal)
             return at;
     }
-    return clamp(at, vec2(px), vec2(px) + 0.999);
+    return clamp(at, vec2(px) + 0.001, vec2(px) + 0.999); // also once stored
 }
 
 /// So far behind a pixel's plane, in metres, a point may be that lay in front of the depth of a pixel's centre: as far
@@ -215,6 +215,31 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
         return 0.5 * (s.rayZ + fromZ) <= s.sceneZ * (1.0 + kAtSurface) ? kMeets : kMeetsSide;
     }
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
+}
+
+/// Rays intersect a pixel's plane in the pixel, or up to this many pixels before it: the surface may begin there. Of the
+/// hits that lie farther before it, in a pixel that shows another surface, about half are wrong
+/// (docs/measurements/hits.md).
+const float kBeforePixel = 0.5;
+
+/// A ray that is in front of the depth at the pixel's centre by less than this, in parts of that depth, may intersect the
+/// pixel's plane before it leaves the pixel.
+const float kNearlyBehind = 0.003;
+
+/// Does the ray, which at `s` is in front of the depth at the pixel's centre, intersect the pixel's plane from the front
+/// before it leaves the pixel at `leave`? The next pixel may show another surface. `s` moves to the intersection.
+bool meetsBeforeLeaving(Ray r, float fromShare, float leave, inout Sample s, inout uint lookups) {
+    float leaveZ = rayViewZ(r.screen, leave);
+    if (leaveZ < s.sceneZ * (1.0 - kNearlyBehind) || s.sceneZ >= kBackgroundZ)
+        return false;
+    Sample last = s;
+    last.share = leave;
+    last.rayZ = leaveZ;
+    if (testSurface(r, fromShare, last, lookups) != kMeets || last.share <= fromShare)
+        return false; // or behind the plane from the start on
+    logDecision(s.px, kSampleHit);
+    s = last;
+    return true;
 }
 
 /// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?

@@ -257,6 +257,8 @@ March march(Ray r) {
         } else {
             if (settings.minLevel > 0u)
                 from = walk.share - 0.5 * line.pixelShare;
+            else
+                from = max(from, walk.share - kBeforePixel * line.pixelShare);
             tests = tests && s.rayZ >= s.sceneZ;
             nearlyThickEnough = nearlyThickEnough && s.rayZ >= s.sceneZ;
         }
@@ -265,6 +267,10 @@ March march(Ray r) {
             if ((met == kMeets || !candidate.inFlatCell) && endsMarch(met, s, result))
                 return result;
             nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !candidate.inFlatCell);
+        } else if (!candidate.inFlatCell && result.iterations > settings.selfCollisionSkip &&
+                   meetsBeforeLeaving(r, max(from, 0.0), walk.last, s, result.lookups)) {
+            endsMarch(kMeets, s, result);
+            return result;
         }
         if (candidate.inFlatCell)
             walk.mayBeFlat = false; // look into its quarters

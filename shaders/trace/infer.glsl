@@ -5,7 +5,7 @@
 #ifndef GLINT_TRACE_INFER_GLSL
 #define GLINT_TRACE_INFER_GLSL
 
-#include "trace/hit_test.glsl"
+#include "trace/crease.glsl"
 
 /// Depth samples on the ray's line from where it went behind something to its end: more find small surfaces, and cost
 /// as much as a march. Nearer than this many pixels they tell the same.
@@ -17,30 +17,6 @@ const float kInferReach = 0.25;
 const float kInferNear = 8.0;
 /// How far off a plane what a pixel shows may lie to belong to it, as a fraction of its nearness.
 const float kInferSlack = 0.01;
-
-/// The plane of the surface that a pixel shows.
-struct ShownPlane {
-    vec2 centerPX; // of the pixel
-    vec3 pointVS;
-    vec3 normalVS;
-    float nearness; // at the pixel's centre
-    vec2 slope;     // of nearness, from pixel to pixel
-};
-
-ShownPlane planeShown(Sample s) {
-    ShownPlane plane;
-    plane.centerPX = floor(s.px) + 0.5;
-    plane.pointVS = viewPosition(frame.constants, plane.centerPX * frame.constants.invSize, s.sceneZ);
-    plane.normalVS = normalAt(s.px);
-    plane.nearness = nearnessOf(frame.constants, s.sceneZ);
-    plane.slope = nearnessSlope(frame.constants, plane.pointVS, plane.normalVS);
-    return plane;
-}
-
-float heightAt(Ray r, ShownPlane plane, float share) {
-    vec3 rayVS = r.originVS + r.directionVS * rayDistance(r.screen, share);
-    return dot(plane.normalVS, rayVS - plane.pointVS);
-}
 
 const uint kOccluder = 0u; // the pixel shows something in front of the plane, or a surface that meets it there
 const uint kSurface = 1u;  // the plane's surface
@@ -135,7 +111,7 @@ bool findSurface(Ray r, ShownPlane plane, Sample crossing, inout uint lookups, o
 /// Tests whether the ray crossed, between `front` and `behind`, the surface that the sample `shown` shows. Returns true
 /// if the search is over; `end` changes if it did.
 bool inferFrom(Ray r, Sample shown, float front, float behind, inout March end) {
-    ShownPlane plane = planeShown(shown);
+    ShownPlane plane = planeShown(shown.px, shown.sceneZ);
     if (!facesRay(plane.normalVS, false, r) || isOwnSurface(plane.pointVS, plane.normalVS, r))
         return false;
     float heightFront = heightAt(r, plane, front);

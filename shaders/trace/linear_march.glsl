@@ -47,6 +47,12 @@ March march(Ray r) {
         Sample s = takeSample(ray, result.share, result.lookups);
         if (s.rayZ < s.sceneZ) {
             nearlyThickEnough = false;
+            float leave = s.share + 0.5 * stepShare;
+            if (settings.step == 1u && i > settings.selfCollisionSkip &&
+                meetsBeforeLeaving(r, before.share, leave, s, result.lookups)) {
+                endsMarch(kMeets, s, result);
+                return result;
+            }
         } else if (i > settings.selfCollisionSkip) {
             Sample hit = s;
             uint met = meetSurface(r, before.share, hit, result.lookups);

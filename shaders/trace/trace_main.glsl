@@ -20,7 +20,7 @@
 #include "lib/noise.glsl"
 #include "lib/trace_pixel.glsl"
 #include "trace/hit_color.glsl"
-#include "trace/infer.glsl"
+#include "trace/infer_border.glsl"
 #include "trace/ray_inputs.glsl"
 #define GLINT_READ_TRACED
 #include "trace/traced.glsl"
@@ -77,6 +77,22 @@ bool meetsFirst(ivec2 tracePX, inout RayRecord record, inout March end, out vec3
     return nearer && hasHistory(frame.constants) && previousRadiance(floorToInt(end.hitPX), radiance);
 }
 
+/// What a marcher's end leaves open: which surface covers a hit's place beside a crease, and what a ray without an answer
+/// may have crossed unseen. The marcher `proxy` does not march.
+void refineEnd(Ray ray, inout March end) {
+#ifndef GLINT_ONE_TEXEL_A_HIT
+    if (end.outcome == kOutcomeHit)
+        moveOverCrease(ray, end);
+    if (kAmongTransparents || settings.inferredWeight <= 0.0)
+        return;
+    if (!isAnswered(end.outcome) && firstBehind < end.share)
+        inferCrossing(ray, end);
+    bool fadesAtBorder = isOn(kFadeBorderSmooth) || isOn(kFadeBorderLinear); // to nothing
+    if (end.outcome == kOutcomeOffScreen && !fadesAtBorder)
+        inferBeyondBorder(ray, end);
+#endif
+}
+
 void main() {
     uint index =
         gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup + gl_LocalInvocationIndex;
@@ -101,8 +117,7 @@ void main() {
         ray.directionVS = jitter(ray.directionVS, px, origin);
     ray.screen = makeScreenRay(frame.constants, ray.originVS, ray.directionVS, settings.maxDistance);
     March end = march(ray);
-    if (!kAmongTransparents && !isAnswered(end.outcome) && firstBehind < end.share && settings.inferredWeight > 0.0)
-        inferCrossing(ray, end);
+    refineEnd(ray, end);
 
     bool hit = isAnswered(end.outcome);
     vec2 endPX = hit ? end.hitPX : ray.screen.startPX + ray.screen.deltaPX * end.share;

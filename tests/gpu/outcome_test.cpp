@@ -387,6 +387,41 @@ TEST_P(OutcomeTest, nothingIsInferredWhereNoSurfaceShowsBesideTheOccluder) {
     EXPECT_EQ(show(scene, camera, changed).counted("inferred"), 0u) << "no pixel shows it";
 }
 
+TEST_P(OutcomeTest, aWallThatLeavesTheScreenIsInferredCloseBeyondTheBorder) {
+    if (!technique().walks)
+        GTEST_SKIP() << "it does not look at what is on the way";
+    const SyntheticCamera camera;
+    const Stage scene = floorAndWall();
+    for (const bool fades : {false, true}) {
+        Settings changed = settings();
+        changed.screen.inferred = 1;
+        if (fades)
+            changed.fade.border = FadeBorder::Smooth;
+        const Picture picture = show(scene, camera, changed);
+        size_t close = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i) {
+            const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
+            const auto t = ray ? scene.cards[0].distance(ray->start, ray->direction) : std::nullopt;
+            if (!t)
+                continue;
+            const glm::dvec2 px = camera.project(ray->start + ray->direction * *t, kWidth, kHeight);
+            const bool isClose = !onScreen(px, -0.5) && onScreen(px, -7);
+            const bool isFar = !onScreen(px, -9);
+            if (!isClose && !isFar)
+                continue;
+            close += isClose;
+            ASSERT_EQ(picture.outcome(i), isClose && !fades ? shared::kOutcomeInferred : shared::kOutcomeOffScreen)
+                << i;
+            if (!isClose || fades)
+                continue;
+            ASSERT_NEAR(picture.hitDistance[i * 4], *t, 0.01 * *t) << i;
+            const glm::dvec2 border = glm::clamp(px, glm::dvec2(0.5), glm::dvec2(kWidth, kHeight) - 0.5);
+            ASSERT_LT(glm::distance(picture.hitPX(i), border), 1.0) << i;
+        }
+        EXPECT_GT(close, 50u);
+    }
+}
+
 TEST_P(OutcomeTest, unseenSidesFade) {
     // The wall's normal faces away, as on an object's hidden side. A ray that ends behind the wall ended in its slab
     // (backFace) or, where its samples miss the slab, farther behind (hidden).

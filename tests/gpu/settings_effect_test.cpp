@@ -454,7 +454,7 @@ TEST_F(SettingsEffectTest, clipToFrustumSavesNoHitAndChangesNone) {
         for (uint32_t i = 0; i < clipped.pixels(); ++i)
             if (clipped.outcome(i) == shared::kOutcomeOffScreen && whole.outcome(i) == shared::kOutcomeOffScreen)
                 more += clipped.lookups[i * 4] > whole.lookups[i * 4];
-        EXPECT_GT(more, 30u);
+        EXPECT_GT(more, 20u); // 30 of linear
     }
 }
 
@@ -646,7 +646,7 @@ TEST_F(SettingsEffectTest, iterationsFadeToTheLastOne) {
     settings.screen.maxSteps = 90;
     const Picture linear = show(settings);
     // One iteration a pixel, up to the first behind the wall's plane, or the next where that is behind the pixel's
-    // depth.
+    // depth, or already that in whose pixel the ray goes behind the plane, half a pixel farther at most.
     expectWeights(
         linear,
         [&](glm::dvec2 uv, uint32_t i) {
@@ -654,7 +654,7 @@ TEST_F(SettingsEffectTest, iterationsFadeToTheLastOne) {
                 glm::abs(uv * glm::dvec2(kWidth, kHeight) - glm::dvec2(i % kWidth + 0.5, i / kWidth + 0.5));
             return 1 - (std::max(way.x, way.y) + 1) / 90;
         },
-        1.0 / 90 + kWeightStep);
+        1.5 / 90 + kWeightStep);
 
     // For the other marchers, only that it is a whole number of iterations, no more than lookups, over the marcher's
     // own limit.
@@ -727,6 +727,9 @@ TEST_F(SettingsEffectTest, backfaceFadesHitsFromBehind) {
     for (uint32_t i = 0; i < picture.pixels(); ++i) {
         if (!picture.hit(i))
             continue;
+        const glm::dvec2 inPixel = glm::fract(picture.hitPX(i));
+        if (std::min(inPixel.x, inPixel.y) < 0.01 || std::max(inPixel.x, inPixel.y) > 0.99)
+            continue; // which pixel's normal it has is rounding
         ++hitCount;
         const auto hit =
             leaning(camera.position, camera.rayThrough(static_cast<uint32_t>(picture.hitPX(i).x),

@@ -83,8 +83,8 @@ TEST_F(ScenesTest, fewMirrorPixelsOfTheExactSceneAreWrong) {
     const render::RenderResult result = run(job);
     const measure::MirrorError error = must(measure::measureExact(job, result));
     EXPECT_GT(error.oneBouncePixels, 20000u);
-    // Measured 4.0 %; most of them are single pixels along edges. Babylon.js has 7.5 % on such a scene.
-    EXPECT_LT(error.oneBounceShare(), 0.05);
+    // Measured 2.6 %; 3.8 % while rays passed surfaces that end in a pixel. Babylon.js has 7.5 % on such a scene.
+    EXPECT_LT(error.oneBounceShare(), 0.03);
     RecordProperty("oneBounceWrongPercent", std::to_string(100 * error.oneBounceShare()));
     RecordProperty("wrongPercent", std::to_string(100 * error.share()));
 }
@@ -92,9 +92,9 @@ TEST_F(ScenesTest, fewMirrorPixelsOfTheExactSceneAreWrong) {
 TEST_F(ScenesTest, surfacesBehindOccludersAreInferredFromEveryCamera) {
     struct Share {
         const char* camera;
-        double most; ///< measured: 3.0, 3.5, 1.7, 5.0 %; without 3.7, 3.7, 1.7, 7.7 %
+        double most; ///< just above what is measured; 3.0, 3.5, 1.7, 5.0 % without what hits.md lists
     };
-    for (const Share& expected : {Share{"front", 0.031}, {"left", 0.036}, {"low", 0.0175}, {"high", 0.051}}) {
+    for (const Share& expected : {Share{"front", 0.026}, {"left", 0.024}, {"low", 0.013}, {"high", 0.047}}) {
         double shares[2] = {};
         double inFrame = 0;
         for (int inferred = 0; inferred < 2; ++inferred) {
@@ -108,7 +108,7 @@ TEST_F(ScenesTest, surfacesBehindOccludersAreInferredFromEveryCamera) {
         EXPECT_LE(shares[1], expected.most) << expected.camera;
         EXPECT_LT(shares[1], shares[0]) << expected.camera;
         // Measured 3.9, 4.3, 1.7, 11.3 %: reading the frame at each exact hit is no better.
-        EXPECT_LT(shares[1], inFrame + 0.0005) << expected.camera;
+        EXPECT_LT(shares[1], inFrame - 0.003) << expected.camera;
     }
 }
 

@@ -1,0 +1,130 @@
+// Hits beside edges: which surface covers a place between the centres of the pixels that show two of them, for each
+// marcher.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
+
+#include "reflect/trace/technique.hpp"
+
+namespace glint::test {
+namespace {
+
+constexpr uint32_t kWidth = 481;
+constexpr uint32_t kHeight = 270;
+
+constexpr glm::vec3 kRed(1, 0, 0);
+constexpr glm::vec3 kGreen(0, 1, 0);
+
+/// A mirror floor at y = 0 before two tilted planes of different colours through one point: a ridge or a valley.
+struct TwoFaces {
+    bool ridge = true;
+    glm::dvec3 pointWS = {0.1, 0, -2.5};
+    glm::dvec3 normals[2] = {glm::normalize(glm::dvec3(-0.7, 0.1, 1)), glm::normalize(glm::dvec3(0.75, -0.2, 1))};
+
+    std::optional<SyntheticSurface> operator()(const glm::dvec3& origin, const glm::dvec3& direction) const {
+        double t[2];
+        for (int i = 0; i < 2; ++i)
+            t[i] = glm::dot(normals[i], pointWS - origin) / glm::dot(normals[i], direction);
+        const int which = (t[0] < t[1]) == ridge ? 1 : 0; // a ridge: in front of both until the farther one
+        const bool enters = glm::dot(normals[which], direction) < 0 && t[which] > 1e-6;
+        const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
+        if (enters && t[which] < toFloor)
+            return SyntheticSurface{t[which], normals[which], glm::vec3(0), 0, which == 0 ? kRed : kGreen};
+        if (toFloor > 1e8 || toFloor < 1e-6)
+            return std::nullopt;
+        SyntheticSurface floor;
+        floor.distance = toFloor;
+        floor.f0 = glm::vec3(1);
+        return floor;
+    }
+};
+
+/// A mirror floor before a tilted plate with slanted sides.
+std::optional<SyntheticSurface> floorAndPlate(const glm::dvec3& origin, const glm::dvec3& direction) {
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(0.5, -0.4, 1));
+    const glm::dvec3 center(0, 0.7, -2);
+    const double t = glm::dot(normal, center - origin) / glm::dot(normal, direction);
+    const glm::dvec3 p = origin + direction * t - center;
+    const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
+    if (t > 1e-6 && t < toFloor && glm::dot(normal, direction) < 0 && std::abs(p.x + 0.4 * p.y) < 0.5 &&
+        std::abs(p.y + 0.25 * p.x) < 0.4)
+        return SyntheticSurface{t, normal, glm::vec3(0), 0, kRed};
+    if (toFloor > 1e8 || toFloor < 1e-6)
+        return std::nullopt;
+    SyntheticSurface floor;
+    floor.distance = toFloor;
+    floor.f0 = glm::vec3(1);
+    return floor;
+}
+
+class EdgeTest : public LibraryTest, public testing::WithParamInterface<size_t> {
+protected:
+    static const reflect::Technique& technique() { return reflect::techniques()[GetParam()]; }
+
+    /// Calls `check(i, end, endPX, shown)` for each mirror pixel whose exact ray ends on screen: there, and what the
+    /// frame shows at the centre of that pixel.
+    template <class Check>
+    static void forEachEnd(const SyntheticScene& scene, const SyntheticCamera& camera, Check check) {
+        for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+            const glm::dvec3 direction = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+            const auto mirror = scene(camera.position, direction);
+            if (!mirror || mirror->f0.x == 0)
+                continue;
+            const glm::dvec3 start = camera.position + direction * mirror->distance;
+            const glm::dvec3 reflected = direction * glm::dvec3(1, -1, 1);
+            const auto end = scene(start, reflected);
+            if (!end)
+                continue;
+            const glm::dvec2 px = camera.project(start + reflected * end->distance, kWidth, kHeight);
+            if (px.x < 1 || px.y < 1 || px.x > kWidth - 1.0 || px.y > kHeight - 1.0)
+                continue;
+            const auto shown = scene(camera.position, camera.rayThrough(static_cast<uint32_t>(px.x),
+                                                                        static_cast<uint32_t>(px.y), kWidth, kHeight));
+            check(i, *end, px, shown);
+        }
+    }
+};
+
+TEST_P(EdgeTest, creasesRunBetweenThePixels) {
+    if (!technique().walks)
+        GTEST_SKIP() << "one lookup for each ray";
+    const SyntheticCamera camera;
+    for (const bool ridge : {true, false}) {
+        TwoFaces scene;
+        scene.ridge = ridge;
+        const Picture picture = trace(scene, camera, kWidth, kHeight, plainSettings(technique().march));
+        size_t besides = 0; // the frame shows another face at the centre of the end's pixel
+        size_t wrong = 0;
+        forEachEnd(scene, camera, [&](uint32_t i, const SyntheticSurface& end, const glm::dvec2&, const auto& shown) {
+            if (!picture.hit(i) || !shown || shown->f0.x > 0)
+                return;
+            besides += shown->radiance != end.radiance;
+            wrong += glm::distance(picture.color(i), end.radiance) > 0.1f;
+        });
+        EXPECT_GT(besides, 20u) << ridge;
+        EXPECT_LE(wrong * 10, besides) << ridge; // all of them when each hit takes the colour of its own pixel
+    }
+}
+
+TEST_P(EdgeTest, raysMeetASurfaceUpToWhereTheyLeaveItsPixel) {
+    if (technique().march != March::Hiz && technique().march != March::Linear)
+        GTEST_SKIP() << "its steps are coarser than a pixel";
+    const SyntheticCamera camera;
+    const Picture picture = trace(floorAndPlate, camera, kWidth, kHeight, plainSettings(technique().march));
+    size_t ends = 0;
+    size_t missed = 0;
+    forEachEnd(floorAndPlate, camera,
+               [&](uint32_t i, const SyntheticSurface& end, const glm::dvec2&, const auto& shown) {
+                   if (end.f0.x > 0 || !shown || shown->f0.x > 0)
+                       return;
+                   ++ends;
+                   missed += !picture.hit(i);
+               });
+    EXPECT_GT(ends, 1000u);
+    EXPECT_LE(missed * 100, ends) << missed << " of " << ends;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EdgeTest, testing::Range<size_t>(0, reflect::techniques().size()),
+                         [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
+
+} // namespace
+} // namespace glint::test
