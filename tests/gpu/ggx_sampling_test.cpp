@@ -36,8 +36,12 @@ protected:
         std::uniform_real_distribution<float> unit(0, 1);
         std::vector<Item> list(count);
         for (Item& item : list)
-            item = {glm::vec3(wo), static_cast<float>(alpha), {unit(random), unit(random)},
-                    normals == Normals::Reflecting ? 1u : 0u, {}, 0};
+            item = {glm::vec3(wo),
+                    static_cast<float>(alpha),
+                    {unit(random), unit(random)},
+                    normals == Normals::Reflecting ? 1u : 0u,
+                    {},
+                    0};
         gpu::Buffer buffer = must(gpu::uploadBuffer(
             gpu(), "test/ggx", list, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
         const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"ggx_samples", 0, {}}));
@@ -58,9 +62,9 @@ protected:
         return polar * kAzimuthBins + std::min(int(turn * kAzimuthBins), kAzimuthBins - 1);
     }
 
-    /// D_wo(wm) = G1(wo) max(wo.wm, 0) D(wm) / wo.z (Heitz 2018, eq. 3), or of the bounded cap 2 max(wo.wm, 0) D(wm) / (k
-    /// wo.z + sqrt(alpha^2 (1 - wo.z^2) + wo.z^2)) where light is reflected upwards (Eto and Tokuyoshi 2023, eqs. 5 and
-    /// 8, times 4 wo.wm), integrated over each bin.
+    /// D_wo(wm) = G1(wo) max(wo.wm, 0) D(wm) / wo.z (Heitz 2018, eq. 3), or of the bounded cap 2 max(wo.wm, 0) D(wm) /
+    /// (k wo.z + sqrt(alpha^2 (1 - wo.z^2) + wo.z^2)) where light is reflected upwards (Eto and Tokuyoshi 2023, eqs. 5
+    /// and 8, times 4 wo.wm), integrated over each bin.
     static std::vector<double> expectedShares(Normals normals, const glm::dvec3& wo, double alpha) {
         const double a2 = alpha * alpha;
         const double wide = 1 + std::hypot(wo.x, wo.y);
@@ -90,8 +94,8 @@ protected:
     }
 };
 
-/// How unlikely the counts are under these shares, in standard deviations, by Pearson's statistic. Bins with few expected
-/// samples are merged.
+/// How unlikely the counts are under these shares, in standard deviations, by Pearson's statistic. Bins with few
+/// expected samples are merged.
 double surprise(const std::vector<double>& shares, const std::vector<double>& counts, double samples) {
     double statistic = 0;
     double restExpected = 0;
