@@ -34,11 +34,11 @@ DenoiseConstants settings = frame.settings.denoise;
 
 #include "lib/previous_place.glsl"
 
+#include "denoise/firefly.glsl"
+#include "denoise/history_texels.glsl"
+
 /// Angle by which packed normals may be off: sixteen bits a component.
 const float kNormalRounding = 1e-4;
-
-/// Lobes narrower than this on screen, in pixels, suffer from a linear mix of texels: see sharpMean.
-const float kSharpBelow = 16.0;
 
 /// What one place of the previous frame holds.
 struct Candidate {
@@ -54,14 +54,6 @@ struct Candidate {
 };
 
 const Candidate kNone = Candidate(vec2(0.0), 1.0, vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0.0);
-
-/// This pixel's surface and its ray's end, in the previous frame's view space.
-struct Was {
-    vec3 position;
-    vec3 normal;
-    vec3 end;
-    bool moved; // by motion: its depth is known roughly
-};
 
 /// Angle between this normal and the one that mirrors `end` to the eye.
 float residualAt(vec3 end, vec3 position, vec3 normal) {
@@ -83,63 +75,6 @@ void forgetOldLight(vec2 at, inout Candidate found) {
     found.scaled = toShort;
     found.meta.yz *= vec2(toShort, square(toShort));
     found.meta.x = mix(found.meta.x, min(found.meta.x, settings.fastFrames), lag);
-}
-
-/// True where the previous frame showed this pixel's surface at `texel`.
-bool showedIt(Was was, ivec2 texel, out vec3 position, out vec3 normal) {
-    if (!wasInFrame(texel))
-        return false;
-    uvec2 packed = texelFetch(placeBefore, texel, 0).xy;
-    float z = uintBitsToFloat(packed.x);
-    if (z <= 0.0 || z >= kBackgroundZ)
-        return false; // no ray there
-    normal = decodeOctahedral(unpackSnorm2x16(packed.y));
-    position = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z);
-    float off = abs(dot(was.normal, position - was.position));
-    float allowed = (was.moved ? 0.1 : settings.disocclusion) * -was.position.z;
-    return off <= allowed && dot(normal, was.normal) >= 0.7;
-}
-
-/// Catmull and Rom's weights of four texels in a row, `share` of the way from the second to the third.
-vec4 cubicWeights(float share) {
-    float s2 = share * share;
-    float s3 = s2 * share;
-    return 0.5 * vec4(-s3 + 2.0 * s2 - share, 3.0 * s3 - 5.0 * s2 + 2.0, -3.0 * s3 + 4.0 * s2 + share, s3 - s2);
-}
-
-/// The mean between four texels that show this pixel's surface, by a cubic: a linear mix blurs a little in each frame of
-/// a movement, and thirty frames of it as wide as many a smooth lobe. False where one of the texels shows another
-/// surface, or is so much darker than another that the cubic would fall below 0: to cut that off would add light.
-bool sharpMean(Was was, vec2 at, out vec4 mean) {
-    vec2 corner = floor(at - 0.5);
-    vec2 share = at - 0.5 - corner;
-    vec4 wx = cubicWeights(share.x);
-    vec4 wy = cubicWeights(share.y);
-    vec4 sum = vec4(0.0);
-    vec4 least = vec4(1e30);
-    vec4 most = vec4(0.0);
-    float total = 0.0;
-    for (int i = 0; i < 16; ++i) {
-        ivec2 offset = ivec2(i & 3, i >> 2);
-        bool outerX = offset.x == 0 || offset.x == 3;
-        bool outerY = offset.y == 0 || offset.y == 3;
-        if (outerX && outerY)
-            continue; // the corners hardly count
-        ivec2 texel = floorToInt(corner) + offset - 1;
-        vec3 position;
-        vec3 normal;
-        if ((outerX || outerY) && !showedIt(was, texel, position, normal))
-            return false;
-        vec4 there = texelFetch(meanBefore, texel, 0);
-        float weight = wx[offset.x] * wy[offset.y];
-        sum += weight * there;
-        total += weight;
-        least = min(least, there);
-        most = max(most, there);
-    }
-    mean = max(sum / total, vec4(0.0));
-    const float kDark = 0.03;
-    return all(greaterThanEqual(least, kDark * most));
 }
 
 Candidate lookUp(Was was, vec2 at) {
@@ -270,41 +205,11 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
             frames = mirrorFrames;
         }
     }
-    vec2 fromTexel = abs(fract(found.at) - 0.5);
-    bool narrow = lobePixels(here.perceptualRoughness, here.viewZ, tracked) < kSharpBelow;
-    vec4 mean;
-    if (narrow && frames > 0.0 && found.share > 0.99 && max(fromTexel.x, fromTexel.y) > 0.03 &&
-        sharpMean(was, found.at, mean))
-        found.mean = vec4(mean.rgb * found.scaled, mean.a);
+    vec4 sharp;
+    if (frames > 0.0 && found.share > 0.99 &&
+        lobePixels(here.perceptualRoughness, here.viewZ, tracked) < kSharpBelow && sharpMean(was, found.at, sharp))
+        found.mean = vec4(sharp.rgb * found.scaled, sharp.a);
     return found;
-}
-
-/// Luminance that this frame's answer may have: some times that of the history, what the history's scatter explains, or
-/// some times that of the pixels around. Those that share rays with this one are no witnesses.
-float mostBrightness(ivec2 px, LobeSurface here, float near, vec4 answer, Candidate before, float frames) {
-    const float kKnown = 4.0;      // frames that tell of the scatter
-    const float kWideLobe = 4.0;   // pixels: narrower ones may show what one pixel alone shows
-    const float kDeviations = 0.5; // of the scatter, for each time of the mean
-    float brightness = luminance(answer.rgb);
-    float lobe = lobePixels(here.perceptualRoughness, here.viewZ, near);
-    if (frames < kKnown && lobe < kWideLobe)
-        return brightness;
-    float scatter = sqrt(max(before.meta.z - square(before.meta.y), 0.0));
-    float usual = max(settings.firefly * before.meta.y, before.meta.y + kDeviations * settings.firefly * scatter);
-    float most = frames < kKnown ? 0.0 : usual;
-    if (brightness <= most)
-        return brightness;
-    float radius = 1.0 + 1.5 * clamp(0.5 * lobe, 1.0, settings.reuseRadius);
-    mat2 disc = lobeDisc(here, radius);
-    Spiral spiral = beginSpiral(1u, hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).y);
-    vec4 around = vec4(0.0);
-    for (uint i = 0u; i < 8u; ++i) {
-        nextPoint(spiral, i);
-        ivec2 tap = floorToInt(vec2(px) + 0.5 + disc * spiral.direction);
-        if (isInFrame(tap) && texelFetch(reusedMeta, tap, 0).g > 0.0 && isSameSurface(here, lobeSurfaceAt(tap)))
-            around += texelFetch(reused, tap, 0);
-    }
-    return around.a > 0.0 ? max(most, settings.firefly * luminance(around.rgb) * answer.a / around.a) : brightness;
 }
 
 void main() {
@@ -341,7 +246,7 @@ void main() {
         Candidate before = best(px, here, learnt * brightness, near, hits, frames);
         frames = min(frames, settings.historyFrames - learnt);
         if (settings.firefly > 0.0 && learnt > 0.0 && brightness > 0.0) {
-            float most = mostBrightness(px, here, near, answer, before, frames);
+            float most = mostBrightness(px, here, near, answer, before.meta, frames);
             if (most < brightness) {
                 answer.rgb *= most / brightness;
                 brightness = most;

@@ -34,15 +34,21 @@ vec3 sampleGGXVisible(vec3 wo, vec2 u, float alpha) {
     return normalize(vec3(alpha * hemisphere.xy, max(hemisphere.z, 1e-6)));
 }
 
-/// The same distribution by a spherical cap: simpler, and the same density for any `u`. Dupuy and Benyoub 2023,
-/// "Sampling Visible GGX Normals with Spherical Caps", HPG, listing 3.
-vec3 sampleGGXVisibleCap(vec3 wo, vec2 u, float alpha) {
+/// A microfacet normal from the spherical cap above the height -`bound` * stretched.z. Dupuy and Benyoub 2023, "Sampling
+/// Visible GGX Normals with Spherical Caps", HPG, listing 3.
+vec3 sampleGGXCap(vec3 wo, vec2 u, float alpha, float bound) {
     const vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
+    const float lowest = bound * stretched.z;
     const float phi = 2.0 * kPi * u.x;
-    const float z = (1.0 - u.y) * (1.0 + stretched.z) - stretched.z;
+    const float z = (1.0 - u.y) * (1.0 + lowest) - lowest;
     const float sinTheta = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
     const vec3 halfway = vec3(sinTheta * cos(phi), sinTheta * sin(phi), z) + stretched;
     return normalize(vec3(alpha * halfway.xy, max(halfway.z, 1e-6)));
+}
+
+/// The distribution of sampleGGXVisible: simpler, and the same density for any `u`.
+vec3 sampleGGXVisibleCap(vec3 wo, vec2 u, float alpha) {
+    return sampleGGXCap(wo, u, alpha, 1.0);
 }
 
 /// Fraction of the light on a GGX microfacet visible from `wo` that leaves towards `wi` unhindered: G2 / G1(wo), the
@@ -54,8 +60,8 @@ float visibleGGXWeight(float NoV, float NoL, float alpha) {
     return (1.0 + lambdaV) / (lambdaV + lambdaL);
 }
 
-/// Height below which sampleGGXReflected cuts the spherical cap, as a part of the height at which sampleGGXVisibleCap
-/// does. Eto and Tokuyoshi 2023, "Bounded VNDF Sampling for Smith-GGX Reflections", SIGGRAPH Asia, eq. 5.
+/// The bound of the spherical cap below which no normal reflects upwards. Eto and Tokuyoshi 2023, "Bounded VNDF Sampling
+/// for Smith-GGX Reflections", SIGGRAPH Asia, eq. 5.
 float reflectedCapBound(float NoV, float alpha) {
     const float a2 = alpha * alpha;
     const float s = 1.0 + sqrt(max(1.0 - NoV * NoV, 0.0));
@@ -64,13 +70,7 @@ float reflectedCapBound(float NoV, float alpha) {
 
 /// Like sampleGGXVisibleCap, but without most of the normals that reflect below the surface. For reflection alone.
 vec3 sampleGGXReflected(vec3 wo, vec2 u, float alpha) {
-    const vec3 stretched = normalize(vec3(alpha * wo.xy, wo.z));
-    const float lowest = reflectedCapBound(wo.z, alpha) * stretched.z;
-    const float phi = 2.0 * kPi * u.x;
-    const float z = (1.0 - u.y) * (1.0 + lowest) - lowest;
-    const float sinTheta = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
-    const vec3 halfway = vec3(sinTheta * cos(phi), sinTheta * sin(phi), z) + stretched;
-    return normalize(vec3(alpha * halfway.xy, max(halfway.z, 1e-6)));
+    return sampleGGXCap(wo, u, alpha, reflectedCapBound(wo.z, alpha));
 }
 
 /// Density over solid angle of directions reflected at normals of sampleGGXReflected, as a multiple of D(wm).

@@ -411,7 +411,7 @@ void members(Visitor& visitor, GlintMemoryReport& c, MemoryReport& cpp) { // and
 }
 
 template <class Visitor>
-void members(Visitor& visitor, GlintInputCheck& c, InputCheck& cpp) { // and the findings (reflections.cpp)
+void members(Visitor& visitor, GlintInputCheck& c, InputCheck& cpp) { // and the findings (inspection.cpp)
     GLINT_PAIR(tested)
     GLINT_PAIR(normalsAgree)
     GLINT_PAIR(motionCompared)
