@@ -68,19 +68,30 @@ ivec2 cornerOf(vec2 imageSize, ivec2 px) {
     return corner - ivec2(greaterThan(cornerPX, px));
 }
 
+/// The four pixels of an image around `px`, the one at `corner` first.
+Tap[4] takeFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 corner) {
+    Tap four[4];
+    for (int i = 0; i < 4; ++i)
+        four[i] = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1));
+    return four;
+}
+
+/// Of one of the four, by nearness and similarity; 0 if it shows another surface. `scale`: the frame's pixels to one of
+/// the image.
+float weightOf(Tap tap, ivec2 px, vec2 scale) {
+    if (tap.similarity <= kOtherSurface)
+        return 0.0;
+    vec2 near = max(1.0 - abs(tap.px - vec2(px)) / scale, 0.001);
+    return tap.similarity * near.x * near.y;
+}
+
 /// Premultiplied mean of the four; false if none of them shows the surface.
-bool mixFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, out vec4 mean) {
-    ivec2 corner = cornerOf(imageSize, px);
-    vec2 scale = frame.constants.size / imageSize;
+bool mixFour(Tap four[4], ivec2 px, vec2 scale, out vec4 mean) {
     vec4 sum = vec4(0.0);
     float total = 0.0;
     for (int i = 0; i < 4; ++i) {
-        Tap tap = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1));
-        if (tap.similarity <= kOtherSurface)
-            continue;
-        vec2 near = max(1.0 - abs(tap.px - vec2(px)) / scale, 0.001);
-        float weight = tap.similarity * near.x * near.y;
-        sum += weight * tap.premultiplied;
+        float weight = weightOf(four[i], px, scale);
+        sum += weight * four[i].premultiplied;
         total += weight;
     }
     mean = sum / max(total, 1e-12);
@@ -140,42 +151,51 @@ vec4 answerAt(Place here, vec2 hitPX, float weight) {
     return vec4(radiance, 1.0) * weight;
 }
 
-/// The usual case, by two gathers: all four rays hit and have equal weight. The surfaces that they started from do not
-/// matter, because the pixel's own ray tests the surface it ends at.
-bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, out vec4 answer) {
-    const float kAlike = 0.05;
-    answer = vec4(0.0);
-    if (any(lessThan(corner, ivec2(0))) || any(greaterThanEqual(corner + 1, ivec2(frame.constants.traceSize))))
-        return false;
-    vec4 weights = textureGather(traced, vec2(corner + 1) / vec2(textureSize(traced, 0)), 3);
-    uvec4 words = textureGather(rayRecord, vec2(corner + 1) / vec2(textureSize(rayRecord, 0)), 1);
+/// What the four traced pixels around found. The surfaces that their rays started from are not looked at.
+struct FourRays {
+    vec4 weights;
     vec4 distances;
+    bool traced; // all four were
+    bool hit;    // all four did, and have nearly equal weights
+};
+
+/// By two gathers, which start at the bottom left and go counter-clockwise.
+FourRays gatherRays(ivec2 corner) {
+    const float kAlike = 0.05;
+    FourRays rays = FourRays(vec4(0.0), vec4(0.0), false, false);
+    if (any(lessThan(corner, ivec2(0))) || any(greaterThanEqual(corner + 1, ivec2(frame.constants.traceSize))))
+        return rays;
+    rays.weights = textureGather(traced, vec2(corner + 1) / vec2(textureSize(traced, 0)), 3);
+    uvec4 words = textureGather(rayRecord, vec2(corner + 1) / vec2(textureSize(rayRecord, 0)), 1);
+    rays.traced = true;
+    rays.hit = true;
     for (int i = 0; i < 4; ++i) {
         RayRecord ray = unpackRayRecord(uvec2(0u, words[i]));
-        if (ray.outcome != kOutcomeHit || abs(weights[i] - weights.x) > kAlike)
-            return false;
-        distances[i] = ray.hitDistance;
+        rays.traced = rays.traced && wasTraced(ray);
+        rays.hit = rays.hit && ray.outcome == kOutcomeHit && abs(rays.weights[i] - rays.weights.x) <= kAlike;
+        rays.distances[i] = ray.hitDistance;
     }
+    return rays;
+}
+
+/// The usual case: the answer, premultiplied, of four rays that hit. False if the frame does not show what they met.
+bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, FourRays rays, out vec4 answer) {
+    answer = vec4(0.0);
     vec2 low = vec2(tracePixelToFull(frame.constants, corner));
     vec2 high = vec2(tracePixelToFull(frame.constants, corner + 1));
     vec2 share = clamp((vec2(px) - low) / (high - low), 0.0, 1.0);
-    // A gather starts at the bottom left and goes counter-clockwise.
     vec4 shares = vec4((1.0 - share.x) * share.y, share.x * share.y, share.x * (1.0 - share.y),
                        (1.0 - share.x) * (1.0 - share.y));
     vec2 hitPX;
-    if (!aim(here, directionVS, dot(distances, shares), hitPX))
+    if (!aim(here, directionVS, dot(rays.distances, shares), hitPX))
         return false;
-    answer = answerAt(here, hitPX, dot(weights, shares));
+    answer = answerAt(here, hitPX, dot(rays.weights, shares));
     return true;
 }
 
-/// The answer of the pixel's own ray, premultiplied, where the four traced rays around give its length. False if they
-/// do not: mix them.
-bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
-    vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
-    ivec2 corner = cornerOf(frame.constants.traceSize, px);
-    if (aimAmongHits(here, directionVS, px, corner, answer))
-        return true;
+/// The answer of the pixel's own ray, premultiplied, where those of the four that show its surface give its length.
+/// False if they do not: mix them.
+bool aimOwnRay(Place here, vec3 directionVS, ivec2 px, ivec2 corner, Tap four[4], out vec4 answer) {
     answer = vec4(0.0);
     float distances[4];
     float hits = 0.0;
@@ -183,14 +203,11 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
     float alpha = 0.0;
     float meanDistance = 0.0;
     for (int i = 0; i < 4; ++i) {
-        ivec2 tracePX = corner + ivec2(i & 1, i >> 1);
         distances[i] = 0.0;
-        Tap tap = takeTap(traced, frame.constants.traceSize, here, px, tracePX);
-        if (tap.similarity <= kOtherSurface)
+        float weight = weightOf(four[i], px, frame.constants.traceScale);
+        if (weight <= 0.0)
             continue;
-        vec2 near = max(1.0 - abs(tap.px - vec2(px)) / frame.constants.traceScale, 0.001);
-        float weight = tap.similarity * near.x * near.y;
-        RayRecord ray = rayOf(tracePX);
+        RayRecord ray = rayOf(corner + ivec2(i & 1, i >> 1));
         if (isAnswered(ray.outcome) && ray.outcome != kOutcomeHit) // the answer has no place to aim at
             return false;
         if (ray.outcome != kOutcomeHit) {
@@ -199,7 +216,7 @@ bool aimOwnRay(Place here, ivec2 px, out vec4 answer) {
         }
         distances[i] = ray.hitDistance;
         hits += weight;
-        alpha += weight * tap.premultiplied.a;
+        alpha += weight * four[i].premultiplied.a;
         meanDistance += weight * ray.hitDistance;
     }
     if (hits <= 0.0)
@@ -229,13 +246,28 @@ float sharpShare(Place here, ivec2 px) {
     return 1.0 - clamp(reach * sourceSize.y / frame.constants.size.y, 0.0, 1.0);
 }
 
+/// The unblurred answer, premultiplied.
 vec4 sharpAnswer(Place here, ivec2 px) {
+    ivec2 corner = cornerOf(frame.constants.traceSize, px);
+    FourRays rays = gatherRays(corner);
+    if (rays.traced && all(equal(rays.weights, vec4(0.0))))
+        return vec4(0.0); // nothing that rays from here may meet is shown
+    bool aims =
+        settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size));
+    vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
     vec4 answer;
-    bool found = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size)) &&
-                 aimOwnRay(here, px, answer);
-    if (!found)
-        found = mixFour(traced, frame.constants.traceSize, here, px, answer);
-    return found ? answer : mostSimilar(here, px);
+    if (aims && rays.hit && aimAmongHits(here, directionVS, px, corner, rays, answer))
+        return answer;
+    Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner);
+    if (aims && aimOwnRay(here, directionVS, px, corner, four, answer))
+        return answer;
+    return mixFour(four, px, frame.constants.traceScale, answer) ? answer : mostSimilar(here, px);
+}
+
+/// The blurred answer, premultiplied; false where none of the four around shows this surface.
+bool blurredAnswer(Place here, ivec2 px, out vec4 answer) {
+    Tap four[4] = takeFour(source, sourceSize, here, px, cornerOf(sourceSize, px));
+    return mixFour(four, px, frame.constants.size / sourceSize, answer);
 }
 
 void main() {
@@ -249,7 +281,7 @@ void main() {
     }
     vec4 answer = vec4(0.0);
     float sharp = sharpShare(here, px);
-    bool found = sharp < 1.0 && mixFour(source, sourceSize, here, px, answer);
+    bool found = sharp < 1.0 && blurredAnswer(here, px, answer);
     if (!found || sharp > 0.0) {
         vec4 unblurred = sharpAnswer(here, px);
         answer = found ? mix(answer, unblurred, sharp) : unblurred;
