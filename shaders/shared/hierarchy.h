@@ -15,8 +15,9 @@ GLINT_CONSTANT(uint, kSourceCount, 5);
 GLINT_CONSTANT(uint, kMaxSources, 6); // capacity of the table: three weights of ten bits a word
 
 struct HierarchyConstants {
-    uint sources; // bit s: source s takes part
-    uint order;   // four bits a source, the first one's lowest
+    uint sources;      // bit s: source s takes part
+    uint order;        // four bits a source, the first one's lowest
+    uint keepsWeights; // 1: hierarchy/combine writes what weight each source got
 };
 
 GLINT_SHARED_END

@@ -18,6 +18,7 @@ Result<std::vector<render::ReflectionSession>> makeSessions(gpu::Context& contex
         job.width = size.x;
         job.height = size.y;
         job.statistics = true;
+        job.libraryViews = false; // as a host ships
         GLINT_TRY(session, render::openJob(context, job));
         sessions.push_back(std::move(session));
     }

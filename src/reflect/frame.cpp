@@ -37,9 +37,7 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     }
     if (reflects)
         hierarchy_->recordSources(frame, hierarchyInputs());
-    const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
-    if (hasComposite())
-        composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), composite());
+    recordComposite(frame);
     if (counts_ && tracesRays())
         countRays(frame);
     if (expectsLayers())
@@ -49,6 +47,17 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
         lobeDenoise_->end(frame);
     if (usesRays())
         raysSource_->end(frame);
+}
+
+/// Combines the sources, and replaces the host's reflections by them.
+void FrameStages::recordComposite(gpu::Frame& frame) {
+    if (!readsReflected()) {
+        composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, {rayRecord(), composite()});
+        return;
+    }
+    const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
+    if (hasComposite())
+        composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
 }
 
 void FrameStages::prepare(gpu::Frame& frame, const View& view) {

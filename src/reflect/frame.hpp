@@ -111,9 +111,11 @@ private:
     Result<void> giveScene();
     Result<void> rehearseRays();
     Result<void> setDenoise(const Settings& settings);
+    Result<void> makeResults();
 
     // Record the frame, top to bottom, and its additions.
     void recordFrame(gpu::Frame& frame, const View& view);
+    void recordComposite(gpu::Frame& frame);
     void prepare(gpu::Frame& frame, const View& view);
     shared::SettingsConstants resolveSettings(const View& view);
     gpu::Image& denoiseLobes(gpu::Frame& frame);
@@ -124,6 +126,11 @@ private:
     void forgetFrames(HistoryReset reason);
     void recordLayer(gpu::Frame& frame, LayerImages& layer);
 
+    /// True if an image of the reflections alone is needed: by the host, by views, or by pixels that show several
+    /// surfaces.
+    bool readsReflected() const {
+        return stages_.desc.views || stages_.desc.inspection || outputs_.stated().reflection || host_.hasManySamples();
+    }
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;

@@ -109,12 +109,24 @@ Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     if (checker_ && (!host_.isSet() || gbuffer.conventions != host_.conventions()))
         checker_->restart();
     host_.set(gbuffer, environment);
+    GLINT_CHECK(makeResults());
     return prepare_->setInputs(gbuffer);
 }
 
+/// Creates what combines and composites the sources' answers.
+Result<void> FrameStages::makeResults() {
+    if (readsReflected())
+        GLINT_CHECK(hierarchy_->makeReflected(outputs_.reflection()));
+    return hasComposite() ? composite_->make(!readsReflected()) : Result<void>();
+}
+
 Result<void> FrameStages::setOutputs(const Outputs& outputs) {
+    const Outputs old = outputs_.stated();
     GLINT_CHECK(outputs_.set(outputs));
-    hierarchy_->setTarget(outputs_.reflection());
+    if (const Result<void> made = makeResults(); !made) {
+        GLINT_CHECK(outputs_.set(old));
+        return made.error();
+    }
     colors_.reset(HistoryReset::Settings);
     recorded_ = false;
     written_.clear();
@@ -236,6 +248,7 @@ Result<void> FrameStages::createStages() {
     GLINT_CHECK(keep(denoise_, Denoise::create(stages_)));
     GLINT_CHECK(keep(hierarchy_, Hierarchy::create(stages_, makeSources())));
     GLINT_CHECK(keep(composite_, Composite::create(stages_)));
+    GLINT_CHECK(makeResults());
     if (desc.transparentLayers)
         GLINT_CHECK(keep(refraction_, Refraction::create(stages_.gpu, desc.width, desc.height, desc.views)));
     if (desc.statistics)
@@ -268,7 +281,8 @@ Result<void> FrameStages::rehearse() {
     trace_->rehearse(frame, traceInputs(), prepare_->backFaceGroups());
     denoise_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
-    composite_->record(frame, inputs(), prepared(), reflected, rayRecord(), composite());
+    composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
+    composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, {rayRecord(), composite()});
     if (counts_)
         countRays(frame);
     if (refraction_) {

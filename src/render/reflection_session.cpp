@@ -42,8 +42,11 @@ Result<std::unique_ptr<ReflectionSession::Objects>> ReflectionSession::makeObjec
 /// Creates new Reflections for other settings: some settings take effect only at creation.
 Result<void> ReflectionSession::makeReflections(Objects& objects) const {
     const JobInputs& inputs = objects.host->inputs();
-    ReflectionsDesc desc = {inputs.width, inputs.height,    options_.settings.reflections, options_.statistics,
-                            true,         options_.inspect, objects.host->hasLayers()};
+    ReflectionsDesc desc = {inputs.width, inputs.height, options_.settings.reflections};
+    desc.statistics = options_.statistics;
+    desc.views = options_.libraryViews;
+    desc.inspection = options_.inspect;
+    desc.transparentLayers = objects.host->hasLayers();
     desc.framesInFlight = 1; // the session waits for every frame
     GLINT_TRY(reflections, Reflections::create(*objects.library, desc));
     const auto old = std::exchange(objects.reflections, std::make_unique<Reflections>(std::move(reflections)));

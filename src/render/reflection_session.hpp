@@ -33,10 +33,11 @@ struct FrameTimes {
 
 struct SessionOptions {
     ProgramSettings settings;
-    uint32_t seed = 0;       ///< seed of the rays' noise
-    bool statistics = false; ///< count outcomes and depth fetches
-    bool inspect = false;    ///< allow inspection of pixels
-    bool display = false;    ///< also read views as displayed: RenderedView::rgb8
+    uint32_t seed = 0;        ///< seed of the rays' noise
+    bool statistics = false;  ///< count outcomes and depth fetches
+    bool libraryViews = true; ///< allow views that the library makes (isLibraryView): it keeps more, and is slower
+    bool inspect = false;     ///< allow inspection of pixels
+    bool display = false;     ///< also read views as displayed: RenderedView::rgb8
 };
 
 /// Creates the host of a session; the library has adopted the session's device.

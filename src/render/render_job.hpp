@@ -29,6 +29,7 @@ struct RenderJob {
     uint32_t frames = 1;                            ///< >= 1; the images are those of the last frame
     uint32_t seed = 0;                              ///< seed of the rays' noise: the same seed gives the same bits
     std::vector<std::string> views;                 ///< names of `viewList` (views.hpp), without repeats
+    bool libraryViews = true;                       ///< the session can show views that the library makes
     bool display = false;                           ///< also fill RenderedView::rgb8
     bool statistics = false;                        ///< also count outcomes and depth fetches
     std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray again, in the last frame

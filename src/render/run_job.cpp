@@ -1,6 +1,9 @@
 #include "render/run_job.hpp"
 
 #include "render/scene_host.hpp"
+#include "render/views.hpp"
+
+#include <algorithm>
 
 namespace glint::render {
 
@@ -12,12 +15,14 @@ Result<ReflectionSession> openJob(gpu::Context& context, const RenderJob& job) {
 }
 
 SessionOptions sessionOptions(const RenderJob& job) {
-    return {job.settings, job.seed, job.statistics, job.inspect.has_value(), job.display};
+    return {job.settings, job.seed, job.statistics, job.libraryViews, job.inspect.has_value(), job.display};
 }
 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
-    GLINT_TRY(session, openJob(context, job));
-    return renderFrames(session, job);
+    RenderJob needed = job;
+    needed.libraryViews = std::ranges::any_of(job.views, isLibraryView);
+    GLINT_TRY(session, openJob(context, needed));
+    return renderFrames(session, needed);
 }
 
 namespace {

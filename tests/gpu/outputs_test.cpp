@@ -190,6 +190,44 @@ TEST_F(OutputsTest, ReflectionsAloneLetTheHostComposite) {
     EXPECT_GT(reflecting, 300u);
 }
 
+TEST_F(OutputsTest, WithoutAReaderNoImageHoldsTheReflectionsAlone) {
+    const auto environment = TestEnvironment::make(gpu(), 16, 1, [](const glm::dvec3& direction, uint32_t) {
+        return glm::vec3(1.5f + static_cast<float>(direction.y));
+    });
+    for (const CompositeModel model : {CompositeModel::Physical, CompositeModel::Lerp}) {
+        Settings settings = plainSettings();
+        settings.sky.enabled = true;
+        settings.composite.model = model;
+        Reflections shown = make(settings);
+        ReflectionsDesc desc = {kWidth, kHeight, settings};
+        desc.framesInFlight = 1;
+        Reflections made = must(Reflections::create(library(), desc));
+        must(shown.setInputs(host_.gbuffer, environment.map));
+        must(made.setInputs(host_.gbuffer, environment.map));
+        const std::vector<float> wanted = download(gpu(), record(shown, view()));
+        EXPECT_TRUE(ran(shown, "hierarchy/combine"));
+        // The same but for the rounding of the image between the two passes.
+        const auto check = [&](const char* when) {
+            const std::vector<float> found = download(gpu(), record(made, view()));
+            for (size_t i = 0; i < wanted.size(); ++i)
+                ASSERT_NEAR(found[i], wanted[i], 0x1p-9 * std::abs(wanted[i])) << when << ", value " << i;
+        };
+        check("at first");
+        EXPECT_TRUE(ran(made, "composite/combined"));
+        EXPECT_FALSE(ran(made, "hierarchy/combine") || ran(made, "composite/composite"));
+        must(made.setOutputs({.reflection = makeOutput(VK_IMAGE_LAYOUT_GENERAL)}));
+        record(made, view());
+        EXPECT_TRUE(ran(made, "hierarchy/combine"));
+        must(made.setOutputs(
+            {.composite = makeOutput(VK_IMAGE_LAYOUT_GENERAL), .reflection = makeOutput(VK_IMAGE_LAYOUT_GENERAL)}));
+        check("beside the host's image of the reflections");
+        EXPECT_TRUE(ran(made, "hierarchy/combine") && ran(made, "composite/composite"));
+        must(made.setOutputs({}));
+        check("in the end");
+        EXPECT_TRUE(ran(made, "composite/combined"));
+    }
+}
+
 TEST_F(OutputsTest, BothAtOnce) {
     Reflections own = make(plainSettings());
     Reflections made = make(plainSettings());

@@ -42,7 +42,7 @@ TEST_F(ShaderReloadTest, AChangeIsShownAndAMistakeLeavesThePictureAsItWas) {
     const std::string before = shot("F11");
 
     // A shader of the library's, then what several of our own include.
-    edit("composite/composite.comp", "vec4(result, stored.a)", "vec4(result.brg, stored.a)");
+    edit("composite/composite_main.glsl", "vec4(result, stored.a)", "vec4(result.brg, stored.a)");
     press("F5");
     const std::string turned = shot("F11");
     EXPECT_TRUE(turned != before && !turned.empty());
@@ -53,21 +53,21 @@ TEST_F(ShaderReloadTest, AChangeIsShownAndAMistakeLeavesThePictureAsItWas) {
     EXPECT_TRUE(grey != turned && !grey.empty());
 
     press("F5"); // nothing has changed: whatever stands in the window then, it is no mistake
-    edit("composite/composite.comp", "void main() {", "void main() { mistake");
+    edit("composite/composite_main.glsl", "void main() {", "void main() { mistake");
     press("F5");
     EXPECT_TRUE(shot("F11") == grey);
     const std::string said = shot("F12");
 
     // What compiles and is no shader of this pass is refused by the program, and no less gently.
-    edit("composite/composite.comp", "mistake", "");
-    edit("composite/composite.comp", "image2D composite;", "image2D other;");
-    edit("composite/composite.comp", "imageStore(composite", "imageStore(other");
+    edit("composite/composite_main.glsl", "mistake", "");
+    edit("composite/composite_main.glsl", "image2D composite;", "image2D other;");
+    edit("composite/composite_main.glsl", "imageStore(composite", "imageStore(other");
     press("F5");
     EXPECT_TRUE(shot("F11") == grey);
 
-    edit("composite/composite.comp", "image2D other;", "image2D composite;");
-    edit("composite/composite.comp", "imageStore(other", "imageStore(composite");
-    edit("composite/composite.comp", "result.brg", "result");
+    edit("composite/composite_main.glsl", "image2D other;", "image2D composite;");
+    edit("composite/composite_main.glsl", "imageStore(other", "imageStore(composite");
+    edit("composite/composite_main.glsl", "result.brg", "result");
     std::filesystem::copy_file(std::string(GLINT_SOURCE_DIR) + "/shaders/lib/color.glsl",
                                path("shaders/lib/color.glsl"), std::filesystem::copy_options::overwrite_existing);
     press("F5");

@@ -3,10 +3,17 @@
 namespace glint::reflect {
 
 Result<Composite> Composite::create(StageContext& stages) {
+    using gpu::Compile, gpu::Pipeline;
     Composite composite(stages);
-    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"composite/composite", 0, {}}));
+    GLINT_TRY(pass, Pipeline::compute(stages.gpu, {"composite/composite", 0, {}}, Compile::Later));
+    GLINT_TRY(combined, Pipeline::compute(stages.gpu, {"composite/combined", 0, {}}, Compile::Later));
     composite.pass_ = std::move(pass);
+    composite.combinedPass_ = std::move(combined);
     return composite;
+}
+
+Result<void> Composite::make(bool combines) {
+    return (combines ? combinedPass_ : pass_).compile();
 }
 
 shared::CompositeConstants Composite::constants() const {
@@ -16,22 +23,34 @@ shared::CompositeConstants Composite::constants() const {
             settings.debug.outcome ? debug : 0, settings.reflect.strength, settings.reflect.falloffExponent};
 }
 
-void Composite::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
-                       const Reflected& reflected, gpu::Image& rayRecord, gpu::Image& composite) {
-    Inputs& host = inputs.host;
-    frame.pass(pass_)
-        .read("frame", inputs.constants)
-        .read("viewZ", prepared.viewZ)
-        .read("surface", prepared.surface)
-        .read("material", prepared.material, kTexels)
-        .read("edge", prepared.edge)
+void Composite::bind(gpu::Pass& pass, const HierarchyInputs& inputs, const CompositeImages& images) {
+    Inputs& host = inputs.frame.host;
+    pass.read("material", inputs.prepared.material, kTexels)
         .read("litRadiance", host.litRadiance, kTexels)
-        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.standIns.black, kTexels)
+        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
+        .read("rayRecord", images.rayRecord)
+        .read("dfg", inputs.frame.standIns.dfg)
+        .write("composite", images.composite);
+}
+
+void Composite::record(gpu::Frame& frame, const HierarchyInputs& inputs, const Reflected& reflected,
+                       const CompositeImages& images) {
+    gpu::Pass pass = frame.pass(pass_);
+    bind(pass, inputs, images);
+    pass.read("frame", inputs.frame.constants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("edge", inputs.prepared.edge)
         .read("reflected", reflected.reflected)
-        .read("rayRecord", rayRecord)
-        .read("dfg", inputs.standIns.dfg)
-        .write("composite", composite)
         .dispatch(stages_->extent.x, stages_->extent.y);
+}
+
+void Composite::recordCombined(gpu::Frame& frame, const HierarchyInputs& inputs, const Hierarchy& sources,
+                               const CompositeImages& images) {
+    gpu::Pass pass = frame.pass(combinedPass_);
+    bind(pass, inputs, images);
+    sources.bindAnswers(pass, inputs);
+    pass.dispatch(stages_->extent.x, stages_->extent.y);
 }
 
 } // namespace glint::reflect

@@ -1,26 +1,39 @@
 // `composite`: replaces the fallback specular in the host's lit image by the reflections.
 #pragma once
 
+#include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
 #include "shared/trace_constants.h"
 
 namespace glint::reflect {
 
+struct CompositeImages {
+    gpu::Image& rayRecord; ///< the outcomes of the pixels' rays, for debug colours
+    gpu::Image& composite; ///< RGBA16F, written
+};
+
 class Composite {
 public:
     static Result<Composite> create(StageContext& stages);
+    /// Compiles what `record` needs, or with `combines` what `recordCombined` needs. Errors: Unsupported.
+    Result<void> make(bool combines);
 
     shared::CompositeConstants constants() const;
-    /// Writes `composite`, RGBA16F. `rayRecord`: the outcomes of the pixels' rays, for debug colours.
-    void record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared, const Reflected& reflected,
-                gpu::Image& rayRecord, gpu::Image& composite);
+    void record(gpu::Frame& frame, const HierarchyInputs& inputs, const Reflected& reflected,
+                const CompositeImages& images);
+    /// Combines the sources' answers in the same pass, in place of Hierarchy::combine: no image holds the reflections
+    /// alone. For hosts with one sample a pixel.
+    void recordCombined(gpu::Frame& frame, const HierarchyInputs& inputs, const Hierarchy& sources,
+                        const CompositeImages& images);
 
 private:
     explicit Composite(StageContext& stages) : stages_(&stages) {}
+    static void bind(gpu::Pass& pass, const HierarchyInputs& inputs, const CompositeImages& images);
 
     StageContext* stages_;
     gpu::Pipeline pass_;
+    gpu::Pipeline combinedPass_;
 };
 
 } // namespace glint::reflect

@@ -7,13 +7,21 @@ namespace glint::reflect {
 Result<std::unique_ptr<Hierarchy>> Hierarchy::create(StageContext& stages, std::vector<Source> sources) {
     std::unique_ptr<Hierarchy> hierarchy(new Hierarchy(stages));
     hierarchy->sources_ = std::move(sources);
-    GLINT_TRY(combine, gpu::Pipeline::compute(stages.gpu, {"hierarchy/combine", 0, {}}));
+    GLINT_TRY(combine, gpu::Pipeline::compute(stages.gpu, {"hierarchy/combine", 0, {}}, gpu::Compile::Later));
     hierarchy->combine_ = std::move(combine);
-    const uint32_t w = stages.width();
-    const uint32_t h = stages.height();
-    GLINT_CHECK(makeImage(stages.gpu, hierarchy->reflected_, {"glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, w, h}));
-    GLINT_CHECK(makeImage(stages.gpu, hierarchy->weights_, {"glint/weights", VK_FORMAT_R32G32_UINT, w, h}));
     return hierarchy;
+}
+
+Result<void> Hierarchy::makeReflected(gpu::Image* target) {
+    const auto make = [&](gpu::Image& image, const char* name, VkFormat format, bool whole) {
+        return makeImage(stages_.gpu, image, {name, format, whole ? stages_.width() : 1, whole ? stages_.height() : 1});
+    };
+    GLINT_CHECK(combine_.compile());
+    GLINT_CHECK(make(weights_, "glint/weights", VK_FORMAT_R32G32_UINT, keepsWeights()));
+    if (!target)
+        GLINT_CHECK(make(reflected_, "glint/reflected", VK_FORMAT_R16G16B16A16_SFLOAT, true));
+    target_ = target;
+    return {};
 }
 
 uint32_t Hierarchy::add(Source source) {
@@ -89,17 +97,20 @@ Reflected Hierarchy::combine(gpu::Frame& frame, const HierarchyInputs& inputs) {
     return reflected();
 }
 
-gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const HierarchyInputs& inputs) {
+void Hierarchy::bindAnswers(gpu::Pass& pass, const HierarchyInputs& inputs) const {
     Inputs& host = inputs.frame.host;
-    gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("environment", host.environment ? host.environment : inputs.frame.standIns.blackCube)
-        .read("occlusion", host.scalar(Inputs::Occlusion, inputs.frame.standIns.black), kTexels)
-        .write("reflected", reflected().reflected)
-        .write("weights", weights_);
+        .read("occlusion", host.scalar(Inputs::Occlusion, inputs.frame.standIns.black), kTexels);
     answersOf(takingPart(), inputs).bind(pass);
+}
+
+gpu::Pass Hierarchy::combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const HierarchyInputs& inputs) {
+    gpu::Pass pass = frame.pass(pipeline);
+    bindAnswers(pass, inputs);
+    pass.write("reflected", reflected().reflected).write("weights", weights_);
     return pass;
 }
 

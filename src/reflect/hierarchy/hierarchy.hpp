@@ -42,7 +42,7 @@ public:
     bool takesPart(uint32_t source) const { return (takingPart() >> source & 1) != 0; }
     /// Bit s: source s is used, and asked before `source`.
     uint32_t before(uint32_t source) const;
-    shared::HierarchyConstants constants() const { return {answering(), order().packed()}; }
+    shared::HierarchyConstants constants() const { return {answering(), order().packed(), keepsWeights() ? 1u : 0u}; }
 
     /// The answers of screen and rays count as one, in the place of the first of the two, as soon as both have
     /// answered. `join` records what makes one of them and returns it. Empty: they count apart.
@@ -53,18 +53,22 @@ public:
     }
     bool raysComeFirst() const { return (order().before(shared::kSourceScreen) >> shared::kSourceRays & 1) != 0; }
 
+    /// Creates what `combine` needs, which then writes its answer into `target`, an image of the host's; null: into one
+    /// of Glint's. Errors: OutOfMemory, Unsupported; then nothing has changed.
+    Result<void> makeReflected(gpu::Image* target);
+
     /// Records the sources that fill the remaining weight, in the user's order, then the walk over all sources.
     Reflected record(gpu::Frame& frame, const HierarchyInputs& inputs);
     void recordSources(gpu::Frame& frame, const HierarchyInputs& inputs);
     Reflected combine(gpu::Frame& frame, const HierarchyInputs& inputs);
+    /// Binds what shaders/hierarchy/combined.glsl declares, once the sources are recorded.
+    void bindAnswers(gpu::Pass& pass, const HierarchyInputs& inputs) const;
     /// Begins the pass of `combine` with another pipeline; the caller dispatches it.
     gpu::Pass combinePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, const HierarchyInputs& inputs);
 
     /// The answers that a source is rehearsed with: no earlier source has answered.
     EarlierAnswers noAnswersBefore(const HierarchyInputs& inputs) const;
     Reflected reflected() { return {target_ ? *target_ : reflected_, weights_}; }
-    /// `combine` writes its answer into this image of the host's; null: into one of Glint's.
-    void setTarget(gpu::Image* target) { target_ = target; }
     /// Returns the source's answer if it exists, otherwise a black image.
     gpu::Image& answerOf(uint32_t source, const HierarchyInputs& inputs) const;
 
@@ -72,6 +76,8 @@ private:
     explicit Hierarchy(StageContext& stages) : stages_(stages) {}
     uint32_t takingPart() const;
     uint32_t answering() const;
+    /// True if views or the inspection show which source answered.
+    bool keepsWeights() const { return stages_.desc.views || stages_.desc.inspection; }
     SourceOrder order() const { return SourceOrder(stages_.settings(), static_cast<uint32_t>(sources_.size())); }
     /// Returns the answers of the sources in `which`, where bit s is source s.
     EarlierAnswers answersOf(uint32_t which, const HierarchyInputs& inputs) const;

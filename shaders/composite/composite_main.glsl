@@ -3,11 +3,17 @@
 //             response, of which the user's settings give the fraction `given`
 //   lerp      out = lit * (1 - m) + reflection * m, Babylon.js' model; remaining weight keeps the pixel's own colour
 // docs/techniques/composite.md.
+//
+// GLINT_COMBINES: the pass combines the sources itself, and no image holds the reflections alone. For hosts with one
+// sample a pixel: a pixel that shows several surfaces needs the reflections of its neighbours.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
 #include "frame/prepared.glsl"
+#ifdef GLINT_COMBINES
+#include "hierarchy/combined.glsl"
+#endif
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
 #include "lib/edge.glsl"
@@ -23,14 +29,16 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 3) uniform sampler2D material;
-layout(set = 0, binding = 4) uniform sampler2D litRadiance;
-layout(set = 0, binding = 5) uniform sampler2D fallbackSpecular;
+#ifndef GLINT_COMBINES
 layout(set = 0, binding = 6) uniform sampler2D reflected;
-layout(set = 0, binding = 7) uniform usampler2D rayRecord;
-layout(set = 0, binding = 8) uniform sampler2D dfg;
-layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D composite;
 layout(set = 0, binding = 10) uniform usampler2D edge;
+#endif
+layout(set = 0, binding = 7) uniform usampler2D rayRecord;
+layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D composite;
+layout(set = 0, binding = 11) uniform sampler2D material;
+layout(set = 0, binding = 12) uniform sampler2D litRadiance;
+layout(set = 0, binding = 13) uniform sampler2D fallbackSpecular;
+layout(set = 0, binding = 14) uniform sampler2D dfg;
 CompositeConstants settings = frame.settings.composite;
 
 /// Fraction of reflected light that this surface sends to the eye.
@@ -63,56 +71,28 @@ vec3 loadLit(ivec2 px) {
     return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
 }
 
-/// The pixel whose surface is most similar to this one, among `px` and the pixels around it; -1 if none is similar.
-/// `whole`: only pixels that show one surface alone.
-ivec2 likestPixel(ivec2 px, float z, vec3 normalVS, bool whole) {
-    ivec2 best = ivec2(-1);
-    float bestDifference = 0.3; // a quarter of the distance, or 45 degrees
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 at = clamp(px + ivec2(x, y), ivec2(0), ivec2(frame.constants.size) - 1);
-            if (whole && loadMaterial(at).a < 1.0)
-                continue;
-            Surface there = unpackSurface(texelFetch(surface, at, 0).xy);
-            float difference = abs(texelFetch(viewZ, at, 0).r - z) / z + (1.0 - dot(there.normalVS, normalVS));
-            if (difference < bestDifference) {
-                bestDifference = difference;
-                best = at;
-            }
-        }
-    return best;
+#ifdef GLINT_COMBINES
+
+Share frontShare(ivec2 px, float z, Surface here, vec3 lit) {
+    vec3 f0 = here.reflectivity > 0.0 ? loadMaterial(px).rgb : vec3(0.0);
+    vec4 reflection = vec4(0.0);
+    if (maxComponent(f0) > 0.0) {
+        float shares[kMaxSources];
+        Walk walk = combinedAnswers(px, z, shares);
+        reflection = vec4(walk.radiance, walk.taken);
+    }
+    return Share(1.0, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS), reflection, lit);
 }
 
-/// The surface's lit radiance, taken from nearby where the pixel itself shows other surfaces too.
-vec3 litNearby(ivec2 px, float z, vec3 normalVS) {
-    ivec2 at = likestPixel(px, z, normalVS, true);
-    return loadLit(at.x >= 0 ? at : px);
-}
-
-Share frontShare(ivec2 px, float z, Surface here) {
-    vec4 resolved = loadMaterial(px);
-    vec3 f0 = here.reflectivity > 0.0 ? resolved.rgb : vec3(0.0);
-    vec3 lit = resolved.a < 1.0 && settings.model != 0u ? litNearby(px, z, here.normalVS) : loadLit(px);
-    return Share(resolved.a, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS),
-                 texelFetch(reflected, px, 0), lit);
-}
-
-/// The second surface of an edge. No ray was traced for it, but its neighbour has the answer. Without a neighbour's
-/// answer no light is replaced.
 Share secondShare(ivec2 px, float frontCoverage) {
-    Share none = Share(0.0, vec3(0.0), 1.0, 1.0, vec4(0.0), vec3(0.0));
-    if (frontCoverage >= 1.0)
-        return none;
-    Edge second = unpackEdge(texelFetch(edge, px, 0));
-    if (second.coverage <= 0.0)
-        return none;
-    ivec2 at = likestPixel(px, second.viewZ, second.normalVS, false);
-    if (at.x < 0)
-        return none;
-    vec3 lit = settings.model != 0u ? litNearby(px, second.viewZ, second.normalVS) : vec3(0.0);
-    return Share(second.coverage, second.f0, unpackSurface(texelFetch(surface, at, 0).xy).perceptualRoughness,
-                 viewCosine(px, second.viewZ, second.normalVS), texelFetch(reflected, at, 0), lit);
+    return Share(0.0, vec3(0.0), 1.0, 1.0, vec4(0.0), vec3(0.0));
 }
+
+#else
+
+#include "composite/edge_shares.glsl"
+
+#endif
 
 Response response(Share share) {
     if (maxComponent(share.f0) <= 0.0)
@@ -161,7 +141,7 @@ void main() {
     vec3 result = lit;
     bool untouched = true; // where the pixel does not reflect, keep the host's own bits
     if (z < kBackgroundZ) {
-        Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy));
+        Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy), lit);
         Share second = secondShare(px, front.coverage);
         if (maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a > 0.0) {
             bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
