@@ -14,6 +14,7 @@
 #endif
 layout(set = 0, binding = 4, rgba16f) uniform GLINT_TRACED_ACCESS image2D radianceWeight;
 layout(set = 0, binding = 9, rgba8) uniform GLINT_TRACED_ACCESS image2D radianceWeight8;
+// If kTraceRecords.
 layout(set = 0, binding = 5, rg32ui) uniform GLINT_TRACED_ACCESS uimage2D rayRecord;
 
 #ifdef GLINT_READ_TRACED
@@ -28,7 +29,8 @@ void storeTraced(ivec2 tracePX, vec3 radiance, float weight, RayRecord record) {
         imageStore(radianceWeight8, tracePX, vec4(scaledToOne(radiance), weight));
     else
         imageStore(radianceWeight, tracePX, vec4(radiance, weight));
-    imageStore(rayRecord, tracePX, uvec4(packRayRecord(record), 0u, 0u));
+    if ((frame.settings.trace.flags & kTraceRecords) != 0u)
+        imageStore(rayRecord, tracePX, uvec4(packRayRecord(record), 0u, 0u));
 }
 
 #endif

@@ -98,6 +98,7 @@ Result<void> FrameStages::setDenoise(const Settings& settings) {
         GLINT_TRY(denoise, LobeDenoise::create(stages_));
         lobeDenoise_ = std::move(denoise);
     }
+    GLINT_CHECK(lobeDenoise_->make(settings));
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
     denoiseLobes(frame);
     return frame.firstError();

@@ -36,6 +36,11 @@ struct Inputs {
     gpu::Image& scalar(Scalar which, gpu::Image& absent) { return scalars[which] ? this->*scalars[which] : absent; }
 };
 
+/// True if F0 and coverage must be computed: the host's material image does not hold them.
+inline bool resolvesMaterial(const GBuffer& gbuffer) {
+    return gbuffer.depth.samples > 1 || gbuffer.conventions.material != MaterialKind::F0Roughness;
+}
+
 class Host {
 public:
     GBuffer gbuffer;
@@ -54,7 +59,7 @@ public:
     const Conventions& conventions() const { return gbuffer.conventions; }
     bool hasManySamples() const { return images.depth.desc().samples > 1; }
     /// True if F0 and coverage must be read from Prepared::material instead of the host's image.
-    bool resolvesMaterial() const { return hasManySamples() || conventions().material != MaterialKind::F0Roughness; }
+    bool resolvesMaterial() const { return reflect::resolvesMaterial(gbuffer); }
 
 private:
     gpu::Image Inputs::*holderOf(size_t scalar) const;

@@ -10,6 +10,8 @@
 
 #include <glm/glm.hpp>
 
+#include <utility>
+
 namespace glint::reflect {
 
 /// Shared by all stages of one Reflections; outlives them.
@@ -52,6 +54,18 @@ inline Result<void> makeImage(gpu::Context& context, gpu::Image& image, const St
                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | wanted.more}));
     image = std::move(made);
     return {};
+}
+
+/// As makeImage, but also replaces an image that is smaller; frames in flight may still use that one. Returns true if
+/// the image is new.
+inline Result<bool> growImage(StageContext& stages, gpu::Image& image, const StageImage& wanted) {
+    if (image && image.width() >= wanted.width && image.height() >= wanted.height)
+        return false;
+    gpu::Image made;
+    GLINT_CHECK(makeImage(stages.gpu, made, wanted));
+    stages.retired.keep(std::move(image));
+    image = std::move(made);
+    return true;
 }
 
 } // namespace glint::reflect

@@ -419,7 +419,7 @@ TEST_F(CApiTest, LayersGiveTheBitsOfCpp) {
     layer.material = gbuffer_.gbuffer.material;
     layer.radiance = layer.transmittance = layer.absorption = layer.body = gbuffer_.gbuffer.litRadiance;
     ReflectionsDesc desc = {kWidth, kHeight};
-    desc.transparentLayers = true;
+    desc.transparentLayers = desc.views = true;
     desc.framesInFlight = 1;
     Reflections cpp = test::must(Reflections::create(library(), desc));
     test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));

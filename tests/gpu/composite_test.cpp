@@ -469,7 +469,7 @@ protected:
         resolved.hierarchy = {bit(screen, shared::kSourceScreen) | bit(!rays.empty(), shared::kSourceRays) |
                                   bit(!planar.empty(), shared::kSourcePlanar) |
                                   bit(!probes.empty(), shared::kSourceProbes) | bit(sky, shared::kSourceSky),
-                              reflect::SourceOrder(settings).packed()};
+                              reflect::SourceOrder(settings).packed(), 1};
         gpu::Buffer frameConstants = uploadFrame(present ? shared::kInputEnvironment : 0, resolved, &environment);
         gpu::Image surface = uploadSurface(pixels);
         gpu::Image viewZImage = upload("test/viewZ", VK_FORMAT_R32_SFLOAT, bytesOf(viewZ));

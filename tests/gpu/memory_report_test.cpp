@@ -1,6 +1,7 @@
 // Context::memory: what the library's objects use, by name, and what the driver gave for them.
 #include "gpu/memory.hpp"
 #include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -60,6 +61,68 @@ TEST_F(MemoryReportTest, WithoutTheDenoiserAFrameTakesLess) {
     const MemoryReport report = library().memory();
     EXPECT_GT(report.bytes - before, plain + uint64_t{640} * 360 * 40);
     EXPECT_GT(bytesOf(report, "glint/mean"), 0U);
+}
+
+TEST_F(MemoryReportTest, AFrameTakesOnlyWhatItsSettingsUse) {
+    constexpr double kPixels = 1920.0 * 1080.0;
+    const uint64_t before = library().memory().bytes;
+    const auto perPixel = [&](const Settings& settings, bool views) {
+        ReflectionsDesc desc = {1920, 1080, settings};
+        desc.views = views;
+        const Reflections reflections = must(Reflections::create(library(), desc));
+        return static_cast<double>(library().memory().bytes - before) / kPixels;
+    };
+    Settings plain;
+    plain.denoise.enabled = false;
+    Settings half = plain;
+    half.screen.resolutionScale = 0.5f;
+    const double least = perPixel(plain, false);
+    EXPECT_LE(least, 45);
+    EXPECT_LE(perPixel(half, false), least + 1) << "the upsampled answer, but a quarter of what rays need";
+    EXPECT_LE(perPixel(Settings(), false), 140);
+    EXPECT_GE(perPixel(plain, true), least + 8 + 8 + 16)
+        << "views: the ray's record, the reflections, their weights, a view";
+}
+
+TEST_F(MemoryReportTest, WhatLaterSettingsNeedIsMadeThen) {
+    constexpr uint32_t kWidth = 96;
+    constexpr uint32_t kHeight = 54;
+    const SyntheticCamera camera;
+    const SyntheticGBuffer host = SyntheticGBuffer::render(
+        gpu(),
+        [](const glm::dvec3& origin, const glm::dvec3& direction) {
+            auto hit = floorAndWall()(origin, direction);
+            if (hit && hit->f0.x > 0)
+                hit->perceptualRoughness = direction.x < 0 ? 0.3f : 0.0f;
+            return hit;
+        },
+        camera, kWidth, kHeight);
+    Settings plain;
+    plain.denoise.enabled = false;
+    std::vector<std::pair<const char*, Settings>> steps(6, {"plain", plain});
+    steps[1] = {"half", plain};
+    steps[1].second.screen.resolutionScale = 0.5f;
+    steps[2] = {"blurred", plain};
+    steps[2].second.blur.strength = 1;
+    steps[3] = {"denoised", Settings()};
+    steps[4] = {"outcomes", plain};
+    steps[4].second.debug.outcome = true;
+    ReflectionsDesc desc = {kWidth, kHeight, plain};
+    desc.framesInFlight = 1;
+    Reflections changed = must(Reflections::create(library(), desc));
+    must(changed.setInputs(host.gbuffer));
+    for (const auto& [name, settings] : steps) {
+        const auto picture = [&](Reflections& reflections) {
+            HostImage image;
+            run([&](VkCommandBuffer commands) { image = reflections.record(commands, camera.view(kWidth, kHeight)); });
+            return download(gpu(), image);
+        };
+        desc.settings = settings;
+        Reflections fresh = must(Reflections::create(library(), desc));
+        must(fresh.setInputs(host.gbuffer));
+        must(changed.setSettings(settings));
+        EXPECT_EQ(picture(changed), picture(fresh)) << name;
+    }
 }
 
 } // namespace

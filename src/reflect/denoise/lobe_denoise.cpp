@@ -8,6 +8,8 @@
 namespace glint::reflect {
 namespace {
 
+constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
+
 /// Indices of the images in the history.
 constexpr size_t kMean = 0;
 constexpr size_t kMeta = 1;
@@ -50,9 +52,7 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(pass(denoise->rate_, "denoise/rate", 0));
     const uint32_t w = stages.width();
     const uint32_t h = stages.height();
-    constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
-    GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[0], {"glint/noisy", kHalf, w, h}));
-    GLINT_CHECK(makeImage(stages.gpu, denoise->signal_[1], {"glint/reused", kHalf, w, h}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->noisy_, {"glint/noisy", kHalf, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->sentRay_, {"glint/sentRay", VK_FORMAT_R32G32_UINT, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMeta_, {"glint/reusedMeta", VK_FORMAT_R16G16_SFLOAT, w, h}));
     const uint32_t tilesX = tiles(w, shared::kSentinelTile);
@@ -60,20 +60,48 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(
         makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
-    GLINT_CHECK(makeImage(stages.gpu, denoise->answer_, {"glint/lobeAnswer", kHalf, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->hitMotion_, {"glint/hitMotion", VK_FORMAT_R32_UINT, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMotion_, {"glint/reusedMotion", kHalf, w, h}));
+    GLINT_CHECK(denoise->makeHistory(false));
+    return denoise;
+}
+
+/// Sentinels are rays through the host's triangles.
+Result<void> LobeDenoise::makeHistory(bool sentinels) {
+    const uint32_t w = stages_.width();
+    const uint32_t h = stages_.height();
+    const uint32_t tilesX = tiles(w, shared::kSentinelTile);
+    const uint32_t tilesY = tiles(h, shared::kSentinelTile);
+    const glm::uvec2 rays = sentinels ? glm::uvec2(2 * tilesX, tilesY) : glm::uvec2(1);
     std::array<StageImage, 8> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
     images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, w, h};
-    images[kSentinelRay] = {"glint/sentinelRay", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
-    images[kSentinelPath] = {"glint/sentinelPath", VK_FORMAT_R32G32B32A32_UINT, 2 * tilesX, tilesY};
+    images[kSentinelRay] = {"glint/sentinelRay", VK_FORMAT_R32G32B32A32_UINT, rays.x, rays.y};
+    images[kSentinelPath] = {"glint/sentinelPath", VK_FORMAT_R32G32B32A32_UINT, rays.x, rays.y};
     images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
     images[kSpeed] = {"glint/meanSpeed", VK_FORMAT_R16_SFLOAT, w, h};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
-    GLINT_CHECK(denoise->history_.make(images, true));
-    return denoise;
+    GLINT_CHECK(history_.make(images, true));
+    hasSentinels_ = sentinels;
+    return {};
+}
+
+Result<void> LobeDenoise::make(const Settings& settings) {
+    const uint32_t w = stages_.width();
+    const uint32_t h = stages_.height();
+    if (!reusesTarget(settings))
+        GLINT_CHECK(makeImage(stages_.gpu, reused_, {"glint/reused", kHalf, w, h}));
+    if (stages_.desc.views)
+        GLINT_CHECK(makeImage(stages_.gpu, answer_, {"glint/lobeAnswer", kHalf, w, h}));
+    return settings.rays.enabled && !hasSentinels_ ? makeHistory(true) : Result<void>();
+}
+
+/// True if the neighbours' rays are gathered in the image of the screen's answer, which only gather reads. Views show
+/// that answer.
+bool LobeDenoise::reusesTarget(const Settings& settings) const {
+    return !stages_.desc.views && !stages_.desc.inspection && settings.screen.enabled &&
+           settings.screen.targetFormat != TargetFormat::Rgba8;
 }
 
 void LobeDenoise::begin(gpu::Frame& frame, bool followsSentinels) {
@@ -133,7 +161,7 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .read("raysAnswer", inputs.raysAnswer ? *inputs.raysAnswer : black)
         .read("raysRecord", inputs.raysRecord)
         .read("motion", inputs.frame.host.motion ? inputs.frame.host.motion : black, kTexels)
-        .write("noisy", signal_[0])
+        .write("noisy", noisy_)
         .write("sentRay", sentRay_)
         .write("hitMotion", hitMotion_)
         .push(sources)
@@ -159,6 +187,8 @@ gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& 
 
 gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
     recorded_ = true;
+    gpu::Image& reused = inputs.screenAnswer && reusesTarget(stages_.settings()) ? *inputs.screenAnswer : reused_;
+    gpu::Image& answer = stages_.desc.views ? answer_ : noisy_; // what gather wrote is read no more then
     gather(frame, inputs);
     gpu::Image& changed = findChange(frame, inputs);
     const auto begin = [&](const gpu::Pipeline& pipeline) {
@@ -171,17 +201,17 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     const uint32_t w = stages_.extent.x;
     const uint32_t h = stages_.extent.y;
     begin(reuse_)
-        .read("noisy", signal_[0])
+        .read("noisy", noisy_)
         .read("sentRay", sentRay_)
         .read("rayRates", rayRates(), kTexels)
-        .write("reused", signal_[1])
+        .write("reused", reused)
         .read("hitMotion", hitMotion_)
         .write("reusedMeta", reusedMeta_)
         .write("reusedMotion", reusedMotion_)
         .dispatch(w, h);
     Inputs& host = inputs.frame.host;
     begin(accumulate_)
-        .read("reused", signal_[1])
+        .read("reused", reused)
         .read("reusedMeta", reusedMeta_)
         .read("reusedMotion", reusedMotion_)
         .read("motion", host.motion ? host.motion : inputs.frame.standIns.black, kTexels)
@@ -205,9 +235,9 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     begin(filter_)
         .read("mean", history_.now(kMean))
         .read("meta", history_.now(kMeta))
-        .write("answer", answer_)
+        .write("answer", answer)
         .dispatch(w, h);
-    return answer_;
+    return answer;
 }
 
 } // namespace glint::reflect

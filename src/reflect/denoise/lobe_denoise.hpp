@@ -28,6 +28,9 @@ public:
     /// Errors: OutOfMemory.
     static Result<std::unique_ptr<LobeDenoise>> create(StageContext& stages);
 
+    /// Creates the images that these settings need for the first time. Errors: OutOfMemory.
+    Result<void> make(const Settings& settings);
+
     /// Begins a frame, before its constants are resolved. `followsSentinels`: it will be given sentinels.
     void begin(gpu::Frame& frame, bool followsSentinels);
     /// The next frame starts without history.
@@ -46,6 +49,8 @@ public:
 
 private:
     explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
+    Result<void> makeHistory(bool sentinels);
+    bool reusesTarget(const Settings& settings) const;
     bool comparesMeans() const;
     void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
     gpu::Image& findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
@@ -57,15 +62,17 @@ private:
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
     gpu::Pipeline rate_;
-    gpu::Image signal_[2];      ///< RGBA16F: weight * radiance, weight; of one ray, then with those of neighbours
+    gpu::Image noisy_;          ///< RGBA16F: weight * radiance, weight, of one ray; then the answer
+    gpu::Image reused_;         ///< as noisy_, with the rays of neighbours; absent if the screen's image serves
     gpu::Image sentRay_;        ///< RG32UI: denoise/sent_ray.glsl
     gpu::Image reusedMeta_;     ///< RG16F: denoise/reuse.comp
     gpu::Image hitMotion_;      ///< R32UI: lib/packed_motion.glsl
     gpu::Image reusedMotion_;   ///< RGBA16F: denoise/reuse.comp
     gpu::Image sentinelChange_; ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
     gpu::Image changed_;        ///< RGBA16F, a texel for each tile: denoise/change.comp
-    gpu::Image answer_;         ///< RGBA16F: radiance, weight
+    gpu::Image answer_;         ///< RGBA16F: radiance, weight; with views, which also show noisy_
     History history_;
+    bool hasSentinels_ = false;     ///< history_ has room for them
     bool recorded_ = false;         ///< in this frame
     bool followsSentinels_ = false; ///< in this frame
 };

@@ -2,8 +2,6 @@
 
 #include "shared/trace_constants.h"
 
-#include <algorithm>
-
 namespace glint::reflect {
 
 Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
@@ -18,8 +16,7 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
     const uint32_t w = stages.width();
     const uint32_t h = stages.height();
     GLINT_CHECK(makeImage(stages.gpu, prepare->surface_, {"glint/surface", VK_FORMAT_R32G32_UINT, w, h}));
-    GLINT_CHECK(
-        makeImage(stages.gpu, prepare->resolvedMaterial_, {"glint/material", VK_FORMAT_R16G16B16A16_SFLOAT, w, h}));
+    GLINT_CHECK(prepare->makeMaterial(false));
     GLINT_CHECK(prepare->makeBackFaces(false));
     GLINT_CHECK(prepare->makeEdge(false));
     return prepare;
@@ -28,39 +25,43 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
 Result<void> Prepare::setInputs(const GBuffer& gbuffer) {
     const bool wanted = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && gbuffer.backDepth;
     GLINT_CHECK(makeEdge(gbuffer.depth.samples > 1));
+    GLINT_CHECK(makeMaterial(resolvesMaterial(gbuffer)));
     return makeBackFaces(wanted);
+}
+
+/// The size of an image that is needed, and of one that is only bound.
+glm::uvec2 Prepare::sizeIf(bool needed) const {
+    return needed ? glm::uvec2(stages_.width(), stages_.height()) : glm::uvec2(1);
+}
+
+Result<void> Prepare::makeMaterial(bool resolves) {
+    const glm::uvec2 size = sizeIf(resolves);
+    GLINT_CHECK(
+        growImage(stages_, resolvedMaterial_, {"glint/material", VK_FORMAT_R16G16B16A16_SFLOAT, size.x, size.y}));
+    return {};
 }
 
 /// If not wanted, an existing image is kept, cleared.
 Result<void> Prepare::makeBackFaces(bool wanted) {
     backFacesKnown_ = wanted;
-    const uint32_t width = wanted ? stages_.width() : 1;
-    const uint32_t height = wanted ? stages_.height() : 1;
-    if (backViewZ_ && backViewZ_.width() >= width && backViewZ_.height() >= height)
-        return {};
-    gpu::Image made;
-    GLINT_CHECK(makeImage(
-        stages_.gpu, made,
-        {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, width, height, kCleared | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
-    stages_.retired.keep(std::move(backViewZ_));
-    backViewZ_ = std::move(made);
-    blank_.ask();
-    noBackFaces_.ask();
+    const glm::uvec2 size = sizeIf(wanted);
+    GLINT_TRY(made, growImage(stages_, backViewZ_,
+                              {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, size.x, size.y,
+                               kCleared | VK_IMAGE_USAGE_TRANSFER_SRC_BIT}));
+    if (made) {
+        blank_.ask();
+        noBackFaces_.ask();
+    }
     return {};
 }
 
 Result<void> Prepare::makeEdge(bool manySamples) {
     if (manySamples)
         GLINT_CHECK(surfaceSamplesPass_.compile());
-    const uint32_t width = manySamples ? stages_.width() : 1;
-    const uint32_t height = manySamples ? stages_.height() : 1;
-    if (edge_ && edge_.width() >= width && edge_.height() >= height)
-        return {};
-    gpu::Image made;
-    GLINT_CHECK(makeImage(stages_.gpu, made, {"glint/edge", VK_FORMAT_R32G32B32A32_UINT, width, height, kCleared}));
-    stages_.retired.keep(std::move(edge_));
-    edge_ = std::move(made);
-    blank_.ask();
+    const glm::uvec2 size = sizeIf(manySamples);
+    GLINT_TRY(made, growImage(stages_, edge_, {"glint/edge", VK_FORMAT_R32G32B32A32_UINT, size.x, size.y, kCleared}));
+    if (made)
+        blank_.ask();
     return {};
 }
 

@@ -31,6 +31,8 @@ public:
 
 private:
     explicit Prepare(StageContext& stages) : stages_(stages) {}
+    glm::uvec2 sizeIf(bool needed) const;
+    Result<void> makeMaterial(bool resolves);
     Result<void> makeBackFaces(bool wanted);
     Result<void> makeEdge(bool manySamples);
     void recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, bool manySamples);
@@ -40,7 +42,7 @@ private:
     gpu::Pipeline surfaceSamplesPass_; ///< for hosts with several samples per pixel
     gpu::Pipeline backFacesPass_;
     gpu::Image surface_;
-    gpu::Image resolvedMaterial_;
+    gpu::Image resolvedMaterial_; ///< RGBA16F: F0, coverage; one texel where the host's own image holds F0
     gpu::Image edge_;
     gpu::Image backViewZ_;
     gpu::Standing blank_;       ///< edge_ and backViewZ_ are initialized

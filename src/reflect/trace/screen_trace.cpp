@@ -1,6 +1,8 @@
 #include "reflect/trace/screen_trace.hpp"
 
 #include "reflect/denoise/denoise.hpp"
+#include "reflect/denoise/denoises.hpp"
+#include "reflect/trace/transparents.hpp"
 
 namespace glint::reflect {
 
@@ -16,14 +18,11 @@ Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
     const uint32_t w = stages.width();
     const uint32_t h = stages.height();
     GLINT_TRY(lister, RayLister::create(stages.gpu, w, h));
-    GLINT_TRY(rays, RayLister::makeList(stages.gpu, "glint/rays", w, h));
     trace->lister_ = std::move(lister);
-    trace->rays_ = std::move(rays);
     constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
     constexpr VkFormat kByte = VK_FORMAT_R8G8B8A8_UNORM;
     GLINT_CHECK(makeImage(stages.gpu, trace->unused_, {"glint/unused", kHalf, 1, 1, kCleared}));
     GLINT_CHECK(makeImage(stages.gpu, trace->unused8_, {"glint/unused8", kByte, 1, 1, kCleared}));
-    GLINT_CHECK(makeImage(stages.gpu, trace->rayRecord_, {"glint/rayRecord", VK_FORMAT_R32G32_UINT, w, h, kCleared}));
     return trace;
 }
 
@@ -31,15 +30,37 @@ gpu::Pipeline& ScreenTrace::marcherOf(const Settings& settings) {
     return marchers_[static_cast<size_t>(&techniqueFor(settings.screen.march) - techniques().data())];
 }
 
+bool ScreenTrace::keepsRecord(const Settings& settings) const {
+    const ReflectionsDesc& desc = stages_.desc;
+    const bool smaller =
+        tracedPixels(settings, desc.width) < desc.width || tracedPixels(settings, desc.height) < desc.height;
+    return desc.statistics || desc.views || desc.inspection || settings.debug.outcome || settings.rays.enabled ||
+           smaller || denoises(settings) || settings.blur.strength > 0 || TransparentTrace::isWanted(settings);
+}
+
 Result<void> ScreenTrace::make(const Settings& settings) {
     GLINT_CHECK(marcherOf(settings).compile());
-    const uint32_t w = stages_.width();
-    const uint32_t h = stages_.height();
+    const uint32_t w = tracedPixels(settings, stages_.width());
+    const uint32_t h = tracedPixels(settings, stages_.height());
+    const auto grow = [&](gpu::Image& image, const StageImage& wanted) -> Result<void> {
+        GLINT_TRY(made, growImage(stages_, image, wanted));
+        if (made)
+            untraced_.ask();
+        return {};
+    };
     if (settings.screen.targetFormat == TargetFormat::Rgba8)
-        return makeImage(stages_.gpu, radianceWeight8_,
-                         {"glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared});
-    return makeImage(stages_.gpu, radianceWeight_,
-                     {"glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared});
+        GLINT_CHECK(grow(radianceWeight8_, {"glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared}));
+    else
+        GLINT_CHECK(grow(radianceWeight_, {"glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared}));
+    const bool keeps = keepsRecord(settings);
+    GLINT_CHECK(grow(rayRecord_, {"glint/rayRecord", VK_FORMAT_R32G32_UINT, keeps ? w : 1, keeps ? h : 1, kCleared}));
+    if (listed_.x >= w && listed_.y >= h)
+        return {};
+    GLINT_TRY(rays, RayLister::makeList(stages_.gpu, "glint/rays", w, h));
+    stages_.retired.keep(std::move(rays_.list));
+    rays_ = std::move(rays);
+    listed_ = {w, h};
+    return {};
 }
 
 void ScreenTrace::clear(gpu::Frame& frame) {

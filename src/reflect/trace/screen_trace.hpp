@@ -17,6 +17,9 @@ public:
     /// Unsupported.
     Result<void> make(const Settings& settings);
 
+    /// True if a pass, the host or a view reads how each ray ended; otherwise Traced::rayRecord is one texel.
+    bool keepsRecord(const Settings& settings) const;
+
     void clear(gpu::Frame& frame);
     /// Sets the size and format of this frame's images. `whole`: the frame's size, whatever the settings.
     void begin(bool whole);
@@ -41,9 +44,10 @@ private:
     std::vector<gpu::Pipeline> marchers_; ///< in the order of techniques()
     RayLister lister_;
     Rays rays_;
-    gpu::Image radianceWeight_;  ///< absent unless settings have needed it
-    gpu::Image radianceWeight8_; ///< as radianceWeight_, with screen.targetFormat rgba8
-    gpu::Image unused_;          ///< one texel, bound for whichever of the two a frame does not write
+    glm::uvec2 listed_ = glm::uvec2(0); ///< pixels that rays_ has room for
+    gpu::Image radianceWeight_;         ///< absent unless settings have needed it
+    gpu::Image radianceWeight8_;        ///< as radianceWeight_, with screen.targetFormat rgba8
+    gpu::Image unused_;                 ///< one texel, bound for whichever of the two a frame does not write
     gpu::Image unused8_;
     gpu::Image rayRecord_;
     gpu::Standing blank_;    ///< the unused texels are initialized
