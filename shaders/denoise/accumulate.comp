@@ -216,22 +216,17 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (!isInFrame(px))
         return;
-    vec4 answer = texelFetch(reused, px, 0);
     vec2 nearLearnt = texelFetch(reusedMeta, px, 0).rg;
     float near = nearLearnt.x;
     float learnt = nearLearnt.y;
-    LobeSurface here = lobeSurfaceAt(px);
-    bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
-    if (learnt < 0.0) {
-        imageStore(mean, px, vec4(0.0));
+    if (learnt < 0.0) { // nothing else is read there
         imageStore(meta, px, vec4(0.0));
-        if (settings.comparesMeans != 0u)
-            imageStore(fast, px, vec4(0.0));
-        if (settings.hitMotion != 0u)
-            imageStore(speed, px, vec4(0.0));
         imageStore(place, px, uvec4(0u));
         return;
     }
+    vec4 answer = texelFetch(reused, px, 0);
+    LobeSurface here = lobeSurfaceAt(px);
+    bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
     if (learnt == 0.0 && hasHistory && wasInFrame(px))
         near = texelFetch(metaBefore, px, 0).w; // places the sample of the history that this frame keeps
     float brightness = luminance(answer.rgb);

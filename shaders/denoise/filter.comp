@@ -34,10 +34,14 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (!isInFrame(px))
         return;
+    vec4 moments = texelFetch(meta, px, 0);
+    if (moments.x == 0.0) { // no ray
+        imageStore(answer, px, vec4(0.0));
+        return;
+    }
     vec4 sum = texelFetch(mean, px, 0);
     LobeSurface here = lobeSurfaceAt(px);
-    vec4 moments = texelFetch(meta, px, 0); // 0 frames: no ray
-    if (moments.x > 0.0 && !isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
+    if (!isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
         float noise = deviation(moments);
         float strength = saturate(noise / max(settings.noiseTarget * moments.y, 1e-6));
         // A first frame is one sample of the lobe: its neighbours' are all that there is.

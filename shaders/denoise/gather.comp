@@ -1,5 +1,5 @@
 // Joins what screen and rays answered for the pixel's one sampled ray, by the one rule, into one noisy signal, and
-// stores that ray for the neighbours.
+// stores that ray for the neighbours. Where none was sent, no more than that is written.
 // docs/techniques/denoise.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
@@ -34,23 +34,23 @@ DenoiseConstants settings = frame.settings.denoise;
 
 #include "lib/previous_place.glsl"
 
+/// True if a ray was traced.
+bool wasTraced(RayRecord record) {
+    return record.outcome != kOutcomeNone && record.outcome < kOutcomeBelowThreshold;
+}
+
 struct Answer {
     vec4 radianceWeight;
     float nearness;
-    bool traced;
-    bool awaits; // neighbours' rays (reuse.rate)
 };
 
 Answer answerOf(vec4 radianceWeight, RayRecord record) {
-    bool traced = record.outcome != kOutcomeNone && record.outcome < kOutcomeBelowThreshold;
     bool ends = isAnswered(record.outcome) && record.hitDistance > 0.0;
-    return Answer(vec4(sanitize(radianceWeight.rgb), radianceWeight.a), ends ? 1.0 / record.hitDistance : 0.0, traced,
-                  record.outcome == kOutcomeFromNeighbours);
+    return Answer(vec4(sanitize(radianceWeight.rgb), radianceWeight.a), ends ? 1.0 / record.hitDistance : 0.0);
 }
 
 /// The displacement of what the screen's ray hit.
-vec3 screenHitMotion(ivec2 px) {
-    RayRecord ray = unpackRayRecord(texelFetch(screenRecord, px, 0).xy);
+vec3 screenHitMotion(ivec2 px, RayRecord ray) {
     if (!isAnswered(ray.outcome) || (frame.constants.flags & kInputMotion) == 0u)
         return vec3(0.0);
     ivec2 hitPX = min(ivec2(ray.hitUV * frame.constants.size), ivec2(frame.constants.size) - 1);
@@ -62,43 +62,42 @@ void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
-    const Answer kNone = Answer(vec4(0.0), 0.0, false, false);
-    Answer screen = kNone;
-    Answer rays = kNone;
-    uvec4 routed = uvec4(0u);
-    if ((sources & kJoinRays) != 0u) {
-        routed = texelFetch(raysRecord, px, 0);
-        rays = answerOf(texelFetch(raysAnswer, px, 0), unpackRayRecord(routed.xy));
+    bool hasRays = (sources & kJoinRays) != 0u;
+    bool hasScreen = (sources & kJoinScreen) != 0u;
+    const RayRecord kNotTraced = RayRecord(vec2(0.0), 0.0, 0u, kOutcomeNone, false);
+    uvec4 routed = hasRays ? texelFetch(raysRecord, px, 0) : uvec4(0u);
+    RayRecord raysRay = hasRays ? unpackRayRecord(routed.xy) : kNotTraced;
+    RayRecord screenRay = hasScreen ? unpackRayRecord(texelFetch(screenRecord, px, 0).xy) : kNotTraced;
+    float z = texelFetch(viewZ, px, 0).r;
+    SentRay ray = SentRay(vec3(0.0), 0.0, z < kBackgroundZ && (wasTraced(screenRay) || wasTraced(raysRay)), false);
+    if (!ray.sent) {
+        ray.awaits = screenRay.outcome == kOutcomeFromNeighbours || raysRay.outcome == kOutcomeFromNeighbours;
+        imageStore(sentRay, px, uvec4(packSentRay(ray), 0u, 0u));
+        return;
     }
-    if ((sources & kJoinScreen) != 0u) {
-        screen = answerOf(texelFetch(screenAnswer, px, 0), unpackRayRecord(texelFetch(screenRecord, px, 0).xy));
-        if ((routed.z & kRaysReplaceScreen) != 0u)
-            screen.radianceWeight = vec4(0.0);
-    }
+    const Answer kNone = Answer(vec4(0.0), 0.0);
+    Answer screen = hasScreen ? answerOf(texelFetch(screenAnswer, px, 0), screenRay) : kNone;
+    Answer rays = hasRays ? answerOf(texelFetch(raysAnswer, px, 0), raysRay) : kNone;
+    if ((routed.z & kRaysReplaceScreen) != 0u)
+        screen.radianceWeight = vec4(0.0);
     bool raysFirst = (sources & kJoinRaysFirst) != 0u;
     Walk walk = beginWalk();
-    float near = 0.0;
     vec2 taken; // from the first, from the second
     for (int i = 0; i < 2; ++i) {
         Answer answer = (i == 0) == raysFirst ? rays : screen;
         taken[i] = take(walk, answer.radianceWeight);
-        near += taken[i] * answer.nearness;
+        ray.nearness += taken[i] * answer.nearness;
     }
-    float z = texelFetch(viewZ, px, 0).r;
-    bool sent = z < kBackgroundZ && (screen.traced || rays.traced);
-    SentRay ray = SentRay(vec3(0.0), near / max(walk.taken, 1e-6), sent, !sent && (screen.awaits || rays.awaits));
-    if (ray.sent) {
-        vec3 positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
-        Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
-        Direction drawn = sampledDirection(px, positionVS, here);
-        // Below the surface the lobe's density is 0: neighbours take nothing from there.
-        ray.directionVS = drawn.weight > 0.0 ? mat3(frame.constants.worldToView) * drawn.ws : -here.normalVS;
-    }
-    if (settings.hitMotion != 0u) {
-        bool fromRays = (taken.x >= taken.y) == raysFirst;
-        uint moved = fromRays ? routed.w : packMotion(screenHitMotion(px));
-        imageStore(hitMotion, px, uvec4(ray.sent ? moved : kNoMotion, 0u, 0u, 0u));
-    }
+    ray.nearness /= max(walk.taken, 1e-6);
+    vec3 positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    Direction drawn = sampledDirection(px, positionVS, here);
+    // Below the surface the lobe's density is 0: neighbours take nothing from there.
+    ray.directionVS = drawn.weight > 0.0 ? mat3(frame.constants.worldToView) * drawn.ws : -here.normalVS;
     imageStore(noisy, px, vec4(walk.radiance, walk.taken));
     imageStore(sentRay, px, uvec4(packSentRay(ray), 0u, 0u));
+    if (settings.hitMotion != 0u) {
+        bool fromRays = (taken.x >= taken.y) == raysFirst;
+        imageStore(hitMotion, px, uvec4(fromRays ? routed.w : packMotion(screenHitMotion(px, screenRay)), 0u, 0u, 0u));
+    }
 }

@@ -19,7 +19,8 @@ layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.gls
 layout(set = 0, binding = 7) uniform sampler2D rayRates;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
 /// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 with an own ray; less
-/// where few of the neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect.
+/// where few of the neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect, and
+/// nothing else is written there.
 layout(set = 0, binding = 6, rg16f) uniform writeonly image2D reusedMeta;
 layout(set = 0, binding = 8) uniform usampler2D hitMotion; // denoise/gather.comp
 /// How what the rays met has moved: mean displacement, view space; root mean square of its length; both weighed by the
@@ -134,13 +135,17 @@ void main() {
     if (!isInFrame(px))
         return;
     SentRay ray = unpackSentRay(texelFetch(sentRay, px, 0).xy);
-    Found found = foundAt(px, ray);
+    if (!ray.sent && !ray.awaits) {
+        imageStore(reusedMeta, px, vec4(0.0, -1.0, 0.0, 0.0));
+        return;
+    }
+    Found found = ray.sent ? foundAt(px, ray) : Found(vec4(0.0), 0.0, vec3(0.0));
     vec4 answer = found.answer;
     float near = found.nearness;
     vec4 motion = vec4(found.stepVS, dot(found.stepVS, found.stepVS));
     LobeSurface here = lobeSurfaceAt(px);
-    float learnt = ray.sent ? 1.0 : ray.awaits ? 0.0 : -1.0;
-    if ((ray.sent || ray.awaits) && !isMirror(here.perceptualRoughness)) {
+    float learnt = ray.sent ? 1.0 : 0.0;
+    if (!isMirror(here.perceptualRoughness)) {
         Lobe own = lobeOf(here, ray);
         // Without an own ray nothing bounds f / p: a part of the own density, so that no neighbour counts more than four
         // times.

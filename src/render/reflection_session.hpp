@@ -35,7 +35,7 @@ struct SessionOptions {
     ProgramSettings settings;
     uint32_t seed = 0;        ///< seed of the rays' noise
     bool statistics = false;  ///< count outcomes and depth fetches
-    bool libraryViews = true; ///< allow views that the library makes (isLibraryView): it keeps more, and is slower
+    bool libraryViews = true; ///< allow views that the library makes: RenderJob::libraryViews
     bool inspect = false;     ///< allow inspection of pixels
     bool display = false;     ///< also read views as displayed: RenderedView::rgb8
 };
@@ -80,6 +80,7 @@ public:
     Result<RenderedView> readView(const std::string& name);
     /// Returns medians over the frames since the settings or size last changed, and counts of the last frame.
     RenderStats stats() const;
+    void forgetTimes() { passTimes_.clear(); } ///< The medians are those of the frames to come.
     /// Traces one pixel again. Requires SessionOptions::inspect and a frame with reflections. Errors: InvalidArgument
     /// for a pixel outside the frame; DeviceLost.
     Result<RayInspection> inspect(uint32_t x, uint32_t y);

@@ -25,11 +25,13 @@ struct RenderJob {
     std::string materials;
     uint32_t width = 0; ///< pixels, [1, 16384]; 0 with height 0: the camera's own size, or 1280 x 720
     uint32_t height = 0;
-    double time = 0;                                ///< seconds into the scene's animations
-    uint32_t frames = 1;                            ///< >= 1; the images are those of the last frame
-    uint32_t seed = 0;                              ///< seed of the rays' noise: the same seed gives the same bits
-    std::vector<std::string> views;                 ///< names of `viewList` (views.hpp), without repeats
-    bool libraryViews = true;                       ///< the session can show views that the library makes
+    double time = 0;                ///< seconds into the scene's animations
+    uint32_t frames = 1;            ///< >= 1; the images are those of the last frame
+    uint32_t seed = 0;              ///< seed of the rays' noise: the same seed gives the same bits
+    std::vector<std::string> views; ///< names of `viewList` (views.hpp), without repeats
+    /// The session can show views that the library makes. Without them it does what a host's frame does, in less time;
+    /// the last bits of pictures may differ.
+    bool libraryViews = true;
     bool display = false;                           ///< also fill RenderedView::rgb8
     bool statistics = false;                        ///< also count outcomes and depth fetches
     std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray again, in the last frame

@@ -1,9 +1,6 @@
 #include "render/run_job.hpp"
 
 #include "render/scene_host.hpp"
-#include "render/views.hpp"
-
-#include <algorithm>
 
 namespace glint::render {
 
@@ -18,11 +15,32 @@ SessionOptions sessionOptions(const RenderJob& job) {
     return {job.settings, job.seed, job.statistics, job.libraryViews, job.inspect.has_value(), job.display};
 }
 
+namespace {
+
+/// The first frames hold what the driver compiles: of fewer frames than this, the times say little.
+constexpr uint32_t kTimedFrames = 3;
+
+/// Replaces the times by those of frames that follow the picture's.
+Result<void> timeMore(ReflectionSession& session, uint32_t index, RenderResult& result) {
+    constexpr double kEnoughMs = 2000;
+    session.forgetTimes();
+    double spentMs = 0;
+    for (uint32_t i = 0; i < kTimedFrames && spentMs < kEnoughMs; ++i) {
+        GLINT_TRY(times, session.renderFrame(index + i));
+        spentMs += times.wallMs;
+    }
+    result.stats.passes = session.stats().passes;
+    return {};
+}
+
+} // namespace
+
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
-    RenderJob needed = job;
-    needed.libraryViews = std::ranges::any_of(job.views, isLibraryView);
-    GLINT_TRY(session, openJob(context, needed));
-    return renderFrames(session, needed);
+    GLINT_TRY(session, openJob(context, job));
+    GLINT_TRY(result, renderFrames(session, job));
+    if (job.statistics && job.frames < kTimedFrames)
+        GLINT_CHECK(timeMore(session, job.frames, result));
+    return result;
 }
 
 namespace {

@@ -90,10 +90,6 @@ Result<const ViewInfo*> findView(std::string_view name) {
     return invalidArgument("unknown view '{}';{} there are {}", printable(name), hint, listText(names, " and "));
 }
 
-bool isLibraryView(std::string_view name) {
-    return name != "composite" && name != "scene" && name != "albedo";
-}
-
 std::vector<uint8_t> displayBytes(ViewKind kind, std::span<const float> rgba) {
     GLINT_ASSERT(kind != ViewKind::Radiance && rgba.size() % 4 == 0, "{} floats", rgba.size());
     std::vector<uint8_t> bytes;

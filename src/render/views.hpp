@@ -33,9 +33,6 @@ std::span<const ViewInfo> viewList();
 /// Errors: InvalidArgument with the nearest name and all names.
 Result<const ViewInfo*> findView(std::string_view name);
 
-/// True if the library makes this view, and not the renderer.
-bool isLibraryView(std::string_view name);
-
 /// Converts a view's RGBA values to RGB bytes, for every kind except Radiance, which the display pass shows. NaN is
 /// magenta.
 std::vector<uint8_t> displayBytes(ViewKind kind, std::span<const float> rgba);
