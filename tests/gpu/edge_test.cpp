@@ -14,7 +14,17 @@ constexpr uint32_t kHeight = 270;
 constexpr glm::vec3 kRed(1, 0, 0);
 constexpr glm::vec3 kGreen(0, 1, 0);
 
-/// A mirror floor at y = 0 before two tilted planes of different colours through one point: a ridge or a valley.
+/// A mirror at y = 0, as far as the horizon.
+std::optional<SyntheticSurface> mirrorFloor(const glm::dvec3& origin, const glm::dvec3& direction) {
+    SyntheticSurface floor;
+    floor.distance = direction.y < 0 ? -origin.y / direction.y : 1e9;
+    floor.f0 = glm::vec3(1);
+    if (floor.distance > 1e8 || floor.distance < 1e-6)
+        return std::nullopt;
+    return floor;
+}
+
+/// A mirror floor before two tilted planes of different colours through one point: a ridge or a valley.
 struct TwoFaces {
     bool ridge = true;
     glm::dvec3 pointWS = {0.1, 0, -2.5};
@@ -26,14 +36,9 @@ struct TwoFaces {
             t[i] = glm::dot(normals[i], pointWS - origin) / glm::dot(normals[i], direction);
         const int which = (t[0] < t[1]) == ridge ? 1 : 0; // a ridge: in front of both until the farther one
         const bool enters = glm::dot(normals[which], direction) < 0 && t[which] > 1e-6;
-        const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
-        if (enters && t[which] < toFloor)
+        const std::optional<SyntheticSurface> floor = mirrorFloor(origin, direction);
+        if (enters && (!floor || t[which] < floor->distance))
             return SyntheticSurface{t[which], normals[which], glm::vec3(0), 0, which == 0 ? kRed : kGreen};
-        if (toFloor > 1e8 || toFloor < 1e-6)
-            return std::nullopt;
-        SyntheticSurface floor;
-        floor.distance = toFloor;
-        floor.f0 = glm::vec3(1);
         return floor;
     }
 };
@@ -44,15 +49,10 @@ std::optional<SyntheticSurface> floorAndPlate(const glm::dvec3& origin, const gl
     const glm::dvec3 center(0, 0.7, -2);
     const double t = glm::dot(normal, center - origin) / glm::dot(normal, direction);
     const glm::dvec3 p = origin + direction * t - center;
-    const double toFloor = direction.y < 0 ? -origin.y / direction.y : 1e9;
-    if (t > 1e-6 && t < toFloor && glm::dot(normal, direction) < 0 && std::abs(p.x + 0.4 * p.y) < 0.5 &&
-        std::abs(p.y + 0.25 * p.x) < 0.4)
+    const std::optional<SyntheticSurface> floor = mirrorFloor(origin, direction);
+    if (t > 1e-6 && (!floor || t < floor->distance) && glm::dot(normal, direction) < 0 &&
+        std::abs(p.x + 0.4 * p.y) < 0.5 && std::abs(p.y + 0.25 * p.x) < 0.4)
         return SyntheticSurface{t, normal, glm::vec3(0), 0, kRed};
-    if (toFloor > 1e8 || toFloor < 1e-6)
-        return std::nullopt;
-    SyntheticSurface floor;
-    floor.distance = toFloor;
-    floor.f0 = glm::vec3(1);
     return floor;
 }
 
