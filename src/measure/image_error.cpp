@@ -31,7 +31,7 @@ double meanError(std::span<const float> reference, std::span<const float> test, 
     return colors > 0 ? sum / static_cast<double>(colors) : 0;
 }
 
-void checkSizes(const DisplayPicture& reference, const DisplayPicture& test) {
+void checkSizes([[maybe_unused]] const DisplayPicture& reference, [[maybe_unused]] const DisplayPicture& test) {
     GLINT_ASSERT(reference.width == test.width && reference.height == test.height, "{} x {} and {} x {}",
                  reference.width, reference.height, test.width, test.height);
     GLINT_ASSERT(reference.pixels() > 0 && reference.rgb.size() == 3 * reference.pixels() &&

@@ -1,41 +1,14 @@
 #include "scene/builtin/textures.hpp"
 
 #include "scene/builtin/noise.hpp"
+#include "scene/builtin/paint.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace glint::scene::builtin {
 
 namespace {
-
-uint8_t toByte(float value) {
-    return static_cast<uint8_t>(std::lround(std::clamp(value, 0.f, 1.f) * 255.f));
-}
-
-/// IEC 61966-2-1.
-float toSrgb(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
-}
-
-/// Fills a square image; the callback gets uv in [0, 1) at pixel centres.
-Image paint(const std::string& name, int size, bool srgb, const std::function<glm::vec3(const glm::vec2& uv)>& color) {
-    Image image;
-    image.name = name;
-    image.width = image.height = static_cast<uint32_t>(size);
-    image.rgba.reserve(static_cast<size_t>(size) * static_cast<size_t>(size) * 4);
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / static_cast<float>(size);
-            const glm::vec3 c = color(uv);
-            for (int k = 0; k < 3; ++k)
-                image.rgba.push_back(toByte(srgb ? toSrgb(c[k]) : c[k]));
-            image.rgba.push_back(255);
-        }
-    }
-    return image;
-}
 
 /// Veined stone at `p`, in units of about one vein spacing. Veins are zero crossings of a warped noise: thin lines
 /// that meander and branch.
@@ -48,21 +21,6 @@ glm::vec3 stone(const glm::vec2& p, const StoneColors& colors, int period, uint3
     const float vein =
         0.8f * std::pow(broad, 28.f) * glm::smoothstep(0.35f, 0.65f, cloud) + 0.35f * std::pow(fine, 40.f);
     return glm::mix(glm::mix(colors.ground, colors.cloud, cloud * cloud), colors.vein, std::min(vein, 1.f));
-}
-
-/// The position of a point in a tiled image.
-struct TilePoint {
-    uint32_t x, y;    ///< which tile
-    glm::vec2 inside; ///< [0, 1) within it
-    float edge;       ///< distance to the nearest edge, of a tile
-};
-
-TilePoint tileAt(const glm::vec2& uv, int tiles) {
-    const glm::vec2 scaled = uv * static_cast<float>(tiles);
-    const glm::vec2 cell = glm::floor(scaled);
-    const glm::vec2 inside = scaled - cell;
-    const glm::vec2 edge = glm::min(inside, 1.f - inside);
-    return {static_cast<uint32_t>(cell.x), static_cast<uint32_t>(cell.y), inside, std::min(edge.x, edge.y)};
 }
 
 } // namespace
