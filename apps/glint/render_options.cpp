@@ -33,7 +33,9 @@ std::string presetList() {
 std::string sceneList() {
     std::vector<std::string> names;
     for (const scene::BuiltinInfo& info : scene::builtinScenes())
-        names.push_back(std::string(kBuiltinPrefix).append(info.name));
+        names.push_back(info.largest == 1
+                            ? fmt::format("{}{}", kBuiltinPrefix, info.name)
+                            : fmt::format("{0}{1} ({0}{1}-2 to {0}{1}-{2})", kBuiltinPrefix, info.name, info.largest));
     return joinText(names, ", ");
 }
 
@@ -54,10 +56,10 @@ Result<std::vector<std::string>> chooseViews(const RenderOptions& options, Pictu
 
 /// Settings of a built-in scene that override the table's defaults.
 std::vector<std::string> sceneDefaults(std::string_view scene) {
-    for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
-        if (scene.starts_with(kBuiltinPrefix) && scene.substr(kBuiltinPrefix.size()) == info.name)
-            return {fmt::format("environment.strength={}", info.environmentStrength)};
-    }
+    if (!scene.starts_with(kBuiltinPrefix))
+        return {};
+    if (const scene::BuiltinInfo* const info = scene::findBuiltin(scene.substr(kBuiltinPrefix.size())))
+        return {fmt::format("environment.strength={}", info->environmentStrength)};
     return {};
 }
 

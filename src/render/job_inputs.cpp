@@ -52,11 +52,9 @@ Result<scene::Camera> chooseCamera(const std::string& asked, const scene::Pose& 
 
 /// Returns the environment that a built-in scene is made for; scenes from files get the sky.
 std::string defaultEnvironment(std::string_view scene) {
-    for (const scene::BuiltinInfo& info : scene::builtinScenes()) {
-        if (isBuiltin(scene) && scene.substr(kBuiltinPrefix.size()) == info.name)
-            return std::string(info.environment);
-    }
-    return "sky";
+    const scene::BuiltinInfo* const info =
+        isBuiltin(scene) ? scene::findBuiltin(scene.substr(kBuiltinPrefix.size())) : nullptr;
+    return info ? std::string(info->environment) : "sky";
 }
 
 /// Returns the file to read; empty: none.

@@ -12,15 +12,19 @@ namespace glint::scene {
 
 /// One line of the list that `builtin:NAME` selects from.
 struct BuiltinInfo {
-    std::string_view name;         ///< without "builtin:"
+    std::string_view name;         ///< without "builtin:"; NAME-2 is the same scene twice as large, where `largest` > 1
     std::string_view description;  ///< one line for `--help`
     std::string_view camera;       ///< the default camera; always the scene's first camera node
     std::string_view environment;  ///< default of `--env`: "sky" or "none"
     float environmentStrength = 1; ///< default of `environment.strength`
+    int largest = 1;               ///< N of the largest version NAME-N
 };
 
 /// Returns all built-in scenes; the first is the show piece.
 std::span<const BuiltinInfo> builtinScenes();
+
+/// Returns what is listed for a name without "builtin:", such as hall or city-4; null for an unknown one.
+const BuiltinInfo* findBuiltin(std::string_view name);
 
 /// Errors: InvalidArgument for an unknown name; the message lists the known ones.
 Result<void> checkBuiltinName(std::string_view name);

@@ -229,6 +229,36 @@ TEST(BuiltinScenes, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
         EXPECT_THAT(scene.error().message, testing::HasSubstr(std::string(info.name)));
 }
 
+TEST(BuiltinCity, IsAsLargeAsItsNameSays) {
+    size_t stored = 0;
+    for (const int millions : {1, 3, 10}) {
+        const std::string name = millions == 1 ? "city" : "city-" + std::to_string(millions);
+        const Scene scene = make(name);
+        EXPECT_EQ(scene.name, "builtin:" + name);
+        EXPECT_GE(drawnTriangles(scene), size_t(millions) * 1000000);
+        EXPECT_LE(drawnTriangles(scene), size_t(millions) * 1000000 + 200000); // whole blocks of houses
+        EXPECT_GE(scene.materials.size(), 150u);
+        EXPECT_GE(scene.images.size(), 30u);
+        EXPECT_EQ(scene.lights.size(), 20u);
+        size_t inMeshes = 0;
+        for (const Mesh& mesh : scene.meshes)
+            for (const Primitive& primitive : mesh.primitives)
+                inMeshes += primitive.geometry.indices.size() / 3;
+        EXPECT_TRUE(stored == 0 || inMeshes == stored) << "instances share their geometry";
+        stored = inMeshes;
+    }
+}
+
+TEST(BuiltinCity, HasNoOtherSizes) {
+    for (const char* name : {"city-0", "city-1", "city-11", "city-02", "city-", "city-2x", "hall-2", "city2"}) {
+        EXPECT_FALSE(findBuiltin(name)) << name;
+        EXPECT_FALSE(checkBuiltinName(name).ok()) << name;
+    }
+    ASSERT_TRUE(findBuiltin("city-10"));
+    EXPECT_EQ(findBuiltin("city-10"), findBuiltin("city"));
+    EXPECT_THAT(checkBuiltinName("town").error().message, testing::HasSubstr("city-2 to city-10"));
+}
+
 /// Channels of the scene's animation that change anything.
 size_t movingChannels(const Scene& scene) {
     size_t count = 0;

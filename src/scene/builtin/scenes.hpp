@@ -11,6 +11,8 @@ Scene makeExact();
 Scene makeSpheres();
 Scene makeThickness();
 Scene makeGlass();
+/// About `millions` of triangles, 1 to 10.
+Scene makeCity(int millions);
 
 /// What a variant of `builtin:motion` has besides floor, wall, spheres and thin lamps.
 struct MotionParts {
