@@ -52,6 +52,11 @@ void BvhScene::writeTriangles(const Part& part, shared::BvhTriangle* out) const 
     }
 }
 
+bool BvhScene::fits(const gpu::Context& context, size_t triangles, size_t instances) {
+    return bytesFor<shared::BvhTriangle>(triangles) <= context.maxStorageBufferRange() &&
+           bytesFor<shared::BvhInstance>(instances) <= context.maxStorageBufferRange();
+}
+
 Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances) {
     BvhScene scene;
     scene.maxInstances_ = maxInstances;

@@ -13,6 +13,8 @@ namespace glint::rays {
 
 class BvhScene {
 public:
+    /// Can shaders see the buffers of so many triangles and instances?
+    static bool fits(const gpu::Context& context, size_t triangles, size_t instances);
     /// Errors: OutOfMemory; Unsupported for buffers larger than the device's storage buffer range.
     static Result<BvhScene> create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 namespace glint::rays {
 namespace {
@@ -48,14 +49,21 @@ Result<void> Scene::check(std::span<const RayInstance> instances) const {
     return checkMeshes(instances, 0);
 }
 
+RayBackend Scene::fasterBackend() const {
+    if (!context_.rayQuery())
+        return RayBackend::Bvh;
+    // A driver that runs on the CPU traverses its structures in software, slower than Bvh (docs/measurements/rays.md).
+    const size_t triangles = std::reduce(meshTriangles_.begin(), meshTriangles_.end(), size_t(0));
+    const bool bvh = context_.info().software && BvhScene::fits(context_, triangles, maxInstances_);
+    return bvh ? RayBackend::Bvh : RayBackend::Query;
+}
+
 Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySceneDesc& desc) {
     const auto start = std::chrono::steady_clock::now();
     if (desc.backend == RayBackend::Query && !context.rayQuery())
         return makeError(ErrorCode::Unsupported, "ray queries are not enabled on {}; RayBackend::Bvh runs anywhere",
                          context.info().name);
     std::unique_ptr<Scene> scene(new Scene(context));
-    const bool query = desc.backend != RayBackend::Bvh && context.rayQuery();
-    scene->backend_ = query ? RayBackend::Query : RayBackend::Bvh;
     scene->maxInstances_ = std::max(desc.maxInstances, static_cast<uint32_t>(desc.instances.size()));
     if (scene->maxInstances_ > kMostInstances)
         return invalidArgument("room for {} ray instances, at most {} can be had", scene->maxInstances_,
@@ -69,7 +77,8 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
         meshes.push_back(std::move(mesh));
     }
     GLINT_CHECK(scene->check(desc.instances));
-    if (query) {
+    scene->backend_ = desc.backend == RayBackend::Auto ? scene->fasterBackend() : desc.backend;
+    if (scene->backend_ == RayBackend::Query) {
         GLINT_TRY(backend, QueryScene::create(context, std::move(meshes), scene->maxInstances_));
         scene->scene_ = std::move(backend);
     } else {

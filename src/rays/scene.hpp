@@ -40,6 +40,9 @@ private:
     Result<void> checkMeshes(std::span<const RayInstance> instances, size_t first) const;
     Result<void> check(std::span<const RayInstance> instances) const;
 
+    /// What RayBackend::Auto takes for this scene's meshes.
+    RayBackend fasterBackend() const;
+
     gpu::Context& context_;
     RayBackend backend_ = RayBackend::Bvh;
     std::variant<std::unique_ptr<BvhScene>, std::unique_ptr<QueryScene>> scene_;

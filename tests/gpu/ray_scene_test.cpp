@@ -399,6 +399,26 @@ TEST_P(RaySceneTest, nothingIsRecordedWhenNothingChanged) {
     EXPECT_EQ(scene->times().gpuUpdateMs, first.gpuUpdateMs);
 }
 
+using RaySceneBackend = GpuTest;
+
+TEST_F(RaySceneBackend, autoTakesTheFasterOne) {
+    const std::unique_ptr<rays::Scene> scene = oneTriangle().build(gpu(), RayBackend::Auto);
+    EXPECT_EQ(scene->backend(), gpu().rayQuery() && !gpu().info().software ? RayBackend::Query : RayBackend::Bvh);
+}
+
+TEST_F(RaySceneBackend, autoTakesQueriesWhereTheHierarchyDoesNotFit) {
+    if (!gpu().rayQuery())
+        GTEST_SKIP() << "no ray queries on " << gpu().info().name;
+    const auto most = static_cast<uint32_t>(gpu().maxStorageBufferRange() / sizeof(shared::BvhInstance));
+    if (most >= (1u << 24))
+        GTEST_SKIP() << "any number of instances fits";
+    const std::unique_ptr<rays::Scene> scene = oneTriangle().build(gpu(), RayBackend::Auto, most + 1);
+    EXPECT_EQ(scene->backend(), RayBackend::Query);
+    const auto refused = rays::Scene::create(gpu(), {.maxInstances = most + 1, .backend = RayBackend::Bvh});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Unsupported);
+}
+
 // ---------------------------------------------------------------- parts of the instances
 
 /// `count` triangles on a grid that faces +Z.
