@@ -13,16 +13,15 @@ void refine(ScreenRay ray, inout float front, inout Sample behind, inout uint lo
     }
 }
 
-/// Intersects the surface where the step that ends at `s` goes behind the depth buffer. Moves `s` to the hit.
-uint meetRefined(Ray r, float from, inout Sample s, inout uint lookups) {
+/// Moves `s`, the end of a step, to where the ray goes behind the depth of a pixel's centre, and `from`, the step's
+/// beginning, to just before it: the ray may intersect the plane through that centre anywhere in the pixel.
+void narrow(Ray r, inout float from, inout Sample s, inout uint lookups) {
     float front = from;
     refine(r.screen, front, s, lookups);
-    // The search ends where the ray goes behind the depth of a pixel's centre. The ray may intersect the plane through
-    // that centre anywhere in the pixel.
     float halfPixel = 0.5 / screenPixels(r.screen);
     s.share += halfPixel;
     s.rayZ = rayViewZ(r.screen, s.share);
-    return meetSurface(r, max(front - halfPixel, from), s, lookups);
+    from = max(front - halfPixel, from);
 }
 
 March march(Ray r) {
@@ -50,18 +49,23 @@ March march(Ray r) {
             isInFront = true;
             nearlyThickEnough = false;
         } else if (i > settings.selfCollisionSkip) {
-            Sample hit = s;
+            Sample hit;
             uint met = kInFront;
-            if (isInFront)
-                met = meetRefined(r, before.share, hit, result.lookups);
-            if (met == kInFront) { // where the search ended; the step continues
+            // Where the search ends, then, if the ray is in front of the surface there, at the step's own end.
+            for (bool searches = isInFront; met == kInFront; searches = false) {
                 hit = s;
-                met = meetSurface(r, before.share, hit, result.lookups);
+                float from = before.share;
+                if (searches)
+                    narrow(r, from, hit, result.lookups);
+                met = meetSurface(r, from, hit, result.lookups);
+                if (searches)
+                    continue;
                 // The ray intersects the plane far from the pixel that shows it: as far as the depth buffer tells, not
                 // its surface.
                 vec2 apart = abs(ray.startPX + ray.deltaPX * hit.share - hit.px);
                 if (met == kMeets && max(apart.x, apart.y) > 1.0)
                     met = kPasses;
+                break;
             }
             if (endsMarch(met, hit, result))
                 return result;

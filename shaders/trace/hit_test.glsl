@@ -226,31 +226,36 @@ const float kBeforePixel = 0.5;
 /// pixel's plane before it leaves the pixel.
 const float kNearlyBehind = 0.003;
 
-/// Does the ray, which at `s` is in front of the depth at the pixel's centre, intersect the pixel's plane from the front
-/// before it leaves the pixel at `leave`? The next pixel may show another surface. `s` moves to the intersection.
-bool meetsBeforeLeaving(Ray r, float fromShare, float leave, inout Sample s, inout uint lookups) {
+/// A ray that at `s` is in front of the depth at the pixel's centre may intersect the pixel's plane before it leaves the
+/// pixel, at `leave`, for another that may show another surface. If so, moves `s` there, for meetSurface.
+bool mayMeetBeforeLeaving(Ray r, float leave, inout Sample s) {
     float leaveZ = rayViewZ(r.screen, leave);
     if (leaveZ < s.sceneZ * (1.0 - kNearlyBehind) || s.sceneZ >= kBackgroundZ)
         return false;
-    Sample last = s;
-    last.share = leave;
-    last.rayZ = leaveZ;
-    if (testSurface(r, fromShare, last, lookups) != kMeets || last.share <= fromShare)
-        return false; // or behind the plane from the start on
-    logDecision(s.px, kSampleHit);
-    s = last;
+    s.share = leave;
+    s.rayZ = leaveZ;
     return true;
 }
 
 /// Does the ray, on its way from `fromShare` to the sample `s`, meet the surface that the sample's pixel shows?
-/// `s` moves to where it does.
-uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+/// `s` moves to where it does. `inFront`: the ray is in front of the depth at the pixel's centre (mayMeetBeforeLeaving);
+/// then only an intersection with the plane from its front counts. One call a marcher: the test is most of its code,
+/// and the rays of a group test together.
+uint meetSurface(Ray r, float fromShare, bool inFront, inout Sample s, inout uint lookups) {
     vec2 px = s.px;
     uint met = testSurface(r, fromShare, s, lookups);
-    if (met == kPasses || met == kNearlyMeets)
+    if (inFront) {
+        if (met != kMeets || s.share <= fromShare) // or behind the plane from the start on
+            return kInFront;
+    } else if (met == kPasses || met == kNearlyMeets) {
         passBehind(s.share);
+    }
     logDecision(px, kSamplePasses + (met == kInFront ? kPasses : met)); // in the same order
     return met;
+}
+
+uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
+    return meetSurface(r, fromShare, false, s, lookups);
 }
 
 bool isEnd(uint met) {

@@ -98,14 +98,18 @@ Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, 
     float first = min(crossing.x, crossing.y);
     float second = max(crossing.x, crossing.y);
     int which = quarter.x + 2 * quarter.y;
-    Quarter found = enterQuarter(line, cell, which, Way(way.share, min(first, way.end), way.above, way.climb), rounding);
-    if (!found.found && first < way.end) {
-        int next = which ^ (crossing.x < crossing.y ? 1 : 2);
-        found = enterQuarter(line, cell, next, Way(first, min(second, way.end), way.above, way.climb), rounding);
-        if (!found.found && second < way.end)
-            found = enterQuarter(line, cell, which ^ 3, Way(second, way.end, way.above, way.climb), rounding);
+    int last = which ^ 3;
+    int next = which ^ (crossing.x < crossing.y ? 1 : 2);
+    float from = way.share;
+    float to = first;
+    while (true) {
+        Quarter found = enterQuarter(line, cell, which, Way(from, min(to, way.end), way.above, way.climb), rounding);
+        if (found.found || to >= way.end || which == last)
+            return found;
+        from = to;
+        to = which == next ? way.end : second;
+        which = which == next ? last : next;
     }
-    return found;
 }
 
 /// A pixel that decides whether the ray ends there.
@@ -249,6 +253,7 @@ March march(Ray r) {
         Sample s = takeSample(ray, candidate.px, candidate.at, result.lookups);
         float from = candidate.at - line.pixelShare;
         bool tests = result.iterations > settings.selfCollisionSkip;
+        bool inFront = false;
         if (candidate.inFlatCell) {
             // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
             from += 0.5 * line.pixelShare;
@@ -259,18 +264,15 @@ March march(Ray r) {
                 from = walk.share - 0.5 * line.pixelShare;
             else
                 from = max(from, walk.share - kBeforePixel * line.pixelShare);
-            tests = tests && s.rayZ >= s.sceneZ;
-            nearlyThickEnough = nearlyThickEnough && s.rayZ >= s.sceneZ;
+            inFront = s.rayZ < s.sceneZ;
+            nearlyThickEnough = nearlyThickEnough && !inFront;
+            tests = tests && (!inFront || mayMeetBeforeLeaving(r, walk.last, s));
         }
         if (tests) {
-            uint met = meetSurface(r, max(from, 0.0), s, result.lookups);
+            uint met = meetSurface(r, max(from, 0.0), inFront, s, result.lookups);
             if ((met == kMeets || !candidate.inFlatCell) && endsMarch(met, s, result))
                 return result;
             nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !candidate.inFlatCell);
-        } else if (!candidate.inFlatCell && result.iterations > settings.selfCollisionSkip &&
-                   meetsBeforeLeaving(r, max(from, 0.0), walk.last, s, result.lookups)) {
-            endsMarch(kMeets, s, result);
-            return result;
         }
         if (candidate.inFlatCell)
             walk.mayBeFlat = false; // look into its quarters

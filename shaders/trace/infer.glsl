@@ -52,26 +52,32 @@ struct Beside {
     vec2 px;
 };
 
-/// Leaves the occluder with growing steps, then returns to its edge.
+/// Leaves the occluder with growing steps, then returns to its edge in at most four.
 Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, inout uint lookups) {
     Beside found = Beside(kOccluder, 0.0, crossing.px);
     float reach = kInferReach * frame.constants.size.y;
     float inside = 0.0;
-    for (float far = 1.0; far <= reach && found.shown == kOccluder; far *= 4.0) {
-        inside = found.distance;
-        found.distance = far;
-        found.shown = lookBeside(r, plane, crossing, crossing.px + direction * far, lookups);
-    }
-    bool left = found.shown == kSurface || found.shown == kBeyond;
-    for (int i = 0; i < 4 && left && found.distance - inside > 1.0; ++i) {
-        float middle = floor(0.5 * (inside + found.distance));
-        uint shown = lookBeside(r, plane, crossing, crossing.px + direction * middle, lookups);
+    float next = 1.0;
+    int returns = 0;
+    while (next <= reach && returns <= 4) {
+        uint shown = lookBeside(r, plane, crossing, crossing.px + direction * next, lookups);
         if (shown == kOccluder) {
-            inside = middle;
+            inside = next;
         } else {
             found.shown = shown;
-            found.distance = middle;
+            found.distance = next;
         }
+        if (shown == kOffScreen)
+            break;
+        if (found.shown == kOccluder) { // has not left yet
+            found.distance = next;
+            next *= 4.0;
+            continue;
+        }
+        if (found.distance - inside <= 1.0)
+            break;
+        next = floor(0.5 * (inside + found.distance));
+        ++returns;
     }
     found.px = crossing.px + direction * found.distance;
     return found;
@@ -145,14 +151,15 @@ void inferCrossing(Ray r, inout March end) {
         if (s.share >= last)
             return;
         bool behind = s.rayZ >= s.sceneZ;
-        if (behind && inferFrom(r, s, front.share, s.share, end))
-            return;
-        // Out of the occluder: the surfaces on both sides of it may meet behind it.
-        bool out_ = wasBehind && !behind;
-        if (out_ && front.sceneZ < kBackgroundZ && inferFrom(r, front, front.share, s.share, end))
-            return;
-        if (out_ && s.sceneZ < kBackgroundZ && inferFrom(r, s, front.share, s.share, end))
-            return;
+        // Behind something: what shows there. Out of the occluder: the surfaces on both sides of it may meet behind it.
+        uint sides = behind ? 1u : wasBehind ? 2u : 0u;
+        for (uint side = 0u; side < sides; ++side) {
+            Sample shown = s;
+            if (!behind && side == 0u)
+                shown = front;
+            if ((behind || shown.sceneZ < kBackgroundZ) && inferFrom(r, shown, front.share, s.share, end))
+                return;
+        }
         wasBehind = behind;
         if (!behind)
             front = s;

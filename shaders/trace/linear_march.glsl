@@ -9,16 +9,18 @@
 uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, inout uint lookups) {
     float pixelShare = 1.0 / pixels;
     float beforeShare = before.share;
-    for (float share = beforeShare + pixelShare; share < s.share; share += pixelShare) {
-        Sample fine = takeSample(r.screen, share, lookups);
-        uint met = fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
-        if (isEnd(met)) {
+    for (float share = beforeShare + pixelShare;; share += pixelShare) {
+        bool isLast = share >= s.share;
+        Sample fine = s;
+        if (!isLast)
+            fine = takeSample(r.screen, share, lookups);
+        uint met = !isLast && fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
+        if (isLast || isEnd(met)) {
             s = fine;
             return met;
         }
         beforeShare = share;
     }
-    return meetSurface(r, beforeShare, s, lookups);
 }
 
 March march(Ray r) {
@@ -45,17 +47,14 @@ March march(Ray r) {
             return result;
         }
         Sample s = takeSample(ray, result.share, result.lookups);
-        if (s.rayZ < s.sceneZ) {
-            nearlyThickEnough = false;
-            float leave = s.share + 0.5 * stepShare;
-            if (settings.step == 1u && i > settings.selfCollisionSkip &&
-                meetsBeforeLeaving(r, before.share, leave, s, result.lookups)) {
-                endsMarch(kMeets, s, result);
-                return result;
-            }
-        } else if (i > settings.selfCollisionSkip) {
-            Sample hit = s;
-            uint met = meetSurface(r, before.share, hit, result.lookups);
+        bool inFront = s.rayZ < s.sceneZ;
+        Sample hit = s;
+        nearlyThickEnough = nearlyThickEnough && !inFront;
+        bool tests = i > settings.selfCollisionSkip;
+        if (inFront)
+            tests = tests && settings.step == 1u && mayMeetBeforeLeaving(r, s.share + 0.5 * stepShare, hit);
+        if (tests) {
+            uint met = meetSurface(r, before.share, inFront, hit, result.lookups);
             if (settings.step > 1u && isOn(kTraceSmooth) && (isEnd(met) || met == kGrazes)) {
                 hit = s;
                 met = refineBySinglePixels(r, before, hit, pixels, result.lookups);
@@ -64,7 +63,7 @@ March march(Ray r) {
                 return result;
             nearlyThickEnough = nearlyThickEnough || met == kNearlyMeets;
         }
-        if (i > settings.selfCollisionSkip || s.rayZ < s.sceneZ)
+        if (i > settings.selfCollisionSkip || inFront)
             before = s; // a surface crossed in skipped iterations is hit by the first that counts
     }
 
