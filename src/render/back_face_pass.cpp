@@ -1,5 +1,6 @@
 #include "render/back_face_pass.hpp"
 
+#include "render/frustum.hpp"
 #include "render/gbuffer.hpp"
 #include "render/surface_pass.hpp"
 
@@ -27,9 +28,10 @@ Result<BackFacePass> BackFacePass::create(gpu::Context& context, const GpuScene&
     return result;
 }
 
-void BackFacePass::draw(gpu::Frame& frame, gpu::Buffer& view, GpuScene& scene, bool transparents,
-                        gpu::Image& backDepth) {
+void BackFacePass::draw(gpu::Frame& frame, const View& view, gpu::Buffer& viewBuffer, GpuScene& scene,
+                        bool transparents, gpu::Image& backDepth) {
     const std::vector<GpuItem>& items = scene.items();
+    const Frustum frustum(view.worldToClip);
     bool clear = true; // the first pass clears, even if it draws nothing
     const auto drawAll = [&](const gpu::Pipeline& pipeline, size_t topology, bool masked) {
         const auto belongs = [&](const GpuItem& item) {
@@ -43,14 +45,14 @@ void BackFacePass::draw(gpu::Frame& frame, gpu::Buffer& view, GpuScene& scene, b
         pass.read("instances", scene.instances())
             .read("positions", scene.positions())
             .read("attributes", scene.attributes())
-            .read("view", view)
+            .read("view", viewBuffer)
             .indices(scene.indices())
             .depth(backDepth, clear);
         if (masked)
             pass.read("materials", scene.materials()).table(scene.textures().set());
         pass.draw([&](gpu::Draws& draws) {
             for (uint32_t i = 0; i < items.size(); ++i)
-                if (belongs(items[i]))
+                if (belongs(items[i]) && frustum.mayShow(items[i].boundsWS))
                     drawItem(draws, items[i], i, items[i].doubleSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_FRONT_BIT);
         });
         clear = false;

@@ -3,6 +3,7 @@
 
 #include "gpu/pass.hpp"
 #include "render/gpu_scene.hpp"
+#include "render/view.hpp"
 
 #include <array>
 
@@ -13,9 +14,10 @@ public:
     static Result<BackFacePass> create(gpu::Context& context, const GpuScene& scene);
 
     /// Clears `backDepth` and draws opaque and masked items, and with `transparents` also transparent ones.
-    /// Double-sided surfaces, lines and points have no thickness: both of their sides are drawn. `view` holds a
-    /// shared::RenderView.
-    void draw(gpu::Frame& frame, gpu::Buffer& view, GpuScene& scene, bool transparents, gpu::Image& backDepth);
+    /// Double-sided surfaces, lines and points have no thickness: both of their sides are drawn. `viewBuffer` holds the
+    /// shared::RenderView of `view`.
+    void draw(gpu::Frame& frame, const View& view, gpu::Buffer& viewBuffer, GpuScene& scene, bool transparents,
+              gpu::Image& backDepth);
 
 private:
     std::array<gpu::Pipeline, 3> solid_; ///< by topology

@@ -1,6 +1,7 @@
 #include "render/gpu_scene.hpp"
 
 #include "gpu/transfer.hpp"
+#include "render/frustum.hpp"
 
 #include <algorithm>
 
@@ -129,13 +130,17 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
     const bool moved = lastTransforms_.size() == pose.items.size();
     std::vector<shared::Instance> instances;
     std::vector<BodyShape> shapes;
+    std::unordered_map<const scene::Geometry*, scene::Bounds> boundsOf; // items share their geometry
     items_.clear();
     transmitsLight_ = false;
     for (size_t i = 0; i < pose.items.size(); ++i) {
         const scene::DrawItem& item = pose.items[i];
         const Range& range = ranges_.at(item.geometry);
         const scene::Material material = item.material < 0 ? scene::Material() : scene.materials[size_t(item.material)];
-        const scene::Bounds bounds = localBounds(*item.geometry);
+        const auto [entry, isNew] = boundsOf.try_emplace(item.geometry);
+        if (isNew)
+            entry->second = localBounds(*item.geometry);
+        const scene::Bounds& bounds = entry->second;
         GpuItem out;
         out.firstIndex = range.firstIndex;
         out.indexCount = static_cast<uint32_t>(item.geometry->indices.size());
@@ -153,6 +158,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.mirrored = glm::determinant(glm::mat3(item.localToWorld)) < 0;
         if (!bounds.empty())
             out.centerWS = glm::vec3(item.localToWorld * glm::vec4((bounds.min + bounds.max) * 0.5f, 1));
+        out.boundsWS = transformedBounds(bounds, item.localToWorld);
         items_.push_back(out);
 
         const bool noNormals = item.geometry->normals.empty() && out.topology != scene::Topology::Triangles;

@@ -23,6 +23,7 @@ struct GpuItem {
     bool isBody = false;     ///< light passes through the object from front to back; its back faces are not drawn
     bool mirrored = false;   ///< the transform has a negative determinant
     glm::vec3 centerWS = {}; ///< of its bounding box, for sorting
+    scene::Bounds boundsWS;
 };
 
 class GpuScene {

@@ -196,7 +196,7 @@ GBuffer& Renderer::drawOpaque(gpu::Frame& frame, const ViewParameters& parameter
     background_.draw(frame, viewBuffer_, environment_, gbuffer);
     gbuffer.resolve(frame);
     if (gbuffer.backDepth || frame.rehearsing())
-        backFaces_.draw(frame, viewBuffer_, scene_, gbufferOptions_.backFaceTransparents, gbuffer.backDepth);
+        backFaces_.draw(frame, view_, viewBuffer_, scene_, gbufferOptions_.backFaceTransparents, gbuffer.backDepth);
     return gbuffer;
 }
 

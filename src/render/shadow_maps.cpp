@@ -1,5 +1,6 @@
 #include "render/shadow_maps.hpp"
 
+#include "render/frustum.hpp"
 #include "render/gbuffer.hpp"
 #include "scene/camera.hpp"
 #include "shared/shadow.h"
@@ -12,6 +13,7 @@ namespace {
 
 /// Clip space (+Y up) -> the tile's UV (rows from the top); depth stays.
 const glm::mat4 kClipToTile = {0.5f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 1, 0, 0.5f, 0.5f, 0, 1};
+const glm::mat4 kTileToClip = {2, 0, 0, 0, 0, -2, 0, 0, 0, 0, 1, 0, -1, 1, 0, 1};
 
 /// An orthographic box along the light around the scene's bounding sphere. Its size does not depend on the camera or
 /// the light's direction, so that texels do not move.
@@ -43,6 +45,13 @@ void placeSpot(shared::Light& light, const scene::Bounds& bounds, uint32_t tileS
     const glm::mat4 lightToWorld = scene::lookAt(light.positionWS, light.positionWS + light.directionWS);
     light.worldToShadow = kClipToTile * viewToClip * glm::inverse(lightToWorld);
     light.shadowTexelSize = 2 * margin / static_cast<float>(tileSize);
+}
+
+/// Light ends at its range, and so do its shadows.
+bool isBeyondRange(const shared::Light& light, const scene::Bounds& boundsWS) {
+    const bool ends = light.type != shared::kLightDirectional && light.range > 0;
+    const glm::vec3 nearest = glm::clamp(light.positionWS, boundsWS.min, boundsWS.max);
+    return ends && glm::distance(nearest, light.positionWS) > light.range;
 }
 
 bool canCast(const shared::Light& light) {
@@ -119,11 +128,13 @@ void ShadowMaps::draw(gpu::Frame& frame, GpuScene& scene, std::span<const shared
         for (uint32_t light = 0; light < lights.size(); ++light) {
             if (lights[light].castsShadow == 0 || tile >= tiles_)
                 continue;
+            const Frustum frustum(kTileToClip * lights[light].worldToShadow);
             draws.viewport(tile % columns_ * tileSize_, tile / columns_ * tileSize_, tileSize_, tileSize_);
             ++tile;
             for (uint32_t i = 0; i < scene.items().size(); ++i) {
                 const GpuItem& item = scene.items()[i];
-                if (item.surface != surface || item.topology != scene::Topology::Triangles)
+                if (item.surface != surface || item.topology != scene::Topology::Triangles ||
+                    !frustum.mayShow(item.boundsWS) || isBeyondRange(lights[light], item.boundsWS))
                     continue;
                 draws.push(shared::ShadowDrawConstants{i, light});
                 draws.drawIndexed(item.indexCount, item.firstIndex, item.vertexOffset);

@@ -1,5 +1,7 @@
 #include "render/surface_pass.hpp"
 
+#include "render/frustum.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -95,9 +97,11 @@ Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& s
 void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
                        GBuffer& gbuffer) {
     const std::vector<GpuItem>& items = scene.items();
-    order_.resize(items.size());
+    const Frustum frustum(view.worldToClip);
+    order_.clear();
     for (uint32_t i = 0; i < items.size(); ++i)
-        order_[i] = i;
+        if (frustum.mayShow(items[i].boundsWS))
+            order_.push_back(i);
     // Nearest first, so that hidden surfaces fail the depth test before lighting. Ties keep the scene's order.
     std::stable_sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
         const auto viewZ = [&](uint32_t i) {
