@@ -2,6 +2,7 @@
 
 #include "render/program_settings.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <charconv>
@@ -117,17 +118,16 @@ void write(const Json& json, size_t indent, std::string& out) {
         out += line;
         return;
     }
-    const std::string next = "\n" + std::string(indent + 2, ' ');
     out += json.is_object() ? '{' : '[';
     bool first = true;
     for (const auto& [key, value] : json.items()) {
-        out += first ? next : "," + next;
+        out += fmt::format("{}\n{:{}}", first ? "" : ",", "", indent + 2);
         if (json.is_object())
-            out += Json(key).dump() + ": ";
+            out += fmt::format("{}: ", Json(key).dump());
         write(value, indent + 2, out);
         first = false;
     }
-    out += "\n" + std::string(indent, ' ') + (json.is_object() ? '}' : ']');
+    out += fmt::format("\n{:{}}{}", "", indent, json.is_object() ? '}' : ']');
 }
 
 } // namespace
