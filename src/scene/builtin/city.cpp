@@ -1,5 +1,5 @@
 // builtin:city, a scene of real size: streets after rain at night, between houses of a few storeys with shops, neon and
-// lamps. Its geometry is instanced: about a quarter of a million triangles are stored, one to ten million drawn.
+// lamps. Its geometry is instanced: about 0.45 million triangles are stored, one to ten million drawn.
 //
 // The plan is a grid of square cells: a block of four houses, pavement around it, half of each street beside it. Cells
 // are added, nearest to the default camera first, until the asked number of triangles is reached.
