@@ -31,14 +31,13 @@ constexpr float kBlockHalf = kHouse + kAlley / 2 + kPavement;
 constexpr float kRoadHalf = 6;
 constexpr float kCell = 2 * (kBlockHalf + kRoadHalf);
 constexpr float kKerb = 0.14f; ///< height
-constexpr float kTrianglesPerMillion = 1e6f;
 
 constexpr glm::vec3 kSodium(1.f, 0.56f, 0.22f), kNight(0.55f, 0.68f, 1.f);
 constexpr std::array<glm::vec3, 4> kNeon = {glm::vec3(1.f, 0.07f, 0.3f), glm::vec3(0.05f, 0.6f, 1.f),
                                             glm::vec3(0.15f, 1.f, 0.35f), glm::vec3(1.f, 0.45f, 0.05f)};
 constexpr std::array<const char*, 4> kNeonWords = {"GLINT", "LIT", "GILT", "TIN"};
 
-/// The number of a thing in a cell, for `hashUnit`.
+/// What decides by chance, the same in every run.
 struct Dice {
     uint32_t seed;
     float unit(uint32_t what) const { return hashUnit(seed, what, 77); }
@@ -53,7 +52,7 @@ class City {
 public:
     explicit City(int millions)
         : b_(millions == 1 ? "builtin:city" : fmt::format("builtin:city-{}", millions)),
-          asked_(static_cast<size_t>(kTrianglesPerMillion * static_cast<float>(millions))) {}
+          asked_(static_cast<size_t>(millions) * 1'000'000) {}
 
     Scene make() {
         b_.camera("street", {1.4f, 1.6f, 20}, {-0.6f, 2.5f, -30}, 50);
