@@ -1,5 +1,7 @@
 #include "render/transparent_pass.hpp"
 
+#include "render/frustum.hpp"
+
 #include <algorithm>
 #include <bit>
 
@@ -47,9 +49,10 @@ Result<gpu::Image> TransparentPass::makeBehind(gpu::Context& context, const GpuS
 void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, const LightingInputs& inputs,
                            GBuffer& gbuffer, gpu::Image& behind, gpu::Image& hdr) {
     const std::vector<GpuItem>& items = scene.items();
+    const Frustum frustum(view.worldToClip);
     order_.clear();
     for (uint32_t i = 0; i < items.size(); ++i)
-        if (items[i].surface == SurfaceClass::Transparent)
+        if (items[i].surface == SurfaceClass::Transparent && frustum.mayShow(items[i].boundsWS))
             order_.push_back(i);
     if (order_.empty() && !frame.rehearsing())
         return;
