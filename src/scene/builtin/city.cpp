@@ -17,6 +17,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace glint::scene::builtin {
