@@ -256,17 +256,13 @@ void reduceTile() {
         children[i] = cellOfPixels(cell);
         store(1, cell, children[i]);
     }
-    Cell value = cellOfCells(children, 2.0);
-    store(2, level2, value);
-    sharedCells[gl_LocalInvocationIndex] = packShared(value);
-
-    int across = 16; // cells a side in shared memory
-    for (int level = 3; level <= int(kPyramidTileLevel); ++level) {
-        barrier();
+    int across = 32; // cells a side of the level below
+    for (int level = 2; level <= int(kPyramidTileLevel); ++level) {
         int half_ = across / 2;
         bool works = all(lessThan(thread, ivec2(half_)));
+        Cell value;
         if (works) {
-            for (int i = 0; i < 4; ++i) {
+            for (int i = 0; i < 4 && level > 2; ++i) {
                 ivec2 child = thread * 2 + ivec2(i & 1, i >> 1);
                 children[i] = unpackShared(sharedCells[child.y * across + child.x]);
             }
@@ -276,6 +272,7 @@ void reduceTile() {
         barrier();
         if (works)
             sharedCells[thread.y * half_ + thread.x] = packShared(value);
+        barrier();
         across = half_;
     }
 }
