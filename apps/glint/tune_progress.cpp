@@ -12,12 +12,10 @@ namespace glint::cli {
 
 TuneProgress::TuneProgress(uint32_t generations, std::optional<double> seconds)
     : generations_(generations), seconds_(seconds), terminal_(isatty(fileno(stderr)) != 0),
-      created_(std::chrono::steady_clock::now()) {}
+      created_(std::chrono::steady_clock::now()), written_(created_) {}
 
 tune::TuneHooks TuneProgress::hooks() {
     tune::TuneHooks hooks;
-    if (!terminal_)
-        return hooks;
     hooks.progress = [this](const tune::SearchProgress& progress) {
         const auto now = std::chrono::steady_clock::now();
         std::optional<double> secondsLeft;
@@ -65,7 +63,21 @@ std::optional<double> TuneProgress::left(double part, double passed, const std::
     return result;
 }
 
+void TuneProgress::write(const std::string& text) {
+    constexpr std::chrono::seconds kBetween(60);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - written_ < kBetween)
+        return;
+    fmt::print(stderr, "{}\n", text);
+    std::fflush(stderr);
+    written_ = now;
+}
+
 void TuneProgress::show(const std::string& text) {
+    if (!terminal_) {
+        write(text);
+        return;
+    }
     fmt::print(stderr, "\r{:<{}}", text, shown_);
     std::fflush(stderr);
     shown_ = text.size();

@@ -9,7 +9,7 @@
 
 namespace glint::cli {
 
-/// Quiet where standard error is no terminal.
+/// Where standard error is no terminal: a line a minute, so that a log says how far a long search is.
 class TuneProgress {
 public:
     /// `seconds`  limit of the search; absent: all generations are made
@@ -28,12 +28,14 @@ public:
 
 private:
     void show(const std::string& text);
+    void write(const std::string& text);
 
     uint32_t generations_;
     std::optional<double> seconds_;
     bool terminal_;
     size_t shown_ = 0; ///< characters of the line
     std::chrono::steady_clock::time_point created_;
+    std::chrono::steady_clock::time_point written_; ///< the last line of a log
     std::optional<std::chrono::steady_clock::time_point> firstGeneration_;
 };
 
