@@ -12,7 +12,7 @@ namespace glint::cli {
 
 TuneProgress::TuneProgress(uint32_t generations, std::optional<double> seconds)
     : generations_(generations), seconds_(seconds), terminal_(isatty(fileno(stderr)) != 0),
-      created_(std::chrono::steady_clock::now()), written_(created_) {}
+      created_(std::chrono::steady_clock::now()), logged_(created_) {}
 
 tune::TuneHooks TuneProgress::hooks() {
     tune::TuneHooks hooks;
@@ -63,19 +63,19 @@ std::optional<double> TuneProgress::left(double part, double passed, const std::
     return result;
 }
 
-void TuneProgress::write(const std::string& text) {
+void TuneProgress::log(const std::string& text) {
     constexpr std::chrono::seconds kBetween(60);
     const auto now = std::chrono::steady_clock::now();
-    if (now - written_ < kBetween)
+    if (now - logged_ < kBetween)
         return;
     fmt::print(stderr, "{}\n", text);
     std::fflush(stderr);
-    written_ = now;
+    logged_ = now;
 }
 
 void TuneProgress::show(const std::string& text) {
     if (!terminal_) {
-        write(text);
+        log(text);
         return;
     }
     fmt::print(stderr, "\r{:<{}}", text, shown_);

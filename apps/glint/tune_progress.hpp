@@ -1,4 +1,4 @@
-// What `glint tune` shows on a terminal while it works: what it does, and how long it may still take.
+// What `glint tune` says while it works: what it does, and how long it may still take.
 #pragma once
 
 #include "tune/tune.hpp"
@@ -28,14 +28,14 @@ public:
 
 private:
     void show(const std::string& text);
-    void write(const std::string& text);
+    void log(const std::string& text);
 
     uint32_t generations_;
     std::optional<double> seconds_;
     bool terminal_;
     size_t shown_ = 0; ///< characters of the line
     std::chrono::steady_clock::time_point created_;
-    std::chrono::steady_clock::time_point written_; ///< the last line of a log
+    std::chrono::steady_clock::time_point logged_; ///< the last line
     std::optional<std::chrono::steady_clock::time_point> firstGeneration_;
 };
 

@@ -261,7 +261,7 @@
         "",                                                                                                            \
         "switch; cost +")                                                                                              \
     SETTING(RayBackend, backend, RayBackend::Auto, "", "",                                                             \
-        "Ray back end: query (the device's ray queries), bvh (any device), or auto (query on GPUs that have it)",       \
+        "Ray back end: query (the device's ray queries), bvh (any device), or auto (query on GPUs with it, else bvh)",  \
         "")                                                                                                            \
     SETTING(int, samples, 1, "[1, 4096]", "",                                                                          \
         "Rays per pixel through the host's triangles; their results are averaged",                                     \

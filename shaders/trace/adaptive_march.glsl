@@ -52,20 +52,17 @@ March march(Ray r) {
             Sample hit;
             uint met = kInFront;
             // Where the search ends, then, if the ray is in front of the surface there, at the step's own end.
-            for (bool searches = isInFront; met == kInFront; searches = false) {
+            for (uint attempt = isInFront ? 0u : 1u; attempt < 2u && met == kInFront; ++attempt) {
                 hit = s;
                 float from = before.share;
-                if (searches)
+                if (attempt == 0u)
                     narrow(r, from, hit, result.lookups);
                 met = meetSurface(r, from, hit, result.lookups);
-                if (searches)
-                    continue;
                 // The ray intersects the plane far from the pixel that shows it: as far as the depth buffer tells, not
                 // its surface.
                 vec2 apart = abs(ray.startPX + ray.deltaPX * hit.share - hit.px);
-                if (met == kMeets && max(apart.x, apart.y) > 1.0)
+                if (attempt == 1u && met == kMeets && max(apart.x, apart.y) > 1.0)
                     met = kPasses;
-                break;
             }
             if (endsMarch(met, hit, result))
                 return result;

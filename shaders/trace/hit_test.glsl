@@ -226,8 +226,8 @@ const float kBeforePixel = 0.5;
 /// pixel's plane before it leaves the pixel.
 const float kNearlyBehind = 0.003;
 
-/// A ray that at `s` is in front of the depth at the pixel's centre may intersect the pixel's plane before it leaves the
-/// pixel, at `leave`, for another that may show another surface. If so, moves `s` there, for meetSurface.
+/// May a ray that is in front of the depth at the pixel's centre intersect the pixel's plane before it leaves the pixel
+/// at `leave`? The next pixel may show another surface. If so, moves the sample `s` to `leave`, for meetSurface.
 bool mayMeetBeforeLeaving(Ray r, float leave, inout Sample s) {
     float leaveZ = rayViewZ(r.screen, leave);
     if (leaveZ < s.sceneZ * (1.0 - kNearlyBehind) || s.sceneZ >= kBackgroundZ)

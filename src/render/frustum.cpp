@@ -21,18 +21,4 @@ bool Frustum::mayShow(const scene::Bounds& boundsWS) const {
     return true;
 }
 
-scene::Bounds transformedBounds(const scene::Bounds& local, const glm::mat4& localToWorld) {
-    if (local.empty())
-        return {};
-    const glm::vec3 center = (local.min + local.max) * 0.5f, half = (local.max - local.min) * 0.5f;
-    glm::mat3 sizes(localToWorld);
-    for (int i = 0; i < 3; ++i)
-        sizes[i] = glm::abs(sizes[i]);
-    const glm::vec3 centerWS(localToWorld * glm::vec4(center, 1)), halfWS = sizes * half;
-    scene::Bounds out;
-    out.min = centerWS - halfWS;
-    out.max = centerWS + halfWS;
-    return out;
-}
-
 } // namespace glint::render

@@ -1,7 +1,6 @@
 #include "render/gpu_scene.hpp"
 
 #include "gpu/transfer.hpp"
-#include "render/frustum.hpp"
 
 #include <algorithm>
 
@@ -36,15 +35,6 @@ Result<void> checkBufferSize(const gpu::Context& context, const char* what, size
         return makeError(ErrorCode::Unsupported, "the scene's {} take {} bytes; one buffer of {} holds {}", what, bytes,
                          context.info().name, most);
     return {};
-}
-
-scene::Bounds localBounds(const scene::Geometry& geometry) {
-    scene::Bounds bounds;
-    for (const glm::vec3& position : geometry.positions) {
-        bounds.min = glm::min(bounds.min, position);
-        bounds.max = glm::max(bounds.max, position);
-    }
-    return bounds;
 }
 
 } // namespace
@@ -130,17 +120,12 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
     const bool moved = lastTransforms_.size() == pose.items.size();
     std::vector<shared::Instance> instances;
     std::vector<BodyShape> shapes;
-    std::unordered_map<const scene::Geometry*, scene::Bounds> boundsOf; // items share their geometry
     items_.clear();
     transmitsLight_ = false;
     for (size_t i = 0; i < pose.items.size(); ++i) {
         const scene::DrawItem& item = pose.items[i];
         const Range& range = ranges_.at(item.geometry);
         const scene::Material material = item.material < 0 ? scene::Material() : scene.materials[size_t(item.material)];
-        const auto [entry, isNew] = boundsOf.try_emplace(item.geometry);
-        if (isNew)
-            entry->second = localBounds(*item.geometry);
-        const scene::Bounds& bounds = entry->second;
         GpuItem out;
         out.firstIndex = range.firstIndex;
         out.indexCount = static_cast<uint32_t>(item.geometry->indices.size());
@@ -156,9 +141,7 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.isBody = shape != BodyShape::Straight;
         transmitsLight_ |= render::transmitsLight(material);
         out.mirrored = glm::determinant(glm::mat3(item.localToWorld)) < 0;
-        if (!bounds.empty())
-            out.centerWS = glm::vec3(item.localToWorld * glm::vec4((bounds.min + bounds.max) * 0.5f, 1));
-        out.boundsWS = transformedBounds(bounds, item.localToWorld);
+        out.boundsWS = item.boundsWS;
         items_.push_back(out);
 
         const bool noNormals = item.geometry->normals.empty() && out.topology != scene::Topology::Triangles;
@@ -166,7 +149,8 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
             {item.localToWorld, moved ? lastTransforms_[i] : item.localToWorld,
              item.material < 0 ? defaultMaterial : static_cast<uint32_t>(item.material),
              (out.mirrored ? shared::kInstanceMirrored : 0) | (noNormals ? shared::kInstanceNoNormals : 0),
-             range.firstIndex, range.firstVertex, range.prevVertexDelta, out.centerWS, static_cast<uint32_t>(shape)});
+             range.firstIndex, range.firstVertex, range.prevVertexDelta, item.boundsWS.center(),
+             static_cast<uint32_t>(shape)});
     }
     GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/instances", instances, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
     instances_ = std::move(buffer);

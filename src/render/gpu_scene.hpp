@@ -20,9 +20,8 @@ struct GpuItem {
     scene::Topology topology = scene::Topology::Triangles;
     SurfaceClass surface = SurfaceClass::Opaque;
     bool doubleSided = false;
-    bool isBody = false;     ///< light passes through the object from front to back; its back faces are not drawn
-    bool mirrored = false;   ///< the transform has a negative determinant
-    glm::vec3 centerWS = {}; ///< of its bounding box, for sorting
+    bool isBody = false;   ///< light passes through the object from front to back; its back faces are not drawn
+    bool mirrored = false; ///< the transform has a negative determinant
     scene::Bounds boundsWS;
 };
 

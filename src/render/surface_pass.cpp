@@ -105,7 +105,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
     // Nearest first, so that hidden surfaces fail the depth test before lighting. Ties keep the scene's order.
     std::stable_sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
         const auto viewZ = [&](uint32_t i) {
-            return glm::dot(items[i].centerWS - view.positionWS(), view.forwardWS());
+            return glm::dot(items[i].boundsWS.center() - view.positionWS(), view.forwardWS());
         };
         return viewZ(a) < viewZ(b);
     });

@@ -58,7 +58,7 @@ void TransparentPass::draw(gpu::Frame& frame, const View& view, GpuScene& scene,
         return;
     std::stable_sort(order_.begin(), order_.end(), [&](uint32_t a, uint32_t b) {
         const auto viewZ = [&](uint32_t i) {
-            return glm::dot(items[i].centerWS - view.positionWS(), view.forwardWS());
+            return glm::dot(items[i].boundsWS.center() - view.positionWS(), view.forwardWS());
         };
         return viewZ(a) > viewZ(b);
     });

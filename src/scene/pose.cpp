@@ -219,7 +219,7 @@ private:
             return;
         grow(pose_.boundsWS, world.min);
         grow(pose_.boundsWS, world.max);
-        pose_.items.push_back({&geometry, material, node, localToWorld});
+        pose_.items.push_back({&geometry, material, node, localToWorld, world});
     }
 
     const Scene& scene_;

@@ -10,23 +10,25 @@
 
 namespace glint::scene {
 
+struct Bounds {
+    glm::vec3 min = glm::vec3(std::numeric_limits<float>::max());
+    glm::vec3 max = glm::vec3(std::numeric_limits<float>::lowest());
+    bool empty() const { return min.x > max.x; }
+    glm::vec3 center() const { return min * 0.5f + max * 0.5f; }
+};
+
 struct DrawItem {
     const Geometry* geometry = nullptr; ///< of the Scene, or of Pose::deformed
     int material = -1;
     int node = -1;
     glm::mat4 localToWorld = glm::mat4(1); ///< identity for skinned geometry, which is posed in world space
+    Bounds boundsWS;                       ///< never empty
 };
 
 struct PosedLight {
     Light light;
     glm::vec3 positionWS = glm::vec3(0);
     glm::vec3 directionWS = glm::vec3(0, 0, -1); ///< unit, the direction in which the light travels
-};
-
-struct Bounds {
-    glm::vec3 min = glm::vec3(std::numeric_limits<float>::max());
-    glm::vec3 max = glm::vec3(std::numeric_limits<float>::lowest());
-    bool empty() const { return min.x > max.x; }
 };
 
 /// Refers to the Scene that it was made from, which must outlive it.

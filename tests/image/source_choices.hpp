@@ -40,9 +40,7 @@ inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     job.display = true;
     job.planar = render::MirrorSearch::Auto;
     job.settings = settingsOf({"rays.bounces=2"});
-    for (const scene::BuiltinInfo& info : scene::builtinScenes()) // lit as in our programs
-        if (info.name == "hall")
-            job.settings.render.environment.strength = info.environmentStrength;
+    job.settings.render.environment.strength = scene::findBuiltin("hall")->environmentStrength; // as in our programs
     return job;
 }
 

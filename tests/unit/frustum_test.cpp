@@ -59,24 +59,5 @@ TEST(Frustum, HidesNothingThatIsNotANumber) {
     EXPECT_TRUE(frustum.mayShow(box));
 }
 
-TEST(Frustum, ATurnedBoxIsInTheBoundsOfItsCorners) {
-    const glm::mat4 localToWorld(0.5f, 0.8f, 0, 0, -1.2f, 0.4f, 0.3f, 0, 0.1f, 0, -2, 0, 3, -1, 7, 1);
-    const scene::Bounds local = {{-1, 0, 2}, {4, 1, 2.5f}};
-    scene::Bounds corners;
-    for (int i = 0; i < 8; ++i) {
-        const glm::vec3 corner((i & 1) != 0 ? local.max.x : local.min.x, (i & 2) != 0 ? local.max.y : local.min.y,
-                               (i & 4) != 0 ? local.max.z : local.min.z);
-        const glm::vec3 at(localToWorld * glm::vec4(corner, 1));
-        corners.min = glm::min(corners.min, at);
-        corners.max = glm::max(corners.max, at);
-    }
-    const scene::Bounds found = transformedBounds(local, localToWorld);
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_NEAR(found.min[i], corners.min[i], 1e-4f);
-        EXPECT_NEAR(found.max[i], corners.max[i], 1e-4f);
-    }
-    EXPECT_TRUE(transformedBounds({}, localToWorld).empty());
-}
-
 } // namespace
 } // namespace glint::render

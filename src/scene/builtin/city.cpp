@@ -4,8 +4,8 @@
 // The plan is a grid of square cells: a block of four houses, pavement around it, half of each street beside it. Cells
 // are added, nearest to the default camera first, until the asked number of triangles is reached.
 #include "scene/builtin/city_facade.hpp"
+#include "scene/builtin/city_materials.hpp"
 #include "scene/builtin/city_street.hpp"
-#include "scene/builtin/city_textures.hpp"
 #include "scene/builtin/noise.hpp"
 #include "scene/builtin/scene_builder.hpp"
 #include "scene/builtin/scenes.hpp"
@@ -36,9 +36,7 @@ constexpr float kRoadHalf = 6;
 constexpr float kCell = 2 * (kBlockHalf + kRoadHalf);
 constexpr float kKerb = 0.14f; ///< height
 
-constexpr glm::vec3 kSodium(1.f, 0.56f, 0.22f), kNight(0.55f, 0.68f, 1.f);
-constexpr std::array<glm::vec3, 4> kNeon = {glm::vec3(1.f, 0.07f, 0.3f), glm::vec3(0.05f, 0.6f, 1.f),
-                                            glm::vec3(0.15f, 1.f, 0.35f), glm::vec3(1.f, 0.45f, 0.05f)};
+constexpr glm::vec3 kNight(0.55f, 0.68f, 1.f);
 constexpr std::array<const char*, 4> kNeonWords = {"GLINT", "LIT", "GILT", "TIN"};
 
 /// What decides by chance, the same in every run.
@@ -55,7 +53,7 @@ struct Dice {
 class City {
 public:
     explicit City(int millions)
-        : b_(millions == 1 ? "builtin:city" : fmt::format("builtin:city-{}", millions)),
+        : b_(millions == 1 ? "builtin:city" : fmt::format("builtin:city-{}", millions)), m_(cityMaterials(b_)),
           asked_(static_cast<size_t>(millions) * 1'000'000) {}
 
     Scene make() {
@@ -63,7 +61,6 @@ public:
         b_.camera("puddle", {-2.6f, 0.35f, 6}, {1.5f, 1.9f, -30}, 48);
         b_.camera("crossing", {9, 7, 30}, {-6, 1.5f, -16}, 50);
         b_.camera("roofs", {-30, 46, 62}, {10, 0, -60}, 45);
-        materials();
         storeys();
         street();
         for (const glm::ivec2& at : cellsByDistance()) {
@@ -76,147 +73,6 @@ public:
     }
 
 private:
-    // ---------------------------------------------------------------- materials
-
-    int lit(std::string name, const TextureSlot& picture, const glm::vec3& tint, float roughness) {
-        Material m = dielectric(std::move(name), glm::vec3(0.02f), roughness);
-        m.emissiveFactor = tint;
-        m.emissiveTexture = picture;
-        return b_.material(m);
-    }
-
-    int ground(const char* name, GroundImages images, float metres) {
-        const glm::vec2 repeats(1 / metres);
-        Material m = dielectric(name, glm::vec3(1), 1);
-        m.baseColorTexture = b_.texture(std::move(images.surface.baseColor), repeats);
-        m.metallicRoughnessTexture = b_.texture(std::move(images.surface.metallicRoughness), repeats);
-        m.normalTexture = b_.texture(std::move(images.normal), repeats);
-        return b_.material(m);
-    }
-
-    void materials() {
-        asphalt_ = ground("wet asphalt", wetAsphalt(512), 13);
-        pavement_ = ground("wet pavement", wetPavement(256), 4);
-        kerb_ = b_.material(dielectric("kerb", glm::vec3(0.2f), 0.35f));
-        marking_ = b_.material(dielectric("road marking", glm::vec3(0.55f), 0.3f));
-        walls();
-        windows();
-        shops();
-        smallThings();
-    }
-
-    void walls() {
-        constexpr int kSize = 256;
-        struct Kind {
-            const char* name;
-            bool bricks;
-            std::array<glm::vec3, 2> albedos;
-        };
-        constexpr std::array<Kind, kFacadeStyles> kinds = {{
-            {"brick", true, {glm::vec3(0.24f, 0.08f, 0.05f), glm::vec3(0.17f, 0.11f, 0.08f)}},
-            {"plaster", false, {glm::vec3(0.36f, 0.3f, 0.2f), glm::vec3(0.22f, 0.29f, 0.3f)}},
-            {"limestone", false, {glm::vec3(0.34f, 0.3f, 0.25f), glm::vec3(0.25f, 0.25f, 0.26f)}},
-            {"panels", false, {glm::vec3(0.09f, 0.1f, 0.12f), glm::vec3(0.14f, 0.12f, 0.1f)}},
-            {"yellow brick", true, {glm::vec3(0.33f, 0.25f, 0.13f), glm::vec3(0.3f, 0.13f, 0.08f)}},
-            {"concrete", false, {glm::vec3(0.2f, 0.19f, 0.18f), glm::vec3(0.13f, 0.14f, 0.16f)}},
-        }};
-        for (size_t style = 0; style < kinds.size(); ++style) {
-            const Kind& kind = kinds[style];
-            const auto seed = static_cast<uint32_t>(500 + style);
-            const auto heights = kind.bricks ? brickHeights(kSize, seed) : blockHeights(kSize, 1, 2, seed);
-            const glm::vec2 repeats(kind.bricks ? 1.f : 0.4f);
-            const TextureSlot normals =
-                b_.texture(normalMap(fmt::format("{} normals", kind.name), heights, kSize, 0.006f), repeats);
-            const TextureSlot colors = b_.texture(
-                blockColors(fmt::format("{} colour", kind.name), heights, kSize, glm::vec3(0.8f), seed), repeats);
-            for (size_t i = 0; i < kind.albedos.size(); ++i) {
-                Material m = dielectric(fmt::format("{} {}", kind.name, i), kind.albedos[i] / 0.8f, 0.6f);
-                m.baseColorTexture = colors;
-                m.normalTexture = normals;
-                walls_[style][i] = b_.material(m);
-            }
-            trims_[style] =
-                b_.material(dielectric(fmt::format("{} trim", kind.name), kind.albedos[0] * 0.7f + 0.1f, 0.5f));
-            frames_[style] = b_.material(style == 3 ? metal("window steel", glm::vec3(0.4f), 0.3f)
-                                                    : dielectric(fmt::format("{} frames", kind.name),
-                                                                 glm::vec3(style % 2 == 0 ? 0.5f : 0.06f), 0.4f));
-        }
-    }
-
-    void windows() {
-        constexpr std::array<glm::vec3, 3> tints = {glm::vec3(1.f, 0.72f, 0.42f), glm::vec3(1.f, 0.85f, 0.65f),
-                                                    glm::vec3(0.6f, 0.8f, 1.f)};
-        for (size_t i = 0; i < glasses_.size(); ++i)
-            glasses_[i] = b_.material(dielectric(fmt::format("dark glass {}", i), glm::vec3(0.006f + 0.004f * float(i)),
-                                                 0.01f + 0.02f * static_cast<float>(i)));
-        for (uint32_t room = 0; room < 4; ++room) {
-            const TextureSlot picture = b_.texture(litRoom(fmt::format("room {}", room), 128, 600 + room));
-            for (const glm::vec3& tint : tints)
-                rooms_.push_back(lit(fmt::format("room {} window {}", room, rooms_.size() % tints.size()), picture,
-                                     tint * 0.9f, 0.03f));
-        }
-    }
-
-    void shops() {
-        constexpr std::array<glm::vec3, 4> tints = {glm::vec3(1.6f, 1.35f, 1.f), glm::vec3(1.1f, 1.4f, 1.7f),
-                                                    glm::vec3(1.7f, 1.f, 0.6f), glm::vec3(1.5f, 0.9f, 1.4f)};
-        for (uint32_t i = 0; i < 4; ++i) {
-            const TextureSlot picture = b_.texture(shopWindow(fmt::format("shop {}", i), 256, 700 + i));
-            for (size_t k = 0; k < tints.size(); ++k)
-                shopWindows_.push_back(lit(fmt::format("shop {} window {}", i, k), picture, tints[k], 0.03f));
-        }
-        for (uint32_t i = 0; i < 8; ++i) {
-            const bool inverse = i % 2 == 1; // dark letters on a bright board
-            const TextureSlot board =
-                b_.texture(signBoard(fmt::format("sign {}", i), 256, kSignAspect, 800 + i,
-                                     glm::vec3(inverse ? 0.7f : 0.01f), glm::vec3(inverse ? 0.02f : 1.f)));
-            for (size_t k = 0; k < kNeon.size(); ++k)
-                signs_.push_back(lit(fmt::format("sign {} {}", i, k), board, kNeon[k] * 2.2f + 0.08f, 0.2f));
-        }
-        for (uint32_t i = 0; i < 12; ++i) {
-            const glm::vec3 c(hashUnit(i, 900, 1), hashUnit(i, 900, 2), hashUnit(i, 900, 3));
-            Material cloth = dielectric(fmt::format("awning {}", i), 0.02f + 0.5f * c * c, 0.8f);
-            cloth.doubleSided = true;
-            awnings_.push_back(b_.material(cloth));
-        }
-    }
-
-    void smallThings() {
-        for (uint32_t i = 0; i < 24; ++i) {
-            const glm::vec3 c(hashUnit(i, 910, 1), hashUnit(i, 910, 2), hashUnit(i, 910, 3));
-            const float grey = i % 3 == 0 ? 1.f : 0.f; // most cars have no colour
-            paints_.push_back(b_.material(dielectric(
-                fmt::format("car paint {}", i), 0.01f + 0.5f * glm::mix(c * c, glm::vec3(c.x * c.x), grey), 0.08f)));
-        }
-        roofs_ = {b_.material(dielectric("roof felt", glm::vec3(0.05f), 0.5f)),
-                  b_.material(dielectric("roof gravel", glm::vec3(0.12f), 0.7f)),
-                  b_.material(dielectric("roof slate", glm::vec3(0.06f, 0.065f, 0.075f), 0.3f))};
-        plant_ = b_.material(metal("air conditioner", glm::vec3(0.5f), 0.4f));
-        tank_ = b_.material(dielectric("tank timber", glm::vec3(0.12f, 0.07f, 0.04f), 0.6f));
-        iron_ = b_.material(metal("painted iron", glm::vec3(0.08f), 0.35f));
-        lampHead_ = b_.material(emission("lamp", kSodium * 9.f));
-        carGlass_ = b_.material(dielectric("car glass", glm::vec3(0.005f), 0.f));
-        tyre_ = b_.material(dielectric("tyre", glm::vec3(0.015f), 0.7f));
-        rim_ = b_.material(metal("wheel rim", glm::vec3(0.6f), 0.2f));
-        headlamp_ = b_.material(dielectric("headlamp", glm::vec3(0.5f), 0.05f));
-        tailLamp_ = b_.material(emission("tail lamp", glm::vec3(1.2f, 0.02f, 0.01f)));
-        bark_ = b_.material(dielectric("bark", glm::vec3(0.06f, 0.045f, 0.03f), 0.8f));
-        for (uint32_t i = 0; i < 3; ++i) {
-            Material m = dielectric(fmt::format("leaves {}", i), glm::vec3(1), 0.5f);
-            m.baseColorTexture = b_.texture(leaves(fmt::format("leaves {}", i), 128, 920 + i));
-            m.alphaMode = AlphaMode::Mask;
-            m.doubleSided = true;
-            leaves_.push_back(b_.material(m));
-        }
-        red_ = b_.material(dielectric("hydrant red", glm::vec3(0.4f, 0.02f, 0.015f), 0.2f));
-        bin_ = b_.material(dielectric("bin green", glm::vec3(0.02f, 0.08f, 0.04f), 0.3f));
-        stop_ = b_.material(emission("red light", glm::vec3(6, 0.15f, 0.08f)));
-        amber_ = b_.material(dielectric("amber light, off", glm::vec3(0.15f, 0.08f, 0.01f), 0.1f));
-        go_ = b_.material(emission("green light", glm::vec3(0.1f, 4, 1.6f)));
-        for (size_t i = 0; i < kNeon.size(); ++i)
-            neon_[i] = b_.material(emission(fmt::format("neon {}", i), kNeon[i] * 3.f));
-    }
-
     // ---------------------------------------------------------------- meshes
 
     struct Part {
@@ -246,79 +102,80 @@ private:
             for (uint32_t i = 0; i < kStoreyKinds; ++i) {
                 const Dice dice = {hash(static_cast<uint32_t>(style) * 16 + i)};
                 Storey storey = windowStorey(style, dice.seed);
-                const uint32_t room = dice.of(1, rooms_.size());
-                storeys_[s].push_back(part(fmt::format("storey {} {}", style, i),
-                                           {{std::move(storey.wall), walls_[s][i % 2]},
-                                            {std::move(storey.trim), trims_[s]},
-                                            {std::move(storey.frame), frames_[s]},
-                                            {std::move(storey.glass), glasses_[i % glasses_.size()]},
-                                            {std::move(storey.rooms[0]), rooms_[room]},
-                                            {std::move(storey.rooms[1]),
-                                             rooms_[(room + 1 + dice.of(2, rooms_.size() - 1)) % rooms_.size()]}}));
+                const uint32_t room = dice.of(1, m_.rooms.size());
+                storeys_[s].push_back(
+                    part(fmt::format("storey {} {}", style, i),
+                         {{std::move(storey.wall), m_.walls[s][i % 2]},
+                          {std::move(storey.trim), m_.trims[s]},
+                          {std::move(storey.frame), m_.frames[s]},
+                          {std::move(storey.glass), m_.glasses[i % m_.glasses.size()]},
+                          {std::move(storey.rooms[0]), m_.rooms[room]},
+                          {std::move(storey.rooms[1]),
+                           m_.rooms[(room + 1 + dice.of(2, m_.rooms.size() - 1)) % m_.rooms.size()]}}));
             }
         }
         for (uint32_t i = 0; i < 12; ++i) {
             const Dice dice = {hash(1000 + i)};
             const size_t style = i % kFacadeStyles;
             ShopStorey shop = shopStorey(dice.seed);
-            std::vector<std::pair<Geometry, int>> primitives = {{std::move(shop.wall), walls_[style][i / 6]},
-                                                                {std::move(shop.trim), trims_[style]},
-                                                                {std::move(shop.frame), frames_[style]},
-                                                                {std::move(shop.awning), awnings_[i]}};
+            std::vector<std::pair<Geometry, int>> primitives = {{std::move(shop.wall), m_.walls[style][i / 6]},
+                                                                {std::move(shop.trim), m_.trims[style]},
+                                                                {std::move(shop.frame), m_.frames[style]},
+                                                                {std::move(shop.awning), m_.awnings[i]}};
             for (uint32_t side = 0; side < 4; ++side) {
                 primitives.emplace_back(std::move(shop.windows[side]),
-                                        shopWindows_[dice.of(10 + side, shopWindows_.size())]);
-                primitives.emplace_back(std::move(shop.signs[side]), signs_[dice.of(20 + side, signs_.size())]);
+                                        m_.shopWindows[dice.of(10 + side, m_.shopWindows.size())]);
+                primitives.emplace_back(std::move(shop.signs[side]), m_.signs[dice.of(20 + side, m_.signs.size())]);
             }
             shops_.push_back(part(fmt::format("shops {}", i), std::move(primitives)));
         }
         for (uint32_t i = 0; i < 3; ++i) {
             Roof roof = flatRoof(1100 + i);
-            roofParts_.push_back(part(
-                fmt::format("roof {}", i),
-                {{std::move(roof.cover), roofs_[i]}, {std::move(roof.plant), plant_}, {std::move(roof.tank), tank_}}));
+            roofParts_.push_back(part(fmt::format("roof {}", i), {{std::move(roof.cover), m_.roofs[i]},
+                                                                  {std::move(roof.plant), m_.plant},
+                                                                  {std::move(roof.tank), m_.tank}}));
         }
         for (size_t i = 0; i < kNeonWords.size(); ++i)
             neonParts_.push_back(
-                part(fmt::format("neon {}", kNeonWords[i]), {{neonText(kNeonWords[i], 1.1f, 0.05f), neon_[i]}}));
+                part(fmt::format("neon {}", kNeonWords[i]), {{neonText(kNeonWords[i], 1.1f, 0.05f), m_.neon[i]}}));
     }
 
     void street() {
-        bracket_ = part("bracket", {{box({1.8f, 0.025f, 0.025f}), iron_}});
-        road_ = part("road", {{plane(glm::vec2(kCell / 2)), asphalt_}});
+        bracket_ = part("bracket", {{box({1.8f, 0.025f, 0.025f}), m_.iron}});
+        road_ = part("road", {{plane(glm::vec2(kCell / 2)), m_.asphalt}});
         const glm::vec3 block(kBlockHalf, kKerb / 2, kBlockHalf);
-        pavementPart_ = part("pavement", {{translated(boxSide(block, Side::PlusY), {0, kKerb / 2, 0}), pavement_},
-                                          {translated(kerbStones(block), {0, kKerb / 2, 0}), kerb_}});
-        dash_ = part("dash", {{plane({0.08f, 1.5f}), marking_}});
+        pavementPart_ = part("pavement", {{translated(boxSide(block, Side::PlusY), {0, kKerb / 2, 0}), m_.pavement},
+                                          {translated(kerbStones(block), {0, kKerb / 2, 0}), m_.kerb}});
+        dash_ = part("dash", {{plane({0.08f, 1.5f}), m_.marking}});
         Geometry stripes;
         for (int i = 0; i < 10; ++i)
             append(stripes, translated(plane({0.28f, 1.5f}), {(static_cast<float>(i) - 4.5f) * 1.12f, 0, 0}));
-        crossing_ = part("crossing", {{std::move(stripes), marking_}});
+        crossing_ = part("crossing", {{std::move(stripes), m_.marking}});
         StreetLamp lamp = streetLamp();
-        lamp_ = part("lamp", {{std::move(lamp.pole), iron_}, {std::move(lamp.head), lampHead_}});
+        lamp_ = part("lamp", {{std::move(lamp.pole), m_.iron}, {std::move(lamp.head), m_.lampHead}});
         const Car shape = car();
-        for (const int paint : paints_)
+        for (const int paint : m_.paints)
             cars_.push_back(part("car", {{shape.body, paint},
-                                         {shape.windows, carGlass_},
-                                         {shape.tyres, tyre_},
-                                         {shape.rims, rim_},
-                                         {shape.headlamps, headlamp_},
-                                         {shape.tailLamps, tailLamp_}}));
-        for (uint32_t i = 0; i < leaves_.size(); ++i) {
+                                         {shape.windows, m_.carGlass},
+                                         {shape.tyres, m_.tyre},
+                                         {shape.rims, m_.rim},
+                                         {shape.headlamps, m_.headlamp},
+                                         {shape.tailLamps, m_.tailLamp}}));
+        for (uint32_t i = 0; i < m_.leaves.size(); ++i) {
             Tree t = tree(1200 + i);
-            trees_.push_back(part("tree", {{std::move(t.trunk), bark_}, {std::move(t.leaves), leaves_[i]}}));
+            trees_.push_back(part("tree", {{std::move(t.trunk), m_.bark}, {std::move(t.leaves), m_.leaves[i]}}));
         }
-        bollard_ = part("bollard", {{bollard(), iron_}});
-        binPart_ = part("bin", {{litterBin(), bin_}});
-        hydrant_ = part("hydrant", {{hydrant(), red_}});
+        bollard_ = part("bollard", {{bollard(), m_.iron}});
+        binPart_ = part("bin", {{litterBin(), m_.bin}});
+        hydrant_ = part("hydrant", {{hydrant(), m_.red}});
         for (const bool go : {false, true}) {
             TrafficLight light = trafficLight();
-            const int dark = iron_;
+            const int dark = m_.iron;
             signals_.push_back(
-                part(go ? "traffic light, go" : "traffic light, stop", {{std::move(light.housing), iron_},
-                                                                        {std::move(light.red), go ? dark : stop_},
-                                                                        {std::move(light.amber), amber_},
-                                                                        {std::move(light.green), go ? go_ : dark}}));
+                part(go ? "traffic light, go" : "traffic light, stop", {{std::move(light.housing), m_.iron},
+                                                                        {std::move(light.red), go ? dark : m_.stop},
+                                                                        {std::move(light.amber), m_.amber},
+                                                                        {std::move(light.green), go ? m_.go : dark}}));
         }
     }
 
@@ -437,7 +294,7 @@ private:
             Light light;
             light.name = "lamp";
             light.type = LightType::Spot;
-            light.color = kSodium;
+            light.color = kLampColor;
             light.intensity = 170;
             light.innerConeAngle = glm::radians(35.f);
             light.outerConeAngle = glm::radians(72.f);
@@ -448,7 +305,7 @@ private:
             Light light;
             light.name = "neon glow";
             light.type = LightType::Point;
-            light.color = kNeon[i % kNeon.size()];
+            light.color = kNeonColors[i % kNeonColors.size()];
             light.intensity = 7;
             light.range = 25;
             const glm::vec3 at(i % 2 == 0 ? -kRoadHalf - 1.5f : kRoadHalf + 1.5f, 4.2f,
@@ -460,18 +317,10 @@ private:
     static constexpr uint32_t kStoreyKinds = 6; ///< of each style: two colours, three patterns of lit windows
 
     SceneBuilder b_;
+    CityMaterials m_;
     size_t asked_;
     size_t triangles_ = 0;
     std::vector<glm::vec3> lamps_; ///< where they shine
-
-    int asphalt_ = -1, pavement_ = -1, kerb_ = -1, marking_ = -1, plant_ = -1, tank_ = -1, iron_ = -1, lampHead_ = -1;
-    int carGlass_ = -1, tyre_ = -1, rim_ = -1, headlamp_ = -1, tailLamp_ = -1, bark_ = -1, red_ = -1, bin_ = -1;
-    int stop_ = -1, amber_ = -1, go_ = -1;
-    std::array<std::array<int, 2>, kFacadeStyles> walls_ = {};
-    std::array<int, kFacadeStyles> trims_ = {}, frames_ = {};
-    std::array<int, 3> glasses_ = {}, roofs_ = {};
-    std::array<int, 4> neon_ = {};
-    std::vector<int> rooms_, shopWindows_, signs_, awnings_, paints_, leaves_;
 
     std::array<std::vector<Part>, kFacadeStyles> storeys_;
     std::vector<Part> shops_, roofParts_, neonParts_, cars_, trees_, signals_;

@@ -24,21 +24,48 @@ struct Opening {
 };
 
 struct StyleShape {
-    int bays;        ///< on each side
+    int bays = 1;    ///< on each side
     Opening opening; ///< in a bay, whose middle is x = 0
-    int columns;     ///< panes
-    int rows;
-    bool sill, lintel, pilaster, balcony, ledge;
-    float lit; ///< share of the windows
+    int columns = 1; ///< panes
+    int rows = 1;
+    float lit = 0.3f; ///< share of the windows
+    bool sill = false;
+    bool lintel = false;
+    bool pilaster = false;
+    bool balcony = false;
+    bool ledge = false;
 };
 
 constexpr std::array<StyleShape, kFacadeStyles> kStyles = {{
-    {6, {{-0.6f, 0.75f}, {0.6f, 2.65f}}, 2, 3, true, true, false, false, false, 0.3f},
-    {5, {{-0.85f, 0.15f}, {0.85f, 2.6f}, 0.3f}, 2, 2, false, true, false, true, false, 0.35f},
-    {5, {{-0.75f, 0.7f}, {0.75f, 2.7f}, 0.3f}, 2, 2, true, false, true, false, true, 0.25f},
-    {6, {{-1.42f, 0.25f}, {1.42f, 3.2f}, 0.08f}, 3, 3, false, false, false, false, true, 0.5f},
-    {4, {{-1.7f, 0.9f}, {1.7f, 2.6f}, 0.15f}, 4, 1, true, true, false, false, false, 0.35f},
-    {7, {{-0.55f, 0.5f}, {0.55f, 2.8f}, 0.45f}, 1, 2, false, false, true, false, false, 0.3f},
+    {.bays = 6, .opening = {{-0.6f, 0.75f}, {0.6f, 2.65f}}, .columns = 2, .rows = 3, .sill = true, .lintel = true},
+    {.bays = 5,
+     .opening = {{-0.85f, 0.15f}, {0.85f, 2.6f}, 0.3f},
+     .columns = 2,
+     .rows = 2,
+     .lit = 0.35f,
+     .lintel = true,
+     .balcony = true},
+    {.bays = 5,
+     .opening = {{-0.75f, 0.7f}, {0.75f, 2.7f}, 0.3f},
+     .columns = 2,
+     .rows = 2,
+     .lit = 0.25f,
+     .sill = true,
+     .pilaster = true,
+     .ledge = true},
+    {.bays = 6,
+     .opening = {{-1.42f, 0.25f}, {1.42f, 3.2f}, 0.08f},
+     .columns = 3,
+     .rows = 3,
+     .lit = 0.5f,
+     .ledge = true},
+    {.bays = 4,
+     .opening = {{-1.7f, 0.9f}, {1.7f, 2.6f}, 0.15f},
+     .columns = 4,
+     .lit = 0.35f,
+     .sill = true,
+     .lintel = true},
+    {.bays = 7, .opening = {{-0.55f, 0.5f}, {0.55f, 2.8f}, 0.45f}, .rows = 2, .pilaster = true},
 }};
 
 void rectangle(Geometry& to, const glm::vec2& from, const glm::vec2& end, float z = 0) {
@@ -158,20 +185,19 @@ Storey windowStorey(int style, uint32_t seed) {
 
 ShopStorey shopStorey(uint32_t seed) {
     constexpr float kDoorHalf = 0.6f;
-    const float sideHalf = kBuildingHalf;
     const Opening hole = {{-7.2f, 0.5f}, {5.2f, 3.0f}, -0.04f}; // the windows are flush with the wall
     const Opening door = {{6.1f, 0.02f}, {6.1f + 2 * kDoorHalf, 2.5f}, 0};
     ShopStorey out;
     for (int side = 0; side < 4; ++side) {
         Geometry wall, trim, bars, awning, window, sign;
-        rectangle(wall, {-sideHalf, 0}, {hole.from.x, kShopHeight});
+        rectangle(wall, {-kBuildingHalf, 0}, {hole.from.x, kShopHeight});
         rectangle(wall, {hole.from.x, 0}, {hole.to.x, hole.from.y});
         rectangle(wall, {hole.from.x, hole.to.y}, {hole.to.x, kShopHeight});
-        rectangle(wall, {hole.to.x, 0}, {sideHalf, kShopHeight});
+        rectangle(wall, {hole.to.x, 0}, {kBuildingHalf, kShopHeight});
         softBlock(trim, {hole.center().x, hole.from.y, 0.03f}, {hole.half().x + 0.1f, 0.06f, 0.14f});
-        softBlock(trim, {0, kShopHeight - 0.12f, 0.1f}, {sideHalf + 0.15f, 0.14f, 0.22f});
-        softBlock(trim, {-sideHalf + 0.3f, kShopHeight / 2, 0.05f}, {0.28f, kShopHeight / 2, 0.1f});
-        softBlock(trim, {sideHalf - 0.3f, kShopHeight / 2, 0.05f}, {0.28f, kShopHeight / 2, 0.1f});
+        softBlock(trim, {0, kShopHeight - 0.12f, 0.1f}, {kBuildingHalf + 0.15f, 0.14f, 0.22f});
+        softBlock(trim, {-kBuildingHalf + 0.3f, kShopHeight / 2, 0.05f}, {0.28f, kShopHeight / 2, 0.1f});
+        softBlock(trim, {kBuildingHalf - 0.3f, kShopHeight / 2, 0.05f}, {0.28f, kShopHeight / 2, 0.1f});
         picture(window, hole.from, hole.to, 0.02f);
         casement(bars, hole, 5, 1);
         block(bars, {door.center(), 0.03f}, {kDoorHalf, door.half().y, 0.04f});

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace glint::scene::builtin {
 
@@ -14,15 +13,6 @@ namespace {
 /// [0, 1]: 1 where water stands.
 float water(const glm::vec2& uv, uint32_t seed, float low, float high) {
     return glm::smoothstep(low, high, 0.5f + 0.5f * fractalNoise(uv * 5.f, 5, seed, 4));
-}
-
-std::vector<float> heightsOf(int size, const std::function<float(const glm::vec2& uv)>& at) {
-    std::vector<float> heights;
-    heights.reserve(static_cast<size_t>(size) * static_cast<size_t>(size));
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            heights.push_back(at((glm::vec2(x, y) + 0.5f) / static_cast<float>(size)));
-    return heights;
 }
 
 } // namespace
@@ -64,10 +54,6 @@ GroundImages wetPavement(int size) {
         normalMap("pavement normals",
                   heightsOf(size, [&](const glm::vec2& uv) { return 1 - joint(tileAt(uv, kSlabs)); }), size, 0.002f);
     return out;
-}
-
-std::vector<float> brickHeights(int size, uint32_t seed) {
-    return blockHeights(size, 4, 12, seed);
 }
 
 Image litRoom(const std::string& name, int size, uint32_t seed) {

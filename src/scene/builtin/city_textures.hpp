@@ -1,4 +1,4 @@
-// Images of builtin:city: wet asphalt, pavement, brick, what lit windows show, signs, leaves. All repeat without a
+// Images of builtin:city: wet asphalt, pavement, what lit windows show, signs, leaves. All repeat without a
 // seam.
 #pragma once
 
@@ -15,9 +15,6 @@ struct GroundImages {
 GroundImages wetAsphalt(int size);
 /// Square slabs, wet where they are worn.
 GroundImages wetPavement(int size);
-
-/// Bricks in running bond as heights in [0, 1]; `blockColors` and `normalMap` take them.
-std::vector<float> brickHeights(int size, uint32_t seed);
 
 /// What a window shows at night: a lit room between curtains. Emission.
 Image litRoom(const std::string& name, int size, uint32_t seed);

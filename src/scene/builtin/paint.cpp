@@ -35,6 +35,15 @@ Image paint(const std::string& name, int size, bool srgb, const std::function<gl
     return image;
 }
 
+std::vector<float> heightsOf(int size, const std::function<float(const glm::vec2& uv)>& at) {
+    std::vector<float> heights;
+    heights.reserve(static_cast<size_t>(size) * static_cast<size_t>(size));
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x)
+            heights.push_back(at((glm::vec2(x, y) + 0.5f) / static_cast<float>(size)));
+    return heights;
+}
+
 TilePoint tileAt(const glm::vec2& uv, int tiles) {
     const glm::vec2 scaled = uv * static_cast<float>(tiles);
     const glm::vec2 cell = glm::floor(scaled);

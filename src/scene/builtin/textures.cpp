@@ -67,21 +67,15 @@ Image checker(const std::string& name, int size, int squares, const glm::vec3& a
 }
 
 std::vector<float> blockHeights(int size, int columns, int rows, uint32_t seed) {
-    std::vector<float> heights;
-    heights.reserve(static_cast<size_t>(size) * static_cast<size_t>(size));
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / static_cast<float>(size);
-            const float row = std::floor(uv.y * static_cast<float>(rows));
-            const float across = uv.x * static_cast<float>(columns) + (std::fmod(row, 2.f) == 0 ? 0.f : 0.5f);
-            const glm::vec2 inside(across - std::floor(across), uv.y * static_cast<float>(rows) - row);
-            // Distances to the block's edges in image widths, so that joints have the same width in both directions.
-            const glm::vec2 edge = glm::min(inside, 1.f - inside) / glm::vec2(columns, rows);
-            const float face = glm::smoothstep(0.f, 0.012f, std::min(edge.x, edge.y));
-            heights.push_back(face * (0.85f + 0.15f * fractalNoise(uv * 24.f, 24, seed, 4)));
-        }
-    }
-    return heights;
+    return heightsOf(size, [&](const glm::vec2& uv) {
+        const float row = std::floor(uv.y * static_cast<float>(rows));
+        const float across = uv.x * static_cast<float>(columns) + (std::fmod(row, 2.f) == 0 ? 0.f : 0.5f);
+        const glm::vec2 inside(across - std::floor(across), uv.y * static_cast<float>(rows) - row);
+        // Distances to the block's edges in image widths, so that joints have the same width in both directions.
+        const glm::vec2 edge = glm::min(inside, 1.f - inside) / glm::vec2(columns, rows);
+        const float face = glm::smoothstep(0.f, 0.012f, std::min(edge.x, edge.y));
+        return face * (0.85f + 0.15f * fractalNoise(uv * 24.f, 24, seed, 4));
+    });
 }
 
 Image normalMap(const std::string& name, const std::vector<float>& heights, int size, float depth) {
