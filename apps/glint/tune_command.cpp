@@ -251,7 +251,7 @@ void addTuneCommand(CLI::App& program, Command& chosen) {
         ->allow_extra_args(false);
     addDeviceOptions(*command, options->scene);
     command->add_option("--resume", options->resume,
-                        "State file: written after every generation; if it exists, the search goes on from it");
+                        "State file: written every few seconds; if it exists, the search goes on from it");
     command->add_option("-o,--output", options->output, "Write the chosen settings, for --settings");
     command->add_option("--json", options->json, "Write the whole curve as JSON; - prints it instead of the text");
     command->callback([&chosen, options] { chosen = [options] { return tuneScenes(*options); }; });

@@ -36,7 +36,6 @@ public:
         GLINT_CHECK(climb(true));
         GLINT_CHECK(climb(false));
         GLINT_TRY(population, firstPopulation());
-        GLINT_CHECK(generationDone());
         while (outcome_.generations < plan_.generations && (!hooks_.mayGoOn || hooks_.mayGoOn())) {
             const uint32_t generation = outcome_.generations + 1;
             begin(generation, plan_.population);
@@ -44,7 +43,6 @@ public:
                                            [this](const Genes& genes) { return tryGenes(genes); }));
             population = std::move(next);
             outcome_.generations = generation;
-            GLINT_CHECK(generationDone());
         }
         return std::move(outcome_);
     }
@@ -244,8 +242,6 @@ private:
         if (hooks_.progress)
             hooks_.progress(progress_);
     }
-
-    Result<void> generationDone() { return hooks_.generationDone ? hooks_.generationDone() : Result<void>(); }
 
     /// A setting that was moved alone.
     struct Move {

@@ -37,10 +37,8 @@ struct SearchProgress {
 };
 
 struct SearchHooks {
-    /// A candidate that costs more than `mostCost` may be given up: infinite figures.
+    /// A candidate that costs more than `mostCost` may be given up: infinite figures. An error ends the search.
     std::function<Result<Evaluation>(const Settings& settings, double mostCost)> evaluate;
-    /// Called after every generation, and once before the first; may be empty. An error ends the search.
-    std::function<Result<void>()> generationDone;
     /// Asked between generations; may be empty: then all are made.
     std::function<bool()> mayGoOn;
     std::function<void(const SearchProgress&)> progress; ///< may be empty

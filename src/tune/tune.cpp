@@ -9,6 +9,8 @@
 namespace glint::tune {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// More points than these say no more: the curve is thinned to them.
@@ -45,15 +47,14 @@ public:
 
 private:
     Result<void> search() {
-        const auto started = std::chrono::steady_clock::now();
+        const auto started = Clock::now();
         SearchHooks hooks;
         hooks.evaluate = [this](const Settings& settings, double mostCost) {
             return evaluate(settings, ViewSet::Search, mostCost);
         };
-        hooks.generationDone = [this] { return save(); };
         if (plan_.seconds)
             hooks.mayGoOn = [this, started] {
-                const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started;
+                const std::chrono::duration<double> passed = Clock::now() - started;
                 return passed.count() < *plan_.seconds;
             };
         hooks.progress = hooks_.progress;
@@ -281,6 +282,7 @@ private:
             return *known;
         GLINT_TRY(evaluation, evaluator_.evaluate(settings, set, mostCost));
         store_.add(settings, set, evaluation);
+        GLINT_CHECK(saveNowAndThen());
         return evaluation;
     }
 
@@ -289,10 +291,20 @@ private:
             return *known;
         GLINT_TRY(timing, evaluator_.time(settings, plan_.timedFrames));
         store_.addTiming(settings, timing);
+        GLINT_CHECK(saveNowAndThen());
         return timing;
     }
 
-    Result<void> save() const { return plan_.stateFile.empty() ? Result<void>() : store_.save(plan_.stateFile); }
+    Result<void> save() {
+        saved_ = Clock::now();
+        return plan_.stateFile.empty() ? Result<void>() : store_.save(plan_.stateFile);
+    }
+
+    /// Before the first generation alone there are a hundred evaluations.
+    Result<void> saveNowAndThen() {
+        const std::chrono::duration<double> passed = Clock::now() - saved_;
+        return passed.count() < plan_.secondsPerSave ? Result<void>() : save();
+    }
 
     void working(const std::string& what) const {
         if (hooks_.working)
@@ -303,6 +315,7 @@ private:
     const TuneHooks& hooks_;
     Evaluator evaluator_;
     EvaluationStore store_;
+    Clock::time_point saved_ = Clock::now();
     std::vector<Tried> tried_;
     Settings choice_;
     Figures start_;

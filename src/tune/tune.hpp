@@ -24,7 +24,8 @@ struct TunePlan {
     SearchPlan search;
     TuneTarget target;
     std::string startName;
-    std::string stateFile;         ///< read if it exists, written after every generation; empty: none
+    std::string stateFile;         ///< read if it exists, and written again and again; empty: none
+    double secondsPerSave = 10;    ///< writing takes milliseconds, an evaluation up to a minute
     std::optional<double> seconds; ///< no generation begins later
     uint32_t timedFrames = 10;     ///< for the times in the result
 };

@@ -60,13 +60,23 @@ TEST(Tune, AnInterruptedSearchEndsAsOneThatWasNot) {
     const TempFolder folder;
     const tune::TuneResult whole = must(tune::tuneSettings(*context, smallPlan(2), {}));
 
-    // Killed after the first generation: the file that was written then is all that is left.
+    // Killed twice, among the settings that are tried alone and after the first generation: the files that were there
+    // then are all that is left.
     tune::TunePlan plan = smallPlan(1);
     plan.stateFile = folder + "state.json";
-    must(tune::tuneSettings(*context, plan, {}));
-    plan.search.generations = 2;
-    const tune::TuneResult resumed = must(tune::tuneSettings(*context, plan, {}));
-    EXPECT_EQ(figuresOf(resumed), figuresOf(whole));
+    plan.secondsPerSave = 0;
+    const std::string early = folder + "early.json";
+    const auto keepEarly = [&](const tune::SearchProgress& progress) {
+        if (progress.generation == 0 && progress.tried == 5)
+            std::filesystem::copy_file(plan.stateFile, early);
+    };
+    must(tune::tuneSettings(*context, plan, {.progress = keepEarly, .working = {}}));
+    for (const std::string& left : {early, plan.stateFile}) {
+        plan.stateFile = left;
+        plan.search.generations = 2;
+        const tune::TuneResult resumed = must(tune::tuneSettings(*context, plan, {}));
+        EXPECT_EQ(figuresOf(resumed), figuresOf(whole)) << left;
+    }
     for (const std::string& message : context->validationMessages())
         ADD_FAILURE() << "validation: " << message;
 
