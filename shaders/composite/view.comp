@@ -3,6 +3,9 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "denoise/changed_light.glsl"
+#include "denoise/lobe_history.glsl"
+#include "denoise/sent_ray.glsl"
 #include "generate/pixel_ray.glsl"
 #include "frame/prepared.glsl"
 #include "lib/camera.glsl"
@@ -26,8 +29,13 @@ layout(set = 0, binding = 9) uniform sampler2D probesAnswer;
 layout(set = 0, binding = 10) uniform sampler2D planarAnswer;
 layout(set = 0, binding = 11) uniform sampler2D refracted;         // one texel without layers
 layout(set = 0, binding = 12) uniform sampler2D refractionWeights;
+layout(set = 0, binding = 13) uniform usampler2D sentRay; // this and the following: if `denoised`
+layout(set = 0, binding = 14) uniform sampler2D historyMeta;
+layout(set = 0, binding = 15) uniform sampler2D historyMetaBefore;
+layout(set = 0, binding = 16) uniform sampler2D changed; // of the previous frame's tiles: denoise/change.comp
 layout(push_constant, scalar) uniform PushBlock {
     uint shownView; // kView*
+    uint denoised;
 };
 
 /// A colour a source, that of the heaviest; black where none answered.
@@ -64,6 +72,20 @@ float hitDepth(RayRecord ray) {
     ivec2 px = min(ivec2(ray.hitUV * frame.constants.size), ivec2(frame.constants.size) - 1);
     float z = texelFetch(viewZ, px, 0).r;
     return z < kBackgroundZ ? z : 0.0;
+}
+
+/// Share of the previous frame's mean at this pixel that counts no more.
+float historyGivenUp(ivec2 px) {
+    if (!hasLobeHistory() || any(greaterThanEqual(px, ivec2(frame.constants.prevSize))))
+        return 0.0;
+    float frames = texelFetch(historyMetaBefore, px, 0).x;
+    return frames > 0.0 ? 1.0 - framesKept(frames, lightChange(changed, vec2(px) + 0.5)) / frames : 0.0;
+}
+
+float raySent(ivec2 px) {
+    const float kAwaits = 0.25;
+    SentRay ray = unpackSentRay(texelFetch(sentRay, px, 0).xy);
+    return ray.sent ? 1.0 : ray.awaits ? kAwaits : 0.0;
 }
 
 void main() {
@@ -154,6 +176,15 @@ void main() {
     case kViewRefractionWeights:
         if (all(lessThan(px, textureSize(refractionWeights, 0))))
             value.rgb = texelFetch(refractionWeights, px, 0).rgb;
+        break;
+    case kViewHistoryFrames:
+        value.rgb = vec3(denoised != 0u ? texelFetch(historyMeta, px, 0).x : 0.0);
+        break;
+    case kViewAntilag:
+        value.rgb = vec3(denoised != 0u ? historyGivenUp(px) : 0.0);
+        break;
+    case kViewRaySent:
+        value.rgb = vec3(denoised != 0u ? raySent(px) : 0.0);
         break;
     case kViewRay:
         value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));

@@ -5,6 +5,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "denoise/changed_light.glsl"
+#include "denoise/lobe_history.glsl"
 #include "denoise/lobe_surface.glsl"
 #include "lib/color.glsl"
 #include "lib/half.glsl"
@@ -64,17 +66,12 @@ float residualAt(vec3 end, vec3 position, vec3 normal) {
 
 /// Shortens the history where light has changed, and takes the long mean to where the short one is.
 void forgetOldLight(vec2 at, inout Candidate found) {
-    const float kPower = 10.0; // with a tenth changed a third of the frames count
-    const float kTile = float(kSentinelTile);
-    vec2 last = (ceil(frame.constants.prevSize / kTile) - 0.5) * kTile; // no tile lies beyond
-    vec3 change = textureLod(changed, min(at, last) / (vec2(textureSize(changed, 0)) * kTile), 0.0).rgb;
-    found.meta.x *= pow(1.0 - change.r, kPower);
-    float lag = change.g;
-    float toShort = mix(1.0, change.b, lag);
+    vec3 change = lightChange(changed, at);
+    float toShort = mix(1.0, change.b, change.g);
     found.mean.rgb *= toShort;
     found.scaled = toShort;
     found.meta.yz *= vec2(toShort, square(toShort));
-    found.meta.x = mix(found.meta.x, min(found.meta.x, settings.fastFrames), lag);
+    found.meta.x = framesKept(found.meta.x, change);
 }
 
 Candidate lookUp(Was was, vec2 at) {
@@ -226,7 +223,7 @@ void main() {
     }
     vec4 answer = texelFetch(reused, px, 0);
     LobeSurface here = lobeSurfaceAt(px);
-    bool hasHistory = settings.historyExpected != 0u && settings.historyTag == settings.historyExpected;
+    bool hasHistory = hasLobeHistory();
     if (learnt == 0.0 && hasHistory && wasInFrame(px))
         near = texelFetch(metaBefore, px, 0).w; // places the sample of the history that this frame keeps
     float brightness = luminance(answer.rgb);

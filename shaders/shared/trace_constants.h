@@ -111,7 +111,10 @@ GLINT_CONSTANT(uint, kViewPlanar, 21);
 GLINT_CONSTANT(uint, kViewWeightPlanar, 22);
 GLINT_CONSTANT(uint, kViewRefraction, 23);
 GLINT_CONSTANT(uint, kViewRefractionWeights, 24);
-GLINT_CONSTANT(uint, kViewCount, 25);
+GLINT_CONSTANT(uint, kViewHistoryFrames, 25);
+GLINT_CONSTANT(uint, kViewAntilag, 26);
+GLINT_CONSTANT(uint, kViewRaySent, 27);
+GLINT_CONSTANT(uint, kViewCount, 28);
 
 GLINT_SHARED_END
 

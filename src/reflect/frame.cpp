@@ -198,9 +198,12 @@ gpu::Image& FrameStages::recordView(VkCommandBuffer commands, uint32_t view) {
     gpu::Frame frame(stages_.gpu, commands);
     bringUpToDate(frame);
     const bool layers = recorded_ && expectsLayers();
-    gpu::Image& image = views_->record(
-        frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), layers ? refraction_.get() : nullptr},
-        view);
+    const bool denoised = ranPasses_ && denoisesLobes();
+    gpu::Image& image =
+        views_->record(frame,
+                       {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(),
+                        layers ? refraction_.get() : nullptr, denoised ? lobeDenoise_->history() : std::nullopt},
+                       view);
     frame.hand(image, kHandedOut);
     outputs_.giveBack(frame);
     host_.giveBack(frame);

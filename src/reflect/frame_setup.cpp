@@ -292,7 +292,7 @@ Result<void> FrameStages::rehearse() {
         recordLayer(frame, layer);
     }
     if (views_)
-        views_->rehearse(frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), nullptr});
+        views_->rehearse(frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), nullptr, {}});
     if (inspector_)
         inspector_->rehearse(frame, inspectorInputs());
     if (checker_)

@@ -44,6 +44,10 @@ constexpr std::array kViews = {
     ViewInfo{"weightPlanar", ViewKind::Fraction, "Y", "share of the planar mirrors"},
     ViewInfo{"refraction", ViewKind::Radiance, "RGB", "radiance that comes through the nearest transparent layer"},
     ViewInfo{"refractionWeights", ViewKind::Fraction, "RGB", "where it is from: screen, probes, sky"},
+    ViewInfo{"historyFrames", ViewKind::Count, "Y", "frames that the denoised answer is a mean of"},
+    ViewInfo{"antilag", ViewKind::Fraction, "Y", "share of the last mean's frames given up because light changed"},
+    ViewInfo{"raySent", ViewKind::Fraction, "Y",
+             "white: a ray was sent from here and denoised, grey: its neighbours' rays are taken"},
     ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
 };
 

@@ -2,6 +2,7 @@
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace glint::test {
@@ -37,6 +38,7 @@ protected:
     std::vector<double> play(Antilag antilag, const std::function<SurfaceMaterial(uint32_t)>& panel, uint32_t frames,
                              uint32_t first, double step = 0) {
         pictures_.clear();
+        givenUp_.clear();
         SurfaceScene scene = scene_;
         SurfaceScene::World world = scene.build(gpu(), library(), RayBackend::Bvh);
         Reflections made = reflections(kWidth, kHeight, denoised(antilag));
@@ -56,18 +58,19 @@ protected:
             View view = camera.view(kWidth, kHeight);
             view.frameIndex = frame;
             pictures_.push_back(trace(made, view));
+            EXPECT_GT(meanOf(pictures_.back().reflection), 0);
+            givenUp_.push_back(meanOf(readView(made, "antilag")));
             if (frame >= first)
-                means.push_back(meanOf(pictures_.back()));
+                means.push_back(meanOf(pictures_.back().reflection));
         }
         return means;
     }
 
-    static double meanOf(const Picture& picture) {
+    static double meanOf(const std::vector<float>& rgba) {
         double sum = 0;
-        for (size_t i = 0; i < picture.pixels(); ++i)
-            sum += picture.reflection[i * 4];
-        EXPECT_GT(sum, 0);
-        return sum / static_cast<double>(picture.pixels());
+        for (size_t i = 0; i < rgba.size(); i += 4)
+            sum += rgba[i];
+        return sum / (static_cast<double>(rgba.size()) / 4);
     }
 
     /// The share of a change that shows in each frame from `kFrames` on, the first one after it.
@@ -87,7 +90,23 @@ protected:
     int fastFrames_ = 6;
     SurfaceScene scene_;
     std::vector<Picture> pictures_; ///< of the last play
+    std::vector<double> givenUp_;   ///< of its frames: share of the history, in the mean over all pixels
 };
+
+TEST_F(AntilagTest, aViewShowsWhatIsGivenUp) {
+    const auto panel = [&](uint32_t frame) { return frame < kFrames ? lit_ : blackMatte(); };
+    for (const Antilag antilag : {Antilag::Off, Antilag::Mean, Antilag::Gradient}) {
+        play(antilag, panel, kFrames + 8, 0);
+        for (uint32_t frame = 0; frame < kFrames; ++frame)
+            EXPECT_EQ(givenUp_[frame], 0) << frame;
+        const double most = *std::max_element(givenUp_.begin() + kFrames, givenUp_.end());
+        if (antilag == Antilag::Off)
+            EXPECT_EQ(most, 0);
+        else
+            EXPECT_GT(most, 0.1); // the floor is two fifths of the picture
+        EXPECT_EQ(givenUp_[kFrames] > 0.1, antilag == Antilag::Gradient) << "sentinels see it in the same frame";
+    }
+}
 
 TEST_F(AntilagTest, withoutItTheMeanLags) {
     EXPECT_LT(reaction(Antilag::Off, false).back(), 0.4); // eight of 32 frames

@@ -288,9 +288,7 @@ TEST_F(LobeDenoiseTest, whatWasHiddenHasNoHistory) {
         View view = cameraAt(0).view(kWidth, kHeight);
         view.frameIndex = index;
         trace(made, view);
-        HostImage meta;
-        run([&](VkCommandBuffer commands) { meta = must(made.recordView(commands, "denoise/accumulate:meta")); });
-        frames = download(gpu(), meta);
+        frames = readView(made, "historyFrames");
     };
     for (uint32_t i = 0; i < 6; ++i)
         frame(withCard(0), i);
@@ -307,6 +305,47 @@ TEST_F(LobeDenoiseTest, whatWasHiddenHasNoHistory) {
     }
     EXPECT_GT(uncovered, 20u);
     EXPECT_GT(kept, 1500u);
+}
+
+TEST_F(LobeDenoiseTest, viewsShowWhichPixelsSendRaysAndHowManyFramesCount) {
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), roughFloor(0.5f), cameraAt(0), kWidth, kHeight);
+    for (const auto& [rate, share] : {std::pair(RayRate::Full, 1.0), {RayRate::Checkerboard, 0.5}}) {
+        Settings settings = denoised();
+        settings.reuse.rate = rate;
+        Reflections made = reflections(kWidth, kHeight, settings);
+        must(made.setInputs(host.gbuffer));
+        View view = cameraAt(0).view(kWidth, kHeight);
+        for (view.frameIndex = 0; view.frameIndex < 4; ++view.frameIndex)
+            trace(made, view);
+        const std::vector<float> frames = readView(made, "historyFrames");
+        const std::vector<float> rays = readView(made, "raySent");
+        const std::vector<float> roughness = readView(made, "roughness");
+        size_t sent = 0;
+        size_t floor = 0;
+        for (size_t i = 0; i < rays.size(); i += 4) {
+            if (std::abs(roughness[i] - 0.5f) > 0.01f) { // nothing is reflected there
+                EXPECT_EQ(rays[i], 0) << i / 4;
+                EXPECT_EQ(frames[i], 0) << i / 4;
+                continue;
+            }
+            ++floor;
+            sent += rays[i] == 1 ? 1 : 0;
+            EXPECT_TRUE(rays[i] == 1 || rays[i] == 0.25f) << rays[i];
+            if (rate == RayRate::Full) {
+                EXPECT_NEAR(frames[i], 4, 0.02) << i / 4; // stored as halves, rounded at random
+            }
+        }
+        ASSERT_GT(floor, 1000u);
+        EXPECT_NEAR(static_cast<double>(sent) / static_cast<double>(floor), share, 0.1);
+        settings.denoise.enabled = false;
+        must(made.setSettings(settings));
+        trace(made, view);
+        for (const char* name : {"historyFrames", "antilag", "raySent"}) {
+            const std::vector<float> none = readView(made, name);
+            for (size_t i = 0; i < none.size(); ++i)
+                ASSERT_EQ(none[i], i % 4 == 3 ? 1 : 0) << name; // alpha
+        }
+    }
 }
 
 TEST_F(LobeDenoiseTest, whatIsNoNumberDoesNotStay) {

@@ -3,10 +3,19 @@
 #include "reflect/trace/technique.hpp"
 
 namespace glint::reflect {
+namespace {
+
+/// The push constants of composite/view.comp.
+struct Shown {
+    uint32_t view;
+    uint32_t denoised;
+};
+
+} // namespace
 
 Result<std::unique_ptr<Views>> Views::create(StageContext& stages) {
     std::unique_ptr<Views> views(new Views(stages));
-    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"composite/view", sizeof(uint32_t), {}}));
+    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"composite/view", sizeof(Shown), {}}));
     views->pass_ = std::move(pass);
     GLINT_TRY(show, gpu::Pipeline::compute(stages.gpu, {"composite/show", 0, {}}));
     GLINT_TRY(showIntegers, gpu::Pipeline::compute(stages.gpu, {"composite/show_integers", 0, {}}));
@@ -38,6 +47,7 @@ void Views::rehearse(gpu::Frame& frame, const ViewInputs& inputs) {
 gpu::Image& Views::record(gpu::Frame& frame, const ViewInputs& inputs, uint32_t view) {
     const Prepared& prepared = inputs.hierarchy.prepared;
     gpu::Image& black = inputs.hierarchy.frame.standIns.black;
+    const LobeHistory history = inputs.history.value_or(LobeHistory{inputs.rayRecord, black, black, black});
     const Reflected reflected = inputs.sources.reflected();
     frame.pass(pass_)
         .read("frame", inputs.hierarchy.frame.constants)
@@ -52,8 +62,12 @@ gpu::Image& Views::record(gpu::Frame& frame, const ViewInputs& inputs, uint32_t 
         .read("probesAnswer", inputs.sources.answerOf(shared::kSourceProbes, inputs.hierarchy))
         .read("refracted", inputs.refraction ? inputs.refraction->refracted() : black)
         .read("refractionWeights", inputs.refraction ? inputs.refraction->weights() : black)
+        .read("sentRay", history.sentRay)
+        .read("historyMeta", history.meta)
+        .read("historyMetaBefore", history.metaBefore, kTexels)
+        .read("changed", history.changed)
         .write("view", image_)
-        .push(view)
+        .push(Shown{view, inputs.history ? 1u : 0u})
         .dispatch(stages_.extent.x, stages_.extent.y);
     return image_;
 }

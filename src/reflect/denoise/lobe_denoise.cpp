@@ -142,8 +142,18 @@ void LobeDenoise::copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset)
         history_.copyTag(frame, target, offset);
 }
 
+std::optional<LobeHistory> LobeDenoise::history() {
+    if (!recorded_)
+        return std::nullopt;
+    return LobeHistory{sentRay_, history_.now(kMeta), history_.before(kMeta), *shownChange_};
+}
+
 gpu::Image& LobeDenoise::rayRates() {
     return history_.before(kRates);
+}
+
+gpu::Image& LobeDenoise::metaBefore() {
+    return history_.before(kMeta);
 }
 
 void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
@@ -191,6 +201,7 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     gpu::Image& answer = stages_.desc.views ? answer_ : noisy_; // what gather wrote is read no more then
     gather(frame, inputs);
     gpu::Image& changed = findChange(frame, inputs);
+    shownChange_ = &changed;
     const auto begin = [&](const gpu::Pipeline& pipeline) {
         gpu::Pass pass = frame.pass(pipeline);
         pass.read("frame", inputs.frame.constants)

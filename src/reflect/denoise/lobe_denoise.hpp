@@ -7,6 +7,7 @@
 #include "shared/denoise_constants.h"
 
 #include <functional>
+#include <optional>
 
 namespace glint::reflect {
 
@@ -20,6 +21,14 @@ struct LobeDenoiseInputs {
     bool raysFirst;
     /// Records the pass that follows the sentinels (denoise.antilag gradient); empty: there are none.
     std::function<void(gpu::Frame& frame, const SentinelImages& images)> followSentinels;
+};
+
+/// What the last frame's denoising decided, for views.
+struct LobeHistory {
+    gpu::Image& sentRay;    ///< denoise/sent_ray.glsl
+    gpu::Image& meta;       ///< of the mean: denoise/accumulate.comp
+    gpu::Image& metaBefore; ///< of the previous frame's
+    gpu::Image& changed;    ///< denoise/change.comp
 };
 
 /// Created when settings first enable it.
@@ -42,8 +51,12 @@ public:
 
     /// The previous frame's decision of how many rough pixels send a ray.
     gpu::Image& rayRates();
+    /// What the previous frame's mean is of: frames, luminance, nearness (denoise/accumulate.comp).
+    gpu::Image& metaBefore();
     /// Returns the joined, denoised answer.
     gpu::Image& record(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    /// Empty if the frame denoised nothing.
+    std::optional<LobeHistory> history();
     /// Ends the frame. One in which neither screen nor rays took part leaves no history.
     void end(gpu::Frame& frame) { history_.end(frame, recorded_ ? HistoryReset::None : HistoryReset::NotLight); }
 
@@ -62,15 +75,16 @@ private:
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
     gpu::Pipeline rate_;
-    gpu::Image noisy_;          ///< RGBA16F: weight * radiance, weight, of one ray; then the answer
-    gpu::Image reused_;         ///< as noisy_, with the rays of neighbours; absent if the screen's image serves
-    gpu::Image sentRay_;        ///< RG32UI: denoise/sent_ray.glsl
-    gpu::Image reusedMeta_;     ///< RG16F: denoise/reuse.comp
-    gpu::Image hitMotion_;      ///< R32UI: lib/packed_motion.glsl
-    gpu::Image reusedMotion_;   ///< RGBA16F: denoise/reuse.comp
-    gpu::Image sentinelChange_; ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
-    gpu::Image changed_;        ///< RGBA16F, a texel for each tile: denoise/change.comp
-    gpu::Image answer_;         ///< RGBA16F: radiance, weight; with views, which also show noisy_
+    gpu::Image noisy_;                  ///< RGBA16F: weight * radiance, weight, of one ray; then the answer
+    gpu::Image reused_;                 ///< as noisy_, with the rays of neighbours; absent if the screen's image serves
+    gpu::Image sentRay_;                ///< RG32UI: denoise/sent_ray.glsl
+    gpu::Image reusedMeta_;             ///< RG16F: denoise/reuse.comp
+    gpu::Image hitMotion_;              ///< R32UI: lib/packed_motion.glsl
+    gpu::Image reusedMotion_;           ///< RGBA16F: denoise/reuse.comp
+    gpu::Image sentinelChange_;         ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
+    gpu::Image changed_;                ///< RGBA16F, a texel for each tile: denoise/change.comp
+    gpu::Image answer_;                 ///< RGBA16F: radiance, weight; with views, which also show noisy_
+    gpu::Image* shownChange_ = nullptr; ///< changed_, or black: what the last frame read
     History history_;
     bool hasSentinels_ = false;     ///< history_ has room for them
     bool recorded_ = false;         ///< in this frame

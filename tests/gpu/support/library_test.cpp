@@ -79,6 +79,12 @@ Reflections LibraryTest::reflections(uint32_t width, uint32_t height, const Sett
     return must(Reflections::create(library(), desc));
 }
 
+std::vector<float> LibraryTest::readView(Reflections& reflections, std::string_view name) {
+    HostImage image;
+    run([&](VkCommandBuffer commands) { image = must(reflections.recordView(commands, name)); });
+    return download(gpu(), image);
+}
+
 Picture LibraryTest::trace(Reflections& reflections, const View& view) {
     HostImage composite;
     run([&](VkCommandBuffer commands) { composite = reflections.record(commands, view); });
@@ -88,17 +94,12 @@ Picture LibraryTest::trace(Reflections& reflections, const View& view) {
     picture.composite = download(gpu(), composite);
     picture.statistics = reflections.statistics();
     picture.passTimes = reflections.passTimes();
-    const auto show = [&](const char* name) {
-        HostImage image;
-        run([&](VkCommandBuffer commands) { image = must(reflections.recordView(commands, name)); });
-        return download(gpu(), image);
-    };
-    picture.reflection = show("reflection");
-    picture.weight = show("weight");
-    picture.hitUV = show("hitUV");
-    picture.hitDistance = show("hitDistance");
-    picture.lookups = show("lookups");
-    picture.outcomeColor = show("outcome");
+    picture.reflection = readView(reflections, "reflection");
+    picture.weight = readView(reflections, "weight");
+    picture.hitUV = readView(reflections, "hitUV");
+    picture.hitDistance = readView(reflections, "hitDistance");
+    picture.lookups = readView(reflections, "lookups");
+    picture.outcomeColor = readView(reflections, "outcome");
     return picture;
 }
 

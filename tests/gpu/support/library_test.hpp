@@ -62,6 +62,8 @@ protected:
     /// Limits the marcher's iterations, by the setting for its own limit; adaptive has none.
     static void limitIterations(Settings& settings, int most);
     static Reflections reflections(uint32_t width, uint32_t height, const Settings& settings = plainSettings());
+    /// A view of the last recorded frame, RGBA.
+    static std::vector<float> readView(Reflections& reflections, std::string_view name);
     /// Records one frame and reads all of its results.
     static Picture trace(Reflections& reflections, const View& view);
     static Picture trace(const SyntheticScene& scene, const SyntheticCamera& camera, uint32_t width, uint32_t height,
