@@ -11,6 +11,7 @@
 
 #include "rays/path.glsl"
 
+#include "denoise/lobe_history.glsl"
 #include "lib/packed_motion.glsl"
 #include "rays/hit_motion.glsl"
 
@@ -22,6 +23,7 @@ layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D raysRadianceWeig
 layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(set = 0, binding = 11, rgba32f) uniform image2D raysSum;  // all samples: weighted radiance, known weight
 layout(set = 0, binding = 12, r32f) uniform image2D raysWeights; // all samples: weight (both: kRaysAccumulate)
+layout(set = 0, binding = 27) uniform sampler2D metaBefore; // denoise/accumulate.comp's; one black texel without
 
 /// A path whose first hit is the hit of the screen's ray.
 Path pathFromScreen(PixelRays from, RayRecord screen, uint i, float regularization) {
@@ -50,6 +52,15 @@ Path pathFromScreen(PixelRays from, RayRecord screen, uint i, float regularizati
 }
 
 // ---------------------------------------------------------------- a pixel
+
+/// Frames in the mean that the denoiser will join this pixel's answer to: those of the mean that the previous frame left
+/// here. In motion the mean comes from some pixels away, where it is as long unless there is an edge between them.
+float framesBefore(PixelRays from) {
+    if (!hasLobeHistory() || isMirror(from.perceptualRoughness))
+        return 0.0;
+    float frames = texelFetch(metaBefore, ivec2(from.uv * frame.constants.prevSize), 0).x;
+    return min(frames, frame.settings.denoise.historyFrames - 1.0);
+}
 
 /// True if the first hit of this pixel's only path is in the screen's answer.
 bool startsOnScreen(bool mirror, RayRecord screen) {
@@ -88,6 +99,7 @@ void main() {
     bool lights =
         isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
+    float meanOver = 1.0 + framesBefore(from);
     for (uint i = 0u; i < samples; ++i) {
         Direction first = samplePixel(from, i);
         bool middle = first.weight <= 0.0 && i + 1u == samples && weights == 0.0 && !isOn(kRaysAccumulate);
@@ -98,7 +110,7 @@ void main() {
         if (first.weight <= 0.0 && !lights)
             continue;
         weights += first.weight;
-        float regularization = regularizationOf(settings.regularization, weights);
+        float regularization = regularizationOf(settings.regularization, max(weights, 1.0) * meanOver);
         Path path = fromScreen
                         ? pathFromScreen(from, screen, i, regularization)
                         : startPath(from.originWS, first.ws, from.cone, from.perceptualRoughness, regularization);

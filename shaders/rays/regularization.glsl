@@ -35,9 +35,9 @@ PathSpread reflected(PathSpread spread, float bend, float perceptualRoughness) {
     return PathSpread(spread.width, length(vec2(before, lobeAngle(perceptualRoughness))));
 }
 
-/// Fraction of the spread that sample number `count` of a mean is blurred by; `first` is the first sample's. The
-/// squared bias of the mean falls with count^(-4x) and its variance with count^(2x - 1), x the exponent: both equally
-/// fast at x = 1/6.
+/// Fraction of the spread that sample number `count` of a mean is blurred by; `first` is the first sample's. The squared
+/// bias of the mean falls with count^(-4x) and its variance with count^(2x - 1), x the exponent: both equally fast at
+/// x = 1/6.
 float regularizationOf(float first, float count) {
     return first * pow(max(count, 1.0), -1.0 / 6.0);
 }

@@ -18,7 +18,7 @@ struct RaysConstants {
     uint lightCount;
     float reuseRoughness;
     uint before;            ///< bit s: source s (shared/hierarchy.h) is asked before this one
-    float regularization;   ///< of the first sample
+    float regularization;   ///< of a mean's first sample
     uint instancesBefore;   ///< instances that the previous frame had; 0: nobody asks what moved
     uint transparents;      ///< most transparent surfaces in a path
     float3 transparentsLow; ///< world box of all transparent surfaces

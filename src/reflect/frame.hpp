@@ -55,8 +55,12 @@ public:
     /// Inputs that every pass reads, for passes outside the frame.
     FrameInputs inputs() {
         StandIns standIns = tables_->standIns();
-        return {block_->buffer(), block_->values(), host_.images, standIns,
-                denoisesLobes() ? lobeDenoise_->rayRates() : standIns.black};
+        return {block_->buffer(),
+                block_->values(),
+                host_.images,
+                standIns,
+                denoisesLobes() ? lobeDenoise_->rayRates() : standIns.black,
+                denoisesLobes() ? lobeDenoise_->metaBefore() : standIns.black};
     }
 
     const rays::Scene* rayScene() const { return rayScene_; }

@@ -25,7 +25,8 @@ struct FrameInputs {
     const shared::FrameConstants& values;
     Inputs& host;
     StandIns standIns;
-    gpu::Image& rayRates; ///< R8: denoise/ray_rate.glsl
+    gpu::Image& rayRates;    ///< R8: denoise/ray_rate.glsl
+    gpu::Image& historyMeta; ///< RGBA16F, of the previous frame's mean: denoise/accumulate.comp
 };
 
 /// `prepare`: the G-buffer in Glint's own conventions.

@@ -2,6 +2,7 @@
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
 
+#include <cmath>
 #include <numeric>
 
 namespace glint::test {
@@ -17,8 +18,8 @@ struct Errors {
 
 class RaysRegularizationTest : public LibraryTest {
 protected:
-    void build(float wallRoughness) {
-        scene_.addQuad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, whiteMetal(0.4f));
+    void build(float wallRoughness, float floorRoughness = 0.4f) {
+        scene_.addQuad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, whiteMetal(floorRoughness));
         scene_.addQuad({-3, 0, -3}, {6, 0, 0}, {0, 4, 0}, whiteMetal(wallRoughness));
         SurfaceLight light;
         light.kind = SurfaceLightKind::Point;
@@ -55,6 +56,29 @@ protected:
         for (view.frameIndex = 0; view.frameIndex + 1 < frames; ++view.frameIndex)
             run([&](VkCommandBuffer commands) { reflections.record(commands, view); });
         return trace(reflections, view).reflection;
+    }
+
+    /// What the last frame adds to the denoiser's mean.
+    std::vector<float> lastOf(uint32_t frames, float regularization, float historySeconds) {
+        Settings settings;
+        settings.screen.enabled = false;
+        settings.rays.enabled = true;
+        settings.rays.bounces = 3;
+        settings.rays.regularization = regularization;
+        settings.denoise.enabled = true;
+        settings.denoise.historySeconds = historySeconds;
+        settings.reuse.rate = RayRate::Full;
+        Reflections reflections = LibraryTest::reflections(kWidth, kHeight, settings);
+        must(reflections.setInputs(gbuffer_.gbuffer));
+        must(reflections.setRays(world_->rays, world_->surfaces));
+        View view = camera_.view(kWidth, kHeight);
+        for (view.frameIndex = 0; view.frameIndex < frames; ++view.frameIndex)
+            run([&](VkCommandBuffer commands) { reflections.record(commands, view); });
+        std::vector<float> noisy = readView(reflections, "denoise/gather:noisy");
+        const std::vector<float> sent = readView(reflections, "raySent");
+        for (size_t i = 0; i < noisy.size(); ++i)
+            noisy[i] = sent[i - i % 4] == 1 ? noisy[i] : 0; // nothing is written elsewhere
+        return noisy;
     }
 
     static Errors compare(const std::vector<float>& found, const std::vector<float>& truth) {
@@ -104,6 +128,23 @@ TEST_F(RaysRegularizationTest, theBlurVanishesAsSamplesAddUp) {
     const Errors many = compare(picture(1, 256, 32, 2), truth);
     std::cout << "256 samples: " << few.mean << ", 8192: " << many.mean << "\n";
     EXPECT_LT(many.mean, few.mean / 2); // the squared bias falls by 32^(2/3) = 10, and noise with it
+}
+
+TEST_F(RaysRegularizationTest, aHistoryOfFramesCountsAsSamples) {
+    build(0.15f);
+    const std::vector<float> without = lastOf(4, 1, 0);
+    const Errors ofHistory = compare(lastOf(4, 1, 0.5f), without);
+    const Errors ofSamples = compare(lastOf(4, std::pow(4.f, -1.f / 6), 0), without);
+    EXPECT_GT(ofHistory.mean, 0);
+    EXPECT_NEAR(ofHistory.mean, ofSamples.mean, 0.01 * ofSamples.mean);
+    EXPECT_EQ(lastOf(1, 1, 0.5f), lastOf(1, 1, 0)); // a first frame has no history
+}
+
+TEST_F(RaysRegularizationTest, aMirrorHasNoHistory) {
+    build(0.4f, 0); // from the floor to the wall, and back to a light in the floor
+    const std::vector<float> blurred = lastOf(4, 1, 0.5f);
+    EXPECT_EQ(blurred, lastOf(4, 1, 0));
+    EXPECT_NE(blurred, lastOf(4, 0.5f, 0));
 }
 
 } // namespace

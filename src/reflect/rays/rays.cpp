@@ -264,6 +264,7 @@ void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool s
         .read("screenRecord", inputs.screenRecord)
         .read("material", inputs.prepared.material, kTexels)
         .read("instancesBefore", instancesBefore_)
+        .read("metaBefore", inputs.frame.historyMeta, kTexels)
         .read("litRadiance", host.litRadiance, kTexels)
         .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
