@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "feed_files.hpp"
 #include "frames_option.hpp"
 #include "measure/sequence.hpp"
 #include "motion_option.hpp"
@@ -36,6 +37,7 @@ struct SequenceOptions {
     int64_t stop = -1; ///< -1: never
     double fps = 60;
     std::string output;
+    std::string dump;             ///< folder; empty: none
     int64_t referenceSamples = 0; ///< 0: no reference
     std::string reference = "reference";
     int64_t warmUp = -1; ///< -1: chosen by warmUpFrames
@@ -43,7 +45,8 @@ struct SequenceOptions {
 
     /// Figures cost a second rendering, so frames alone do without.
     bool measures() const {
-        return output.empty() || !json.empty() || referenceSamples > 0 || std::ranges::any_of(configs, namesFrames);
+        return (output.empty() && dump.empty()) || !json.empty() || referenceSamples > 0 ||
+               std::ranges::any_of(configs, namesFrames);
     }
 };
 
@@ -123,6 +126,15 @@ Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceO
     return std::optional<measure::ComparedConfig>(std::move(reference));
 }
 
+/// The feed of --dump, and the views that it needs.
+Result<std::optional<FeedFiles>> sequenceFeed(const SequenceOptions& options, measure::SequencePlan& plan) {
+    if (options.dump.empty())
+        return std::optional<FeedFiles>();
+    GLINT_TRY(feed, FeedFiles::create(options.dump, plan));
+    plan.views = measure::feedViews();
+    return std::optional<FeedFiles>(std::move(feed));
+}
+
 /// Writes the frames of a sequence as they come.
 class FrameFiles {
 public:
@@ -197,16 +209,23 @@ Result<void> runSequence(const SequenceOptions& options) {
     plan.reference = std::move(reference);
     GLINT_TRY(stored, sequenceStored(options));
     plan.stored = std::move(stored);
+    GLINT_TRY(feed, sequenceFeed(options, plan));
     GLINT_TRY(files, FrameFiles::create(options.output, plan.configs, plan.stored));
     GLINT_CHECK(files.makeFolders());
+    if (feed)
+        GLINT_CHECK(feed->makeFolders());
     measure::SequenceCallbacks callbacks;
     callbacks.frame = [&](const measure::SequenceFrame& frame) { return files.write(frame); };
+    if (feed)
+        callbacks.views = [&](const measure::SequenceViews& views) { return feed->write(views); };
     callbacks.progress = showSequenceProgress;
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
     GLINT_TRY(sequence, measure::renderSequence(*context, plan, callbacks));
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());
+    if (feed)
+        GLINT_CHECK(feed->writeDescriptions(sequence));
     files.makeVideos(options.fps);
     if (!plan.measure) {
         for (const measure::SequenceConfig& config : sequence.configs)
@@ -256,6 +275,9 @@ void addSequenceCommand(CLI::App& program, Command& chosen) {
     command->add_option("-o,--output", options->output,
                         "Frames to write, as DIR/frame_%04d.png (and a video, with ffmpeg) or .exr; several configs "
                         "have a folder each");
+    command->add_option("--dump", options->dump,
+                        "Folder for what a denoiser reads of every frame: DIR/seed-N/0000.exr and so on, and "
+                        "sequence.json; of the only config, with both seeds if there are figures");
     command->callback([&chosen, options] { chosen = [options] { return runSequence(*options); }; });
 }
 
