@@ -4,6 +4,8 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "feed_files.hpp"
+#include "frames_option.hpp"
 #include "measure/sequence.hpp"
 #include "motion_option.hpp"
 #include "render_options.hpp"
@@ -16,7 +18,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 
 namespace glint::cli {
 namespace {
@@ -33,13 +37,17 @@ struct SequenceOptions {
     int64_t stop = -1; ///< -1: never
     double fps = 60;
     std::string output;
+    std::string dump;             ///< folder; empty: none
     int64_t referenceSamples = 0; ///< 0: no reference
     std::string reference = "reference";
     int64_t warmUp = -1; ///< -1: chosen by warmUpFrames
     std::string json;
 
     /// Figures cost a second rendering, so frames alone do without.
-    bool measures() const { return output.empty() || !json.empty() || referenceSamples > 0; }
+    bool measures() const {
+        return (output.empty() && dump.empty()) || !json.empty() || referenceSamples > 0 ||
+               std::ranges::any_of(configs, namesFrames);
+    }
 };
 
 Result<measure::SequencePath> sequencePath(const SequenceOptions& options) {
@@ -87,10 +95,28 @@ Result<std::vector<measure::ComparedConfig>> sequenceConfigs(const SequenceOptio
         configs.push_back({std::move(name), std::move(job)});
     }
     for (const std::string& text : options.configs) {
-        GLINT_TRY(job, makeConfigJob(scene, scene.scene, text));
+        // Frames from files have no settings: those of the preset `balanced` draw the surfaces.
+        GLINT_TRY(job, namesFrames(text) ? makeRenderJob(scene) : makeConfigJob(scene, scene.scene, text));
         configs.push_back({text, std::move(job)});
     }
     return configs;
+}
+
+/// The configs whose frames are files, by index.
+Result<std::map<size_t, measure::StoredFrames>> sequenceStored(const SequenceOptions& options) {
+    std::map<size_t, measure::StoredFrames> stored;
+    for (size_t i = 0; i < options.configs.size(); ++i) {
+        const std::string& text = options.configs[i];
+        if (!namesFrames(text))
+            continue;
+        GLINT_TRY(frames, openFrames(text, static_cast<uint32_t>(options.frames)));
+        if (frames.seeds() == 1 && options.referenceSamples == 0)
+            return invalidArgument("--config {}: frames of one seed have no figures without a reference: state "
+                                   "--reference-samples, or {}A/%04d.exr:B/%04d.exr with two seeds",
+                                   printable(text), kFramesPrefix);
+        stored.emplace(i, std::move(frames));
+    }
+    return stored;
 }
 
 Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceOptions& options) {
@@ -100,25 +126,36 @@ Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceO
     return std::optional<measure::ComparedConfig>(std::move(reference));
 }
 
+/// The feed of --dump, and the views that it needs.
+Result<std::optional<FeedFiles>> sequenceFeed(const SequenceOptions& options, measure::SequencePlan& plan) {
+    if (options.dump.empty())
+        return std::optional<FeedFiles>();
+    GLINT_TRY(feed, FeedFiles::create(options.dump, plan));
+    plan.views = measure::feedViews();
+    return std::optional<FeedFiles>(std::move(feed));
+}
+
 /// Writes the frames of a sequence as they come.
 class FrameFiles {
 public:
-    /// `configs`: names; each of several has a folder of its own. Errors: NotFound if there is no folder for the
-    /// frames' own.
-    static Result<FrameFiles> create(const std::string& output, const std::vector<measure::ComparedConfig>& configs) {
+    /// `configs`: names; each of several has a folder of its own. Configs in `stored` are files already. Errors:
+    /// NotFound if there is no folder for the frames' own.
+    static Result<FrameFiles> create(const std::string& output, const std::vector<measure::ComparedConfig>& configs,
+                                     const std::map<size_t, measure::StoredFrames>& stored) {
         FrameFiles files;
         if (output.empty())
             return files;
         GLINT_TRY(pattern, FramePattern::parse(output));
         GLINT_CHECK(checkFolder("-o", pattern.folder()));
         for (size_t i = 0; i < configs.size(); ++i)
-            files.patterns_.push_back(configs.size() == 1 ? pattern
-                                                          : pattern.inFolder(configFileName(i, configs[i].name)));
+            if (!stored.contains(i))
+                files.patterns_.emplace(i, configs.size() == 1 ? pattern
+                                                               : pattern.inFolder(configFileName(i, configs[i].name)));
         return files;
     }
 
     Result<void> makeFolders() const {
-        for (const FramePattern& pattern : patterns_) {
+        for (const auto& [config, pattern] : patterns_) {
             std::error_code error;
             if (!pattern.folder().empty())
                 std::filesystem::create_directories(pattern.folder(), error);
@@ -131,13 +168,13 @@ public:
     Result<void> write(const measure::SequenceFrame& frame) const {
         if (patterns_.empty())
             return {};
-        const FramePattern& pattern = patterns_[frame.config];
+        const FramePattern& pattern = patterns_.at(frame.config);
         return writeFrame(pattern.path(frame.index), pattern.kind(), frame);
     }
 
     /// A missing ffmpeg is not an error: the frames are the result, the video a convenience.
     void makeVideos(double fps) const {
-        for (const FramePattern& pattern : patterns_) {
+        for (const auto& [config, pattern] : patterns_) {
             if (pattern.kind() != PictureKind::Png)
                 continue;
             const auto made = writeVideo(pattern, fps);
@@ -149,7 +186,7 @@ public:
     }
 
 private:
-    std::vector<FramePattern> patterns_;
+    std::map<size_t, FramePattern> patterns_; ///< by index of the config
 };
 
 void showSequenceProgress(const std::string& what, uint32_t done, uint32_t frames) {
@@ -170,16 +207,25 @@ Result<void> runSequence(const SequenceOptions& options) {
     plan.warmUp = warmUpFrames(options);
     GLINT_TRY(reference, sequenceReference(options));
     plan.reference = std::move(reference);
-    GLINT_TRY(files, FrameFiles::create(options.output, plan.configs));
+    GLINT_TRY(stored, sequenceStored(options));
+    plan.stored = std::move(stored);
+    GLINT_TRY(feed, sequenceFeed(options, plan));
+    GLINT_TRY(files, FrameFiles::create(options.output, plan.configs, plan.stored));
     GLINT_CHECK(files.makeFolders());
+    if (feed)
+        GLINT_CHECK(feed->makeFolders());
     measure::SequenceCallbacks callbacks;
     callbacks.frame = [&](const measure::SequenceFrame& frame) { return files.write(frame); };
+    if (feed)
+        callbacks.views = [&](const measure::SequenceViews& views) { return feed->write(views); };
     callbacks.progress = showSequenceProgress;
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
     GLINT_TRY(sequence, measure::renderSequence(*context, plan, callbacks));
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());
+    if (feed)
+        GLINT_CHECK(feed->writeDescriptions(sequence));
     files.makeVideos(options.fps);
     if (!plan.measure) {
         for (const measure::SequenceConfig& config : sequence.configs)
@@ -207,7 +253,9 @@ void addSequenceCommand(CLI::App& program, Command& chosen) {
     command->add_option("--stop", options->stop, "The camera stands still from this frame on");
     command->add_option("--frames", options->frames, "Frames to render")->capture_default_str();
     command->add_option("--fps", options->fps, "Frames per second of the scene's clock")->capture_default_str();
-    CLI::Option* const config = command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false);
+    CLI::Option* const config =
+        command->add_option("--config", options->configs, fmt::format("{}; or {}", kConfigHelp, kFramesHelp))
+            ->allow_extra_args(false);
     addSceneOptions(*command, options->scene);
     addSourceOptions(*command, options->scene);
     command->add_option("--size", options->scene.size,
@@ -227,6 +275,9 @@ void addSequenceCommand(CLI::App& program, Command& chosen) {
     command->add_option("-o,--output", options->output,
                         "Frames to write, as DIR/frame_%04d.png (and a video, with ffmpeg) or .exr; several configs "
                         "have a folder each");
+    command->add_option("--dump", options->dump,
+                        "Folder for what a denoiser reads of every frame: DIR/seed-N/0000.exr and so on, and "
+                        "sequence.json; of the only config, with both seeds if there are figures");
     command->callback([&chosen, options] { chosen = [options] { return runSequence(*options); }; });
 }
 

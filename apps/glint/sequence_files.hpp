@@ -12,7 +12,8 @@ namespace glint::cli {
 /// "out/frame_%04d.png": a path with the number of the frame in it.
 class FramePattern {
 public:
-    /// Errors: InvalidArgument if `text` has no %d or %0Nd, or more than one %, or ends in neither .png nor .exr.
+    /// Errors: InvalidArgument, naming `-o`, if `text` has no %d or %0Nd, or more than one %, or ends in neither .png
+    /// nor .exr.
     static Result<FramePattern> parse(const std::string& text);
 
     PictureKind kind() const { return kind_; }

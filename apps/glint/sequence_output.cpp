@@ -107,6 +107,12 @@ SequenceJson figuresJson(const std::vector<measure::MotionFigures>& figures) {
 SequenceJson sequenceConfigJson(const measure::SequenceConfig& config) {
     SequenceJson json;
     json["name"] = config.name;
+    if (config.storedSeeds > 0) {
+        json["storedSeeds"] = config.storedSeeds;
+        json["figures"] = figuresJson(config.figures);
+        json["notes"] = config.notes;
+        return json;
+    }
     json["preset"] = config.settings.preset;
     json["raysPerPixel"] = config.raysPerPixel;
     json["effectMs"] = config.times.total().median;
@@ -160,8 +166,12 @@ std::string sequenceText(const measure::Sequence& sequence) {
         fmt::format("{}, {} frames of {}x{} at {} frames per second, {}; {}\n", sequence.scene, sequence.frames,
                     sequence.width, sequence.height, sequence.fps, sequence.device, clockWords(sequence.software));
     for (const measure::SequenceConfig& config : sequence.configs) {
-        text += fmt::format("\n{}: {:.2f} rays per pixel, {:.2f} ms, {:.2f} (95 %)\n", config.name, config.raysPerPixel,
-                            config.times.total().median, config.times.total().p95);
+        if (config.storedSeeds > 0)
+            text += fmt::format("\n{}: frames from files, {}\n", config.name,
+                                config.storedSeeds == 1 ? "one seed" : "two seeds");
+        else
+            text += fmt::format("\n{}: {:.2f} rays per pixel, {:.2f} ms, {:.2f} (95 %)\n", config.name,
+                                config.raysPerPixel, config.times.total().median, config.times.total().p95);
         if (!config.figures.empty())
             text += fmt::format("  {:<17}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>14}{:>14}{:>9}{:>9}{:>9}{:>9}\n",
                                 "", "relMSE", "bias", "noise", "flicker", "swim", "tPSNR", "lag90", "lag99", "trail4",

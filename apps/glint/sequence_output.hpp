@@ -12,6 +12,7 @@ std::string sequenceText(const measure::Sequence& sequence);
 ///  "configs": [{"name", "preset", "raysPerPixel", "effectMs", "effectMs95", "passes": [{"name", "ms", "ms95"}],
 ///               "figures": {"reflection" and "composite": {"mirror", "glossy", "rough", "all": band}},
 ///               "notes", "settings"}]}
+/// A config whose frames are files: {"name", "storedSeeds", "figures", "notes"}.
 /// A band: {"pixels", "relMse", "bias", "noise", "flicker", "swim", "sharp", "energy", "fireflies": {"mean", "p95",
 /// "standardError"}, "tPsnr", "trail": 16 and "ghost": 32 of {"share", "standardError"}, "ghostError": [32], "heal",
 /// "disoccluded", "lag90" and "lag99": {"mean", "reached", "steps"}, "steps": [{"frame", "lag90", "lag99", "overshoot",

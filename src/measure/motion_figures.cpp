@@ -1,5 +1,7 @@
 #include "measure/motion_figures.hpp"
 
+#include <limits>
+
 namespace glint::measure {
 
 void MotionMeter::add(const MotionFrame& frame, const SurfaceMotion& motion) {
@@ -20,6 +22,16 @@ MotionFigures MotionMeter::figures() const {
     for (size_t band = 0; band <= kBands; ++band)
         figures[band] = {error_.figures(band), flicker_.figures(band), trail_.figures(band), ghost_.figures(band),
                          steps_.figures(band)};
+    return figures;
+}
+
+MotionFigures ofOneSeed(MotionFigures figures) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    constexpr SeriesFigure kUnknownSeries = {kUnknown, kUnknown, kUnknown};
+    for (MotionBandFigures& band : figures) {
+        band.error.bias = band.error.noise = band.error.sharp = kUnknownSeries;
+        band.flicker.flicker = band.flicker.swim = kUnknownSeries;
+    }
     return figures;
 }
 

@@ -41,4 +41,8 @@ private:
     StepMeter steps_;
 };
 
+/// The figures of frames that were given as both seeds: those that need two are NaN. The relative error keeps its
+/// meaning, since its noise then is part of the first product.
+MotionFigures ofOneSeed(MotionFigures figures);
+
 } // namespace glint::measure

@@ -1,5 +1,7 @@
 #include "measure/sequence.hpp"
 
+#include "base/assert.hpp"
+#include "base/text.hpp"
 #include "measure/radiance_film.hpp"
 #include "measure/surface_motion.hpp"
 #include "render/run_job.hpp"
@@ -42,6 +44,29 @@ Result<void> checkMemory(const SequencePlan& plan, const render::JobInputs& inpu
     return {};
 }
 
+Result<void> checkStored(const SequencePlan& plan, const render::JobInputs& inputs) {
+    for (const auto& [config, stored] : plan.stored) {
+        GLINT_ASSERT(config < plan.configs.size() && plan.measure && stored.frames() >= plan.frames,
+                     "config {}: {} stored frames of {}", config, stored.frames(), plan.frames);
+        if (stored.width() != inputs.width || stored.height() != inputs.height)
+            return invalidInput("{}: frames of {}x{}, but the sequence has {}x{}: state --size {}x{}, or other frames",
+                                printable(plan.configs[config].name), stored.width(), stored.height(), inputs.width,
+                                inputs.height, stored.width(), stored.height());
+        for (size_t seed = 0; seed < stored.seeds(); ++seed) // takes seconds, and the reference minutes
+            for (uint32_t frame = 0; frame < plan.frames; ++frame)
+                GLINT_CHECK(stored.read(seed, frame));
+    }
+    return {};
+}
+
+/// The settings with no source of reflections: enough for the surfaces of a frame.
+render::ProgramSettings surfacesAlone(render::ProgramSettings settings) {
+    Settings& reflections = settings.reflections;
+    reflections.screen.enabled = reflections.rays.enabled = reflections.planar.enabled = false;
+    reflections.probes.enabled = reflections.sky.enabled = reflections.denoise.enabled = false;
+    return settings;
+}
+
 /// Implements renderSequence: the reference, then config by config, on one session.
 class Sequencer {
 public:
@@ -55,7 +80,7 @@ public:
         if (plan_.reference)
             GLINT_CHECK(renderReference());
         for (size_t i = 0; i < plan_.configs.size(); ++i)
-            GLINT_CHECK(renderConfig(i));
+            GLINT_CHECK(plan_.stored.contains(i) ? readConfig(i) : renderConfig(i));
         return std::move(result_);
     }
 
@@ -104,23 +129,75 @@ private:
         done.settings = config.job.settings;
         GLINT_CHECK(session_.setSettings(config.job.settings));
         Films films;
-        GLINT_CHECK(renderFrames(config, config.job.seed, [&](uint32_t frame, Views& views) {
+        GLINT_CHECK(renderFrames(index, config.job.seed, [&](uint32_t frame, Views& views) {
             return keepFrame(index, frame, views, films, done);
         }));
         done.raysPerPixel /= double(plan_.frames) * result_.width * result_.height;
         done.notes = session_.notes();
         if (plan_.measure) {
             std::vector<MotionMeter> meters(kSignals, MotionMeter(plan_.warmUp, result_.steps));
-            GLINT_CHECK(renderFrames(config, config.job.seed + 1, [&](uint32_t frame, Views& views) -> Result<void> {
+            GLINT_CHECK(renderFrames(index, config.job.seed + 1, [&](uint32_t frame, Views& views) -> Result<void> {
                 for (size_t signal = 0; signal < kSignals; ++signal)
-                    meters[signal].add(motionFrame(frame, signal, films[signal], views[signal]),
-                                       surfaces_[frame].motion);
+                    meters[signal].add(
+                        motionFrame(frame, signal, {films[signal].frame(frame), radianceOf(views[signal].rgba)}),
+                        surfaces_[frame].motion);
                 return {};
             }));
             for (const MotionMeter& meter : meters)
                 done.figures.push_back(meter.figures());
         }
         result_.configs.push_back(std::move(done));
+        return {};
+    }
+
+    /// Measures stored frames. A signal that the files lack has no figures.
+    Result<void> readConfig(size_t index) {
+        const ComparedConfig& config = plan_.configs[index];
+        const StoredFrames& stored = plan_.stored.at(index);
+        GLINT_CHECK(seeSurfaces(config));
+        SequenceConfig done;
+        done.name = config.name;
+        done.settings = config.job.settings;
+        done.storedSeeds = stored.seeds();
+        std::vector<MotionMeter> meters(kSignals, MotionMeter(plan_.warmUp, result_.steps));
+        for (uint32_t frame = 0; frame < plan_.frames; ++frame) {
+            std::array<std::array<Radiance, 2>, kSignals> test;
+            for (size_t seed = 0; seed < 2; ++seed) {
+                if (seed >= stored.seeds()) {
+                    for (auto& signal : test)
+                        signal[seed] = signal[0];
+                    continue;
+                }
+                GLINT_TRY(picture, stored.read(seed, frame));
+                test[static_cast<size_t>(Signal::Reflection)][seed] = radianceOf(picture.reflection);
+                test[static_cast<size_t>(Signal::Composite)][seed] = radianceOf(picture.composite);
+            }
+            for (size_t signal = 0; signal < kSignals; ++signal)
+                if (!test[signal][0]->empty())
+                    meters[signal].add(motionFrame(frame, signal, test[signal]), surfaces_[frame].motion);
+            showProgress(config.name, frame);
+        }
+        for (const MotionMeter& meter : meters)
+            done.figures.push_back(stored.seeds() == 1 ? ofOneSeed(meter.figures()) : meter.figures());
+        if (stored.seeds() == 1)
+            done.notes.emplace_back("frames of one seed: bias, noise, flicker, swim and sharp are unknown");
+        result_.configs.push_back(std::move(done));
+        return {};
+    }
+
+    /// Draws what the frames show, unless an earlier config has.
+    Result<void> seeSurfaces(const ComparedConfig& config) {
+        if (surfaces_.front().bands)
+            return {};
+        GLINT_CHECK(session_.setSettings(surfacesAlone(config.job.settings)));
+        GLINT_CHECK(session_.restart(config.job.seed));
+        GLINT_CHECK(standAtStart());
+        for (uint32_t frame = 0; frame < plan_.frames; ++frame) {
+            GLINT_CHECK(moveTo(frame));
+            GLINT_TRY(times, session_.renderFrame(frame));
+            GLINT_CHECK(readSurfaces(frame));
+            showProgress("surfaces", frame);
+        }
         return {};
     }
 
@@ -152,20 +229,20 @@ private:
         return {};
     }
 
-    MotionFrame motionFrame(uint32_t frame, size_t signal, const RadianceFilm& film,
-                            const render::RenderedView& view) const {
-        MotionFrame made{
-            result_.width, result_.height, {film.frame(frame), radianceOf(view.rgba)}, {}, surfaces_[frame].bands};
+    MotionFrame motionFrame(uint32_t frame, size_t signal, std::array<Radiance, 2> test) const {
+        MotionFrame made{result_.width, result_.height, std::move(test), {}, surfaces_[frame].bands};
         if (reference_)
             made.reference = reference_->frame(static_cast<Signal>(signal), frame);
         return made;
     }
 
     /// Renders every frame from the start, without history before the first.
-    Result<void> renderFrames(const ComparedConfig& config, uint32_t seed,
+    Result<void> renderFrames(size_t index, uint32_t seed,
                               const std::function<Result<void>(uint32_t frame, Views& views)>& use) {
+        const std::string& name = plan_.configs[index].name;
         GLINT_CHECK(session_.restart(seed));
         GLINT_CHECK(standAtStart());
+        SequenceMoment previous = {secondsOf(0), session_.view()};
         for (uint32_t frame = 0; frame < plan_.frames; ++frame) {
             GLINT_CHECK(moveTo(frame));
             GLINT_TRY(times, session_.renderFrame(frame));
@@ -176,9 +253,25 @@ private:
                 views[signal] = std::move(view);
             }
             GLINT_CHECK(use(frame, views));
-            showProgress(plan_.measure ? fmt::format("{}, seed {}", config.name, seed) : config.name, frame);
+            SequenceMoment now = {secondsOf(frame), session_.view()};
+            GLINT_CHECK(giveViews(index, seed, frame, now, previous));
+            previous = std::move(now);
+            showProgress(plan_.measure ? fmt::format("{}, seed {}", name, seed) : name, frame);
         }
         return {};
+    }
+
+    /// Reads the plan's further views of the frame.
+    Result<void> giveViews(size_t index, uint32_t seed, uint32_t frame, const SequenceMoment& now,
+                           const SequenceMoment& previous) {
+        if (plan_.views.empty() || !callbacks_.views)
+            return {};
+        std::vector<render::RenderedView> views;
+        for (const std::string& name : plan_.views) {
+            GLINT_TRY(view, session_.readView(name));
+            views.push_back(std::move(view));
+        }
+        return callbacks_.views({index, seed, frame, now, previous, views});
     }
 
     /// Draws the first frame's view once without reflections, so that the first frame shows no motion.
@@ -219,8 +312,11 @@ private:
 Result<Sequence> renderSequence(gpu::Context& context, const SequencePlan& plan, const SequenceCallbacks& callbacks) {
     render::RenderJob first = plan.configs.front().job;
     first.statistics = true;
+    if (plan.stored.contains(0)) // programs that it does not need take seconds to compile
+        first.settings = surfacesAlone(first.settings);
     GLINT_TRY(session, render::openJob(context, first));
     GLINT_CHECK(checkMemory(plan, session.inputs()));
+    GLINT_CHECK(checkStored(plan, session.inputs()));
     GLINT_TRY(path, makePath(plan, session.inputs()));
     return Sequencer(std::move(session), std::move(path), plan, callbacks).run(context);
 }

@@ -1,15 +1,18 @@
 // Moving pictures: renders a scene along a camera path, frame by frame, with one or more configurations, and measures
-// them against a reference (docs/motion.md).
+// them against a reference (docs/motion.md). The frames of a configuration may also come from files.
 #pragma once
 
 #include "gpu/context.hpp"
 #include "measure/comparison.hpp"
 #include "measure/motion_figures.hpp"
 #include "measure/sequence_reference.hpp"
+#include "measure/stored_frames.hpp"
 #include "scene/camera_path.hpp"
 
 #include <functional>
 #include <limits>
+#include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,9 @@ struct SequencePlan {
     double fps = 60;      ///< frames per second of the scene's and the camera's clock, > 0
     bool measure = false; ///< also compute figures: each config is rendered with two seeds
     uint32_t warmUp = 0;  ///< frames that count for no mean
+    /// By index of a config: frames to measure instead of rendering them, at least `frames`. Requires `measure`.
+    std::map<size_t, StoredFrames> stored;
+    std::vector<std::string> views; ///< further views, read of every rendered frame for SequenceCallbacks::views
     /// Measured against; its job's number of frames is averaged. Absent: few figures are known.
     std::optional<ComparedConfig> reference;
 };
@@ -44,9 +50,28 @@ struct SequenceFrame {
     const render::RenderedView& reflection;
 };
 
+/// When a frame shows the scene, and from where.
+struct SequenceMoment {
+    double seconds = 0; ///< of the scene's clock
+    render::View view;
+};
+
+/// Views of a rendered frame.
+struct SequenceViews {
+    size_t config = 0; ///< index in SequencePlan::configs
+    uint32_t seed = 0;
+    uint32_t index = 0;
+    const SequenceMoment& now;
+    const SequenceMoment& previous;              ///< of the frame before; the first frame's own
+    std::span<const render::RenderedView> views; ///< in the order of SequencePlan::views
+};
+
 struct SequenceCallbacks {
-    /// Receives the frames in order; may be empty. With RenderJob::display of the first config, also as displayed.
+    /// Receives the frames of the first seed in order; may be empty. With RenderJob::display of the first config, also
+    /// as displayed. Stored frames are not given.
     std::function<Result<void>(const SequenceFrame&)> frame;
+    /// Receives the views of each frame, seed by seed; may be empty.
+    std::function<Result<void>(const SequenceViews&)> views;
     std::function<void(const std::string& what, uint32_t done, uint32_t frames)> progress; ///< may be empty
 };
 
@@ -56,6 +81,7 @@ struct SequenceConfig {
     std::vector<std::string> notes;
     EffectTimes times;
     double raysPerPixel = 0;            ///< screen rays and rays through triangles, mean over the frames
+    size_t storedSeeds = 0;             ///< not 0: the frames come from files; then no settings, times and rays
     std::vector<MotionFigures> figures; ///< by Signal; empty unless measured
 };
 
@@ -77,8 +103,8 @@ struct Sequence {
 
 /// The first frame shows the scene at the first config's time; frame i shows it i / fps seconds later. The same plan
 /// gives the same bits on one device and driver. Sudden changes are the keys of the scene's stepped animations. Errors:
-/// those of the scene's readers, the device and the callbacks; InvalidArgument if so many frames do not fit into
-/// memory.
+/// those of the scene's readers, the device, the callbacks and StoredFrames; InvalidArgument if so many frames do not
+/// fit into memory; InvalidInput for stored frames of another size.
 Result<Sequence> renderSequence(gpu::Context& context, const SequencePlan& plan, const SequenceCallbacks& callbacks);
 
 } // namespace glint::measure

@@ -4,6 +4,16 @@
 #include "render/lending.hpp"
 
 namespace glint::render {
+namespace {
+
+/// A view that is an image of the host, as it is; null: another view.
+gpu::Image* hostImage(const std::string& name, HostFrame& host) {
+    if (name == "albedo")
+        return &host.gbuffer().albedo;
+    return name == "motion" ? &host.gbuffer().motion : nullptr;
+}
+
+} // namespace
 
 Result<FrameViews> FrameViews::create(gpu::Context& context) {
     FrameViews views(context);
@@ -45,8 +55,8 @@ Result<void> FrameViews::show(const std::string& name, HostFrame& host, Reflecti
         gpu::Frame frame(*context_, commands);
         if (name == "composite" || name == "scene") {
             host.display(frame, name == "composite" ? composite_ : scene_, target);
-        } else if (name == "albedo") {
-            viewPass_.draw(frame, host.gbuffer().albedo, info->kind, target);
+        } else if (gpu::Image* const drawn = hostImage(name, host)) {
+            viewPass_.draw(frame, *drawn, info->kind, target);
         } else if (const auto recorded = reflections.recordView(commands, name); !recorded) {
             done = recorded.error();
             return;
@@ -82,8 +92,8 @@ Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, 
             GLINT_CHECK(displayInto(view, host, radiance));
         return view;
     }
-    if (name == "albedo") {
-        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, host.gbuffer().albedo));
+    if (gpu::Image* const drawn = hostImage(name, host)) {
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, *drawn));
         view.rgba = std::move(rgba);
         return view;
     }

@@ -28,6 +28,7 @@ constexpr std::array kViews = {
     ViewInfo{"albedo", ViewKind::Fraction, "RGB", "base colour"},
     ViewInfo{"roughness", ViewKind::Fraction, "Y", "perceptual roughness"},
     ViewInfo{"reflectivity", ViewKind::Fraction, "RGB", "F0"},
+    ViewInfo{"motion", ViewKind::Direction, "XY", "motion of the surface on the screen: previous UV - current UV"},
     ViewInfo{"hitUV", ViewKind::Fraction, "UV", "where on the screen the ray hit"},
     ViewInfo{"hitDistance", ViewKind::Distance, "Z", "metres along the ray to its hit"},
     ViewInfo{"lookups", ViewKind::Count, "Y", "depth reads of the ray"},

@@ -358,6 +358,11 @@ TEST_F(CliTest, SequenceFindsBadArgumentsBeforeAnyWork) {
         {{"-o", folder_ + "frame.png"}, "expected one %d or %04d"},
         {{"-o", folder_ + "frame_%d.jpg"}, "must end in .png or .exr"},
         {{"-o", folder_ + "none/deep/frame_%d.png"}, "there is no folder"},
+        {{"--config", "frames=a.exr"}, "--config frames=a.exr: expected frames=A/%04d.exr, or"},
+        {{"--config", "frames=" + folder_ + "%d.exr", "--frames", "3"}, "0.exr: no such frame; the files of 3 frames"},
+        {{"--dump", folder_ + "none/dump"}, "there is no folder"},
+        {{"--dump", folder_ + "dump", "--preset", "fast"}, "these settings denoise nothing: they need denoise.enabled"},
+        {{"--dump", folder_ + "dump", "--config", "balanced", "--config", "real-time"}, "one configuration is dumped"},
     };
     for (auto [arguments, part] : cases) {
         arguments.insert(arguments.begin(), {"sequence", "builtin:exact"});

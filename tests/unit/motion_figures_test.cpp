@@ -305,5 +305,26 @@ TEST(FrameSeries, HasMeanPercentileAndError) {
     EXPECT_EQ(squares.root().p95, 5);
 }
 
+/// With one seed the products' mean is the whole error, and nothing tells its parts apart.
+TEST(MotionFigures, OneSeedKnowsTheWholeErrorAlone) {
+    const Picture wrong = [](uint32_t x, uint32_t y, uint32_t frame) { return stripes(x, y, frame) + 0.3; };
+    MotionMeter meter(0, {});
+    const auto bands = std::make_shared<std::vector<uint8_t>>(kWidth * kHeight, kGlossyBand);
+    const Picture noise = noisy(wrong, 0.2, 1), a = noisy(stripes, 0.03, 3), b = noisy(stripes, 0.03, 4);
+    for (uint32_t i = 0; i < 8; ++i) {
+        const Radiance seed = paint(noise, i);
+        meter.add({kWidth, kHeight, {seed, seed}, {paint(a, i), paint(b, i)}, bands}, {});
+    }
+    const MotionBandFigures figures = ofOneSeed(meter.figures())[kGlossyBand];
+    const MotionBandFigures two =
+        measured({.test = {noisy(wrong, 0.2, 1), noisy(wrong, 0.2, 2)}, .reference = {a, b}, .frames = 8});
+    EXPECT_NEAR(figures.error.relativeMse.mean, two.error.relativeMse.mean, 0.05 * two.error.relativeMse.mean);
+    EXPECT_NEAR(figures.error.energy.mean, two.error.energy.mean, 0.01);
+    EXPECT_NEAR(figures.flicker.tPsnr, two.flicker.tPsnr, 0.3);
+    for (const SeriesFigure& unknown :
+         {figures.error.bias, figures.error.noise, figures.error.sharp, figures.flicker.flicker, figures.flicker.swim})
+        EXPECT_TRUE(std::isnan(unknown.mean) && std::isnan(unknown.p95) && std::isnan(unknown.standardError));
+}
+
 } // namespace
 } // namespace glint::measure
