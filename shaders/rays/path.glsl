@@ -45,18 +45,14 @@ struct Path {
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
     PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
     Ray ray = viewRay(originWS, directionWS);
-    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, vec3(1.0), ray, kNoVertex,
-                0.0, cone, spread, regularization, kAir, isOn(kRaysTransparents) ? settings.transparents : 0u);
+    uint transparents = isOn(kRaysTransparents) ? settings.transparents : 0u;
+    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false,
+                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, transparents);
 }
 
-/// `share`, `spread`: of regularized(). `emissionWeight`: fraction of the emission that the path counts.
-LitSurface litSurface(HitSurface met, vec3 V, float share, float spread, float emissionWeight) {
-    MaterialSample m = sampleMaterial(met.material, met.point);
-    float ownRoughness = m.perceptualRoughness;
-    m.perceptualRoughness = regularized(ownRoughness, share, spread);
-    m.clearcoatPerceptualRoughness = regularized(m.clearcoatPerceptualRoughness, share, spread);
-    litFaceNormalWS = met.faceNormalWS;
-    Lighting lighting = lightSurface(m, met.point, V);
+/// `ownRoughness`: before regularization. `emissionWeight`: fraction of the emission that the path counts.
+LitSurface litSurface(HitSurface met, MaterialSample m, float ownRoughness, Lighting lighting, vec3 V,
+                      float emissionWeight) {
     LitSurface lit;
     lit.positionWS = met.point.positionWS;
     lit.faceNormalWS = met.faceNormalWS;
@@ -72,25 +68,29 @@ LitSurface litSurface(HitSurface met, vec3 V, float share, float spread, float e
     return lit;
 }
 
-/// The hit, lit from the frame where the frame shows it, else from the host's table.
-LitSurface surfaceAt(Hit hit, inout Path path) {
-    HitSurface met =
-        hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, path.ray.directionWS, path.cone.width);
-    float spread = halfVectorSpread(path.spread, met.bend);
+/// True if the frame shows the hit and its light there may be taken: `shown`. `spread`: of regularized().
+bool isShown(Hit hit, HitSurface met, float spread, inout Path path, out LitSurface shown) {
 #ifndef GLINT_RAYS_TABLE_LIGHT
     if (isOn(kRaysReuseLight) && !isSampledEmitter(hit.instance, path.density)) {
         ivec2 px = pixelThatShows(met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.cone.width);
         if (px.x >= 0) {
             ++path.reused;
-            LitSurface shown = shownSurface(px, met.point.positionWS, met.faceNormalWS, path.ray.directionWS,
-                                            path.regularization, spread);
+            shown = shownSurface(px, met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.regularization,
+                                 spread);
             shown.bend = met.bend;
-            return shown;
+            return true;
         }
     }
 #endif
-    float emissionWeight = emissionShare(hit, met, path.ray.directionWS, path.density);
-    return litSurface(met, -path.ray.directionWS, path.regularization, spread, emissionWeight);
+    return false;
+}
+
+/// Sends a ray from a surface that the path has met.
+void continueFrom(LitSurface met, vec3 directionWS, inout Path path) {
+    float offset = settings.tMin > 0.0 ? 0.0 : hitUncertainty(met.positionWS);
+    path.ray = viewRay(met.positionWS + met.faceNormalWS * offset, aboveSurface(directionWS, met.faceNormalWS));
+    if (path.medium.body != kNoInstance && path.transparents > 0u)
+        path.ray.flags &= ~kRayCullBackFaces;
 }
 
 /// Adds the light of the surface that bounce number `bounce` hit, and continues from there while bounces remain.
@@ -104,14 +104,13 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
                           laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
     path.ended = next.weight <= 0.0;
     path.radiance += path.throughput * (met.own + (path.ended ? met.environmentSpecular : vec3(0.0)));
+    if (path.ended)
+        return;
     path.throughput *= met.response;
     path.spread = reflected(path.spread, met.bend, sampledRoughness(met.lobeRoughness));
-    float offset = settings.tMin > 0.0 ? 0.0 : hitUncertainty(met.positionWS);
-    path.ray = viewRay(met.positionWS + met.faceNormalWS * offset, aboveSurface(next.ws, met.faceNormalWS));
-    if (path.medium.body != kNoInstance && path.transparents > 0u)
-        path.ray.flags &= ~kRayCullBackFaces;
+    continueFrom(met, next.ws, path);
     path.density = 0.0;
-    if (!last && samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {
+    if (samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {
         LobeFrame lobe = makeLobeFrame(met.normalWS, V, met.lobeRoughness);
         path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, false);
         if (dot(next.ws, met.faceNormalWS) >= kLeastCosine)
@@ -138,16 +137,7 @@ void meetFirst(vec3 hitWS, Hit hit, inout Path path) {
 }
 
 /// Adds the light of a transparent surface and continues behind it.
-void passTransparent(Hit hit, vec2 noise, inout Path path) {
-    HitSurface met =
-        hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, path.ray.directionWS, path.cone.width);
-    bool leaves = path.medium.body == hit.instance && !hit.frontFace;
-    Passage p;
-    if (leaves)
-        p = leaveBody(met, path.medium, path.ray.directionWS, noise);
-    else
-        p = passSurface(met, hit.instance, path.medium, path.ray.directionWS, noise, path.regularization,
-                        halfVectorSpread(path.spread, met.bend));
+void passTransparent(Hit hit, HitSurface met, Passage p, inout Path path) {
     if (!path.hit)
         meetFirst(met.point.positionWS, hit, path);
     path.radiance += path.throughput * p.own;
@@ -165,26 +155,19 @@ void passTransparent(Hit hit, vec2 noise, inout Path path) {
         path.ray.flags &= ~kRayCullBackFaces; // to hit the body's far side
 }
 
-/// The next surface that is not transparent or that ends the path.
-Hit traceThrough(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
-    Hit hit;
-    bool transparent;
-    do {
-        rayMeetsTransparents = path.transparents > 0u;
-        hit = traceRay(path.ray);
-        ++path.rays;
-        bool met = isHit(hit);
-        transparent = met && rayMeetsTransparents && isTransparent(instanceMaterial(hit.instance));
-        rayMeetsTransparents = false;
-        path.throughput *= mediumTransmittance(path.medium, hit.distance, met && hit.instance == path.medium.body);
-        if (met) {
-            path.cone.width += path.cone.spread * hit.distance;
-            path.spread = travelled(path.spread, hit.distance);
-        }
-        if (transparent)
-            passTransparent(hit, laterBounceNoise(px, sampleIndex, bounce, ~frame.constants.seed - path.transparents),
-                            path);
-    } while (transparent && !path.ended);
+/// The next surface that the path meets, transparent ones included while the path may pass through more of them.
+Hit traceSegment(inout Path path, out bool transparent) {
+    rayMeetsTransparents = path.transparents > 0u;
+    Hit hit = traceRay(path.ray);
+    ++path.rays;
+    bool met = isHit(hit);
+    transparent = met && rayMeetsTransparents && isTransparent(instanceMaterial(hit.instance));
+    rayMeetsTransparents = false;
+    path.throughput *= mediumTransmittance(path.medium, hit.distance, met && hit.instance == path.medium.body);
+    if (met) {
+        path.cone.width += path.cone.spread * hit.distance;
+        path.spread = travelled(path.spread, hit.distance);
+    }
     return hit;
 }
 
@@ -198,24 +181,57 @@ void addLights(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     path.vertex.sendsRays = false;
 }
 
-/// `bounce`: number of surfaces that the path has hit already.
+/// Lights the surface that a ray has hit. True if the path has passed through it; otherwise `lit` is what it left.
+/// Opaque and transparent surfaces share one copy of the code that samples materials and lights: it is most of the
+/// program, and drivers inline every call.
+bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIndex, inout Path path,
+                 out LitSurface lit) {
+    vec3 directionWS = path.ray.directionWS;
+    HitSurface met =
+        hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, directionWS, path.cone.width);
+    float spread = halfVectorSpread(path.spread, met.bend);
+    if (!transparent && isShown(hit, met, spread, path, lit))
+        return false;
+    MaterialSample m = sampleMaterial(met.material, met.point);
+    float ownRoughness = m.perceptualRoughness;
+    vec2 noise = laterBounceNoise(px, sampleIndex, bounce, ~frame.constants.seed - path.transparents);
+    if (transparent && path.medium.body == hit.instance && !hit.frontFace) {
+        passTransparent(hit, met, leaveBody(met, m, path.medium, directionWS, noise), path);
+        return true;
+    }
+    m.perceptualRoughness = regularized(ownRoughness, path.regularization, spread);
+    m.clearcoatPerceptualRoughness = regularized(m.clearcoatPerceptualRoughness, path.regularization, spread);
+    litFaceNormalWS = met.faceNormalWS;
+    Lighting lighting = lightSurface(m, met.point, -directionWS);
+    if (transparent) {
+        passTransparent(
+            hit, met, passSurface(met, m, ownRoughness, lighting, hit.instance, path.medium, directionWS, noise), path);
+        return true;
+    }
+    lit = litSurface(met, m, ownRoughness, lighting, -directionWS, emissionShare(hit, met, directionWS, path.density));
+    return false;
+}
+
+/// `bounce`: number of surfaces that the path has hit already, without those that it passed through.
 void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
-    for (; bounce < settings.bounces; ++bounce) {
+    while (bounce < settings.bounces) {
         if (path.vertex.sendsRays)
             addLights(bounce, px, sampleIndex, path);
         if (path.ended)
             return;
-        Hit hit = traceThrough(bounce, px, sampleIndex, path);
-        if (path.ended)
-            return;
+        bool transparent;
+        Hit hit = traceSegment(path, transparent);
         if (!isHit(hit)) {
             leaveScene(bounce, path);
             return;
         }
-        LitSurface met = surfaceAt(hit, path);
+        LitSurface met;
+        if (meetSurface(hit, transparent, bounce, px, sampleIndex, path, met))
+            continue;
         if (!path.hit)
             meetFirst(met.positionWS, hit, path);
         leaveSurface(met, bounce, px, sampleIndex, path);
+        ++bounce;
     }
 }
 

@@ -54,22 +54,25 @@ const float kMostTaps = 4.0;
 /// textureGrad.
 vec4 sampleTexture(TextureRef ref, vec2 uv) {
     UvFootprint footprint = uvFootprint[min(ref.texCoord, 1u)];
-    if (footprint.along == vec2(0.0))
-        return textureLod(textures[nonuniformEXT(ref.index)], uv, 0.0);
-    mat2 turned = mat2(ref.uvRow0.x, ref.uvRow1.x, ref.uvRow0.y, ref.uvRow1.y);
-    vec2 size = vec2(textureSize(textures[nonuniformEXT(ref.index)], 0));
-    vec2 along = turned * footprint.along;
-    vec2 across = turned * footprint.across;
-    float alongTexels = length(along * size);
-    float acrossTexels = length(across * size);
-    if (acrossTexels > alongTexels) {
-        along = across;
-        float shorter = alongTexels;
-        alongTexels = acrossTexels;
-        acrossTexels = shorter;
+    vec2 along = vec2(0.0);
+    float taps = 1.0;
+    float lod = 0.0;
+    if (footprint.along != vec2(0.0)) {
+        mat2 turned = mat2(ref.uvRow0.x, ref.uvRow1.x, ref.uvRow0.y, ref.uvRow1.y);
+        vec2 size = vec2(textureSize(textures[nonuniformEXT(ref.index)], 0));
+        along = turned * footprint.along;
+        vec2 across = turned * footprint.across;
+        float alongTexels = length(along * size);
+        float acrossTexels = length(across * size);
+        if (acrossTexels > alongTexels) {
+            along = across;
+            float shorter = alongTexels;
+            alongTexels = acrossTexels;
+            acrossTexels = shorter;
+        }
+        taps = clamp(ceil(alongTexels / max(acrossTexels, 1.0)), 1.0, kMostTaps);
+        lod = log2(max(alongTexels / taps, 1e-6));
     }
-    float taps = clamp(ceil(alongTexels / max(acrossTexels, 1.0)), 1.0, kMostTaps);
-    float lod = log2(max(alongTexels / taps, 1e-6));
     vec4 sum = vec4(0.0);
     for (float tap = 0.5; tap < taps; tap += 1.0)
         sum += textureLod(textures[nonuniformEXT(ref.index)], uv + along * (tap / taps - 0.5), lod);

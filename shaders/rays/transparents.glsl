@@ -65,8 +65,7 @@ vec3 throughThinWall(vec3 directionWS, vec3 N, float perceptualRoughness, vec2 n
 }
 
 /// Passes out of the body `medium` through its own surface.
-Passage leaveBody(HitSurface met, Medium medium, vec3 directionWS, vec2 noise) {
-    MaterialSample m = sampleMaterial(met.material, met.point);
+Passage leaveBody(HitSurface met, MaterialSample m, Medium medium, vec3 directionWS, vec2 noise) {
     float roughness = transmissionRoughness(m.perceptualRoughness, met.material.ior);
     vec3 N = facingNormal(m.normalWS, -directionWS);
     float ior = max(met.material.ior, 1e-3);
@@ -77,14 +76,10 @@ Passage leaveBody(HitSurface met, Medium medium, vec3 directionWS, vec2 noise) {
 }
 
 /// Passes a surface hit from outside, or within another body. Fresnel's factor is applied once, at the front.
-Passage passSurface(HitSurface met, uint instance, Medium medium, vec3 directionWS, vec2 noise, float share,
-                    float spread) {
-    MaterialSample m = sampleMaterial(met.material, met.point);
-    float roughness = transmissionRoughness(m.perceptualRoughness, met.material.ior);
-    m.perceptualRoughness = regularized(m.perceptualRoughness, share, spread);
-    m.clearcoatPerceptualRoughness = regularized(m.clearcoatPerceptualRoughness, share, spread);
-    litFaceNormalWS = met.faceNormalWS;
-    Lighting lighting = lightSurface(m, met.point, -directionWS);
+/// `ownRoughness`: of `m` before regularization.
+Passage passSurface(HitSurface met, MaterialSample m, float ownRoughness, Lighting lighting, uint instance,
+                    Medium medium, vec3 directionWS, vec2 noise) {
+    float roughness = transmissionRoughness(ownRoughness, met.material.ior);
     vec3 response = specularResponse(m.f0, m.f90, loadDfg(clampedNoV(m.normalWS, -directionWS), m.perceptualRoughness));
     float present = saturate(m.opacity * 20.0); // as the renderer's layers: no sheen where a texture cuts out a shape
 
