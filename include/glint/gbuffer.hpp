@@ -85,6 +85,11 @@ struct Conventions {
     /// Factor on stored motion, x and y, which gives previous UV - current UV: {-1, -1} for the opposite sign,
     /// {0.5f, -0.5f} for clip space with +Y up, {1 / width, 1 / height} for pixels. Motion must be non-jittered.
     float motionScale[2] = {1, 1};
+    /// Factor on the third channel of motion ("2.5D motion") that gives the surface's viewZ in the previous frame - its
+    /// viewZ in this one, in metres: 1 if the channel holds that difference, -1 for the opposite sign. 0: there is no
+    /// such channel. Surfaces that move then count as having kept their distance from the camera, so histories of what
+    /// moves towards the camera or away from it are found on screen only.
+    float motionDepthScale = 0;
     /// True if the alpha of `litRadiance` holds the mean of its linear channels without lights' highlights. Where there
     /// are no highlights (emission, background) alpha holds the mean of the channels. Highlights depend on the view
     /// direction, so highlights copied from the frame appear at wrong places in a mirror. With this mean, hits exclude
@@ -120,8 +125,9 @@ struct GBuffer {
     /// Optional: the part of litRadiance that approximates reflections (environment or probe specular). Glint replaces
     /// exactly this part. Absent: reflections are added to litRadiance.
     HostImage fallbackSpecular;
-    /// Optional: motion of each pixel's surface since the previous frame. screen.colorSource previous reprojects moving
-    /// objects with it. Absent: all objects are treated as static.
+    /// Optional: motion of each pixel's surface since the previous frame, in UV, and with Conventions::motionDepthScale
+    /// in depth. Histories (screen.colorSource previous, the denoiser's) follow moving objects with it. Absent: all
+    /// objects are treated as static.
     HostImage motion;
     /// Optional: depth of the nearest surfaces that face away from the camera, drawn with the same camera and stored
     /// like `depth`, in any size. With screen.thicknessMode backface each surface extends back to this depth.

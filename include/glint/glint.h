@@ -316,6 +316,7 @@ typedef struct GlintConventions {
     float linearDepthScale;
     float motionScale[2];
     VkBool32 highlightsInAlpha;
+    float motionDepthScale;
 } GlintConventions;
 
 GLINT_API void glint_conventions_init(GlintConventions* conventions, uint32_t size);

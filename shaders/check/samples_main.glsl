@@ -38,8 +38,9 @@ void main() {
     here.depth[2] = texelFetch(depth, px + ivec2(1, 0), 0).r;
     here.depth[3] = texelFetch(depth, px - ivec2(0, 1), 0).r;
     here.depth[4] = texelFetch(depth, px + ivec2(0, 1), 0).r;
-    vec2 moved = texelFetch(motion, px, 0).xy;
+    vec3 moved = texelFetch(motion, px, 0).xyz;
     here.motion[0] = moved.x;
     here.motion[1] = moved.y;
+    here.motion[2] = moved.z;
     samples.list[place.y * settings.grid.x + place.x] = here;
 }

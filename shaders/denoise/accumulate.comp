@@ -192,6 +192,7 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     was.normal = before.normalVS;
     was.end = (toBefore * vec4(here.positionVS + mirrored * endDistance(tracked) + hits.stepVS, 1.0)).xyz;
     was.moved = before.moved;
+    was.knowsDepth = before.knowsDepth;
     Candidate found = lookUp(was, before.px);
     frames = framesOf(found, hits, here.perceptualRoughness);
     if (!was.moved) {

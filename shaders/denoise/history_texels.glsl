@@ -9,7 +9,8 @@ struct Was {
     vec3 position;
     vec3 normal;
     vec3 end;
-    bool moved; // by motion: its depth is known roughly
+    bool moved;      // by motion
+    bool knowsDepth; // false: its depth is known roughly
 };
 
 /// True where the previous frame showed this pixel's surface at `texel`.
@@ -23,7 +24,7 @@ bool showedIt(Was was, ivec2 texel, out vec3 position, out vec3 normal) {
     normal = decodeOctahedral(unpackSnorm2x16(packed.y));
     position = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z);
     float off = abs(dot(was.normal, position - was.position));
-    float allowed = (was.moved ? 0.1 : settings.disocclusion) * -was.position.z;
+    float allowed = (was.knowsDepth ? settings.disocclusion : 0.1) * -was.position.z;
     return off <= allowed && dot(normal, was.normal) >= 0.7;
 }
 

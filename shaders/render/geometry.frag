@@ -10,7 +10,7 @@
 
 layout(location = 0) out vec2 outNormal;
 layout(location = 1) out vec4 outMaterial;
-layout(location = 2) out vec2 outMotion;
+layout(location = 2) out vec4 outMotion;
 
 void main() {
     MaterialSample surface = visibleSurface(interpolatedPoint());

@@ -37,7 +37,9 @@ void main() {
 
     gl_Position = view.constants.worldToClip * world;
     currentCS = gl_Position;
-    previousCS = view.constants.prevWorldToClip * (instance.prevLocalToWorld * vec4(prevPositionLS, 1.0));
+    vec4 prevWorld = instance.prevLocalToWorld * vec4(prevPositionLS, 1.0);
+    previousCS = view.constants.prevWorldToClip * prevWorld;
+    depthMotion = dot(view.constants.prevWorldToViewZ, prevWorld) - dot(view.constants.worldToViewZ, world);
     gl_ClipDistance[0] = dot(view.constants.clipPlaneWS, vec4(world.xyz, 1.0));
     gl_PointSize = 1.0;
 }

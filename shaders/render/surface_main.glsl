@@ -12,7 +12,7 @@
 
 layout(location = 0) out vec2 outNormal;
 layout(location = 1) out vec4 outMaterial;
-layout(location = 2) out vec2 outMotion;
+layout(location = 2) out vec4 outMotion;
 layout(location = 3) out vec4 outLitRadiance;
 layout(location = 4) out vec4 outFallbackSpecular;
 layout(location = 5) out vec4 outAlbedo;

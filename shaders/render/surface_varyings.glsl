@@ -8,3 +8,4 @@ layout(location = 3) VARYING vec4 uv01;
 layout(location = 4) VARYING vec4 color;
 layout(location = 5) VARYING vec4 currentCS; // clip-space positions in this frame and the previous one, for motion
 layout(location = 6) VARYING vec4 previousCS;
+layout(location = 7) VARYING float depthMotion; // viewZ in the previous frame - viewZ in this one, metres

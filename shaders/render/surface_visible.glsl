@@ -19,9 +19,11 @@ vec2 clipToUV(vec4 positionCS) {
     return positionCS.xy / positionCS.w * vec2(0.5, -0.5) + 0.5;
 }
 
-/// Previous UV - current UV, without jitter.
-vec2 motion() {
-    return (clipToUV(previousCS) - view.constants.prevJitterUV) - (clipToUV(currentCS) - view.constants.jitterUV);
+/// Previous UV - current UV, without jitter; previous viewZ - current viewZ, metres.
+vec4 motion() {
+    vec2 now = clipToUV(currentCS) - view.constants.jitterUV;
+    vec2 before = clipToUV(previousCS) - view.constants.prevJitterUV;
+    return vec4(before - now, depthMotion, 0.0);
 }
 
 #endif

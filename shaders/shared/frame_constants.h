@@ -37,10 +37,11 @@ struct FrameConstants {
     float environmentMips; // number of mips that roughness 0..1 spans
     uint frameIndex;
     uint seed;
-    float2 traceSize;   // pixels of the traced image that this frame traces, from the top left
-    float2 traceScale;  // size / traceSize: full-resolution pixels a traced pixel, >= 1
-    float2 motionScale; // stored motion times this = previous UV - current UV
-    uint materialKind;  // kHostMaterial*, MaterialKind of glint/gbuffer.hpp
+    float2 traceSize;       // pixels of the traced image that this frame traces, from the top left
+    float2 traceScale;      // size / traceSize: full-resolution pixels a traced pixel, >= 1
+    float2 motionScale;     // stored motion times this = previous UV - current UV
+    float motionDepthScale; // its third channel times this = previous viewZ - current viewZ; 0: there is none
+    uint materialKind;      // kHostMaterial*, MaterialKind of glint/gbuffer.hpp
     HostChannel roughness;
     HostChannel metallic;
     HostChannel specular; // of dielectrics: F0 = 0.08 * value

@@ -10,7 +10,7 @@ struct InputSample {
     float4 normal;
     float4 roughness; // texel of the image that holds it
     float depth[5];   // of the pixel and those left, right, above, below
-    float motion[2];
+    float motion[3];
 };
 
 /// A regular grid: sample (i, j) is pixel 1 + stride * (i, j).

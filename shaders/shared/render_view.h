@@ -10,6 +10,8 @@ struct RenderView {
     float4x4 worldToClip;
     float4x4 clipToWorld;
     float4x4 prevWorldToClip;
+    float4 worldToViewZ; ///< viewZ = dot(worldToViewZ, (positionWS, 1)), positive distance
+    float4 prevWorldToViewZ;
     float2 jitterUV; ///< offset by which worldToClip shifts the image; motion excludes it
     float2 prevJitterUV;
     float3 cameraPositionWS;
@@ -29,6 +31,6 @@ struct RenderView {
 GLINT_SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 28);
+static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 36);
 #endif
 #endif

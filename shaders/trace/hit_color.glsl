@@ -18,8 +18,8 @@ layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - curre
 
 #include "lib/previous_place.glsl"
 
-/// A surface at rest was at its present place, within this fraction of its distance and a quarter of a pixel. Of a
-/// surface that moved only the depth is known, and only roughly.
+/// A surface was at its previous place, within this fraction of its distance and a quarter of a pixel. Where motion does
+/// not tell its depth, that is known roughly.
 const float kSamePlace = 0.002;
 const float kSameDepth = 0.1;
 
@@ -36,7 +36,7 @@ bool showedIt(PreviousPlace before, ivec2 texel) {
     if (z >= kBackgroundZ)
         return false;
     float expectedZ = -before.positionVS.z;
-    if (before.moved)
+    if (!before.knowsDepth)
         return abs(z - expectedZ) <= kSameDepth * expectedZ;
     vec3 between = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z) - before.positionVS;
     return abs(dot(before.normalVS, between)) <= samePlaceSlack(prevPixelExtent(frame.constants, expectedZ), expectedZ);

@@ -143,6 +143,7 @@ void members(Visitor& visitor, GlintConventions& c, Conventions& cpp) {
     GLINT_PAIR(linearDepthScale)
     GLINT_PAIR(motionScale)
     GLINT_PAIR(highlightsInAlpha)
+    GLINT_PAIR(motionDepthScale)
 }
 
 template <class Visitor>

@@ -120,6 +120,17 @@ double shareStill(std::span<const Motion> motions, const glm::vec2& size, const 
     return double(still) / double(motions.size());
 }
 
+double shareStill(std::span<const DepthMotion> motions, float scale) {
+    constexpr float kOffDepth = 0.0005f, kOff = 0.05f;
+    const auto still = std::ranges::count_if(motions, [&](const DepthMotion& motion) {
+        return std::abs(motion.stored * scale - motion.still) < kOffDepth + kOff * std::abs(motion.still);
+    });
+    return double(still) / double(motions.size());
+}
+
+constexpr double kGoodMotion = 0.3;     ///< share of pixels that stand still
+constexpr double kMuchMoreMotion = 0.1; ///< than as declared
+
 } // namespace
 
 std::string percent(double share) {
@@ -197,7 +208,6 @@ Finding findRoughnessOutside(std::span<const float> roughness) {
 MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size, const MotionUnit& declared,
                           const std::function<std::string(const MotionUnit&)>& nameOf) {
     constexpr float kMovesPX = 2;
-    constexpr double kGood = 0.3, kMuch = 0.1;
     const auto moved =
         std::ranges::count_if(motions, [](const Motion& motion) { return glm::length(motion.still) > kMovesPX; });
     if (motions.size() < kFewestSamples || moved < std::ssize(motions) / 2)
@@ -214,14 +224,40 @@ MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size
                     best = unit;
                 }
             }
-    if (asDeclared >= kGood && most < asDeclared + kMuch)
+    if (asDeclared >= kGoodMotion && most < asDeclared + kMuchMoreMotion)
         return {true, {}};
-    if (most < kGood)
+    if (most < kGoodMotion)
         return {true, fmt::format("the motion of only {} of pixels agrees with the cameras: everything moves, or "
                                   "motion is not that to the previous frame",
                                   percent(asDeclared))};
     return {true, fmt::format("motion agrees with the cameras as {}, not {} as declared ({} of pixels, {} as declared)",
                               nameOf(best), nameOf(declared), percent(most), percent(asDeclared))};
+}
+
+MotionCheck compareDepthMotion(std::span<const DepthMotion> motions, float declared) {
+    constexpr float kMovesDepth = 0.004f;
+    const auto moved =
+        std::ranges::count_if(motions, [](const DepthMotion& motion) { return std::abs(motion.still) > kMovesDepth; });
+    if (motions.size() < kFewestSamples || moved < std::ssize(motions) / 2)
+        return {};
+    const double asDeclared = shareStill(motions, declared);
+    double most = 0;
+    float best = 0;
+    for (const float size : {1.0f, std::abs(declared), 0.01f, 0.001f}) // metres, centimetres, millimetres
+        for (const float scale : {size, -size})
+            if (const double share = shareStill(motions, scale); share > most) {
+                most = share;
+                best = scale;
+            }
+    if (asDeclared >= kGoodMotion && most < asDeclared + kMuchMoreMotion)
+        return {true, {}};
+    if (most < kGoodMotion)
+        return {true, fmt::format("motion's third channel agrees with the cameras in only {} of pixels: it is not "
+                                  "previous - current viewZ, so state motionDepthScale 0",
+                                  percent(asDeclared))};
+    return {true, fmt::format("motion agrees with the cameras as motionDepthScale {}, not {} as declared ({} of "
+                              "pixels, {} as declared)",
+                              best, declared, percent(most), percent(asDeclared))};
 }
 
 } // namespace glint::check

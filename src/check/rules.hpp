@@ -56,6 +56,14 @@ struct MotionCheck {
 MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size, const MotionUnit& declared,
                           const std::function<std::string(const MotionUnit&)>& nameOf);
 
+/// Stored motion in depth, and that of a surface which stands still under the two cameras, both as fractions of its
+/// viewZ.
+struct DepthMotion {
+    float stored, still;
+};
+/// Most surfaces stand still. `declared`: what stored motion is multiplied with to give previous - current viewZ.
+MotionCheck compareDepthMotion(std::span<const DepthMotion> motions, float declared);
+
 /// "97 %"
 std::string percent(double share);
 

@@ -174,6 +174,8 @@ Result<void> checkScalar(const gpu::Context& context, const GBuffer& gbuffer, co
 Result<void> checkConventions(const Conventions& conventions) {
     if (!std::isfinite(conventions.motionScale[0]) || !std::isfinite(conventions.motionScale[1]))
         return invalidArgument("motionScale must be finite");
+    if (!std::isfinite(conventions.motionDepthScale))
+        return invalidArgument("motionDepthScale must be finite");
     if (!std::isfinite(conventions.linearDepthScale) || conventions.linearDepthScale == 0)
         return invalidArgument("linearDepthScale is {}: it must be finite and not 0", conventions.linearDepthScale);
     if (conventions.depth == DepthKind::Device && conventions.linearDepthScale != 1)
@@ -292,6 +294,12 @@ Result<void> checkInputs(const gpu::Context& context, const GBuffer& gbuffer, co
     for (const GBufferImage& known : kGBufferImages)
         GLINT_CHECK(checkGBufferImage(context, gbuffer, known, samples, desc));
     GLINT_CHECK(checkConventions(gbuffer.conventions));
+    constexpr uint32_t kWithDepth = 3;
+    if (gbuffer.motion && gbuffer.conventions.motionDepthScale != 0 && channelsOf(gbuffer.motion.format) < kWithDepth)
+        return invalidArgument("motionDepthScale is {}, but the format of the G-buffer's `motion` (VkFormat {}) has {} "
+                               "channels: the third one holds the difference in depth",
+                               gbuffer.conventions.motionDepthScale, static_cast<int>(gbuffer.motion.format),
+                               channelsOf(gbuffer.motion.format));
     for (const MaterialScalar& scalar : kMaterialScalars)
         GLINT_CHECK(checkScalar(context, gbuffer, scalar, samples, desc));
     return checkEnvironment(context, environment);

@@ -113,7 +113,7 @@ Result<void> FileHost::upload() {
         GLINT_CHECK(uploadPlane(context_, gbuffer_.normal, count, octahedral));
     GLINT_CHECK(uploadPlane(context_, gbuffer_.material, count, [&](size_t i) { return packRgba(p.material[i]); }));
     GLINT_CHECK(uploadPlane(context_, gbuffer_.motion, count, [&](size_t i) {
-        return glm::packHalf2x16(p.motionUV.empty() ? glm::vec2(0) : p.motionUV[i]);
+        return packRgba(p.motionUV.empty() ? glm::vec4(0) : glm::vec4(p.motionUV[i], 0, 0));
     }));
     GLINT_CHECK(uploadPlane(context_, gbuffer_.litRadiance, count,
                             [&](size_t i) { return packRgba(glm::vec4(p.litRadiance[i], 1)); }));
@@ -150,11 +150,12 @@ Result<std::unique_ptr<HostFrame>> FileHost::remade(Context& library) {
     return std::unique_ptr<HostFrame>(std::move(host));
 }
 
-/// The alpha of the file's picture is no mean without highlights. Without motion the library takes all surfaces to
-/// stand still: where the file has none, and in the first frame, which is repeated.
+/// The alpha of the file's picture is no mean without highlights, and its motion tells nothing of depth. Without motion
+/// the library takes all surfaces to stand still: where the file has none, and in the first frame, which is repeated.
 glint::GBuffer FileHost::lend(gpu::Frame& frame) {
     glint::GBuffer inputs = lendGBuffer(frame, gbuffer_);
     inputs.conventions.highlightsInAlpha = false;
+    inputs.conventions.motionDepthScale = 0;
     if (pixels_->fallbackSpecular.empty())
         inputs.fallbackSpecular = {};
     if (!follows_ || pixels_->motionUV.empty())

@@ -27,11 +27,11 @@ GBufferOptions gbufferOptions(const Settings& settings, Antialias antialias);
 /// With several samples per pixel, mode prepass stores depth, normal and material multisampled, as surfaces must not be
 /// mixed; mode geometry stores them with one sample. The other channels are means over the samples.
 struct GBuffer {
-    gpu::Image deviceDepth;      ///< D32_SFLOAT: reversed; 0 = background
-    gpu::Image normal;           ///< RG16_SNORM (or RG32_SFLOAT): octahedral, world space, shading normal
-    gpu::Image material;         ///< RGBA16F: F0 in rgb, perceptual roughness in a; F0 = 0: reflects nothing
-    gpu::Image motion;           ///< RG16F: previous UV - current UV, without jitter
-    gpu::Image litRadiance;      ///< RGBA16F: the complete lit image, linear; a: its mean without highlights
+    gpu::Image deviceDepth; ///< D32_SFLOAT: reversed; 0 = background
+    gpu::Image normal;      ///< RG16_SNORM (or RG32_SFLOAT): octahedral, world space, shading normal
+    gpu::Image material;    ///< RGBA16F: F0 in rgb, perceptual roughness in a; F0 = 0: reflects nothing
+    gpu::Image motion;      ///< RGBA16F: previous UV - current UV, without jitter; previous - current viewZ, metres
+    gpu::Image litRadiance; ///< RGBA16F: the complete lit image, linear; a: its mean without highlights
     gpu::Image fallbackSpecular; ///< RGBA16F: the environment's specular part of litRadiance, base layer only
     gpu::Image albedo;           ///< RGBA8_UNORM: base colour, linear, for debug views; a: coverage of the pixel
     gpu::Image backDepth; ///< as deviceDepth, of the nearest back faces; absent without backFaces; has its own size
@@ -63,7 +63,7 @@ inline gpu::Image& drawn(gpu::Image& multisampled, gpu::Image& image) {
 }
 
 constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
-constexpr VkFormat kMotionFormat = VK_FORMAT_R16G16_SFLOAT;
+constexpr VkFormat kMotionFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kRadianceFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
 } // namespace glint::render

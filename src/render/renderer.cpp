@@ -4,6 +4,8 @@
 #include "render/dfg_table.hpp"
 #include "shared/render_view.h"
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include <cmath>
 
 namespace glint::render {
@@ -153,6 +155,8 @@ void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters, c
     constants.worldToClip = view_.worldToClip;
     constants.clipToWorld = view_.clipToWorld;
     constants.prevWorldToClip = previous.worldToClip;
+    constants.worldToViewZ = -glm::row(view_.worldToView, 2);
+    constants.prevWorldToViewZ = -glm::row(previous.worldToView, 2);
     constants.jitterUV = view_.jitterUV;
     constants.prevJitterUV = previous.jitterUV;
     constants.cameraPositionWS = view_.positionWS();

@@ -237,6 +237,17 @@ TEST_F(ColorSourceTest, motionMustFit) {
     gbuffer = host.gbuffer;
     gbuffer.conventions.motionScale[0] = NAN;
     EXPECT_FALSE(made.setInputs(gbuffer));
+    gbuffer = host.gbuffer;
+    gbuffer.conventions.motionDepthScale = NAN;
+    EXPECT_FALSE(made.setInputs(gbuffer));
+    const std::vector<glm::vec2> texels(size_t(kWidth) * kHeight);
+    const gpu::Image motion =
+        uploadTestImage(gpu(), "test/motion", VK_FORMAT_R32G32_SFLOAT, kWidth, kHeight, bytesOf(texels));
+    gbuffer.motion = asHostImage(motion);
+    gbuffer.conventions.motionDepthScale = 1;
+    const Result<void> flat = made.setInputs(gbuffer);
+    ASSERT_FALSE(flat);
+    EXPECT_NE(flat.error().message.find("has 2 channels"), std::string::npos) << flat.error().message;
 }
 
 TEST_F(ColorSourceTest, aMirrorShowsTheReflectionsOfTheFrameBefore) {

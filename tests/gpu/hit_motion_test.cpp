@@ -4,6 +4,8 @@
 #include "gpu/support/scenes.hpp"
 #include "gpu/support/surface_scene.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glint::test {
@@ -15,25 +17,30 @@ constexpr uint32_t kFrames = 20;
 constexpr float kStep = 0.06f; ///< metres a frame
 
 /// How the card's movement is described to the library.
-enum class Told : uint8_t { Transform, Vertices, MotionImage };
+enum class Told : uint8_t { Transform, Vertices, MotionImage, MotionWithDepth };
 
-/// A bright card before a dark wall slides over a rough metal floor.
+/// A bright card before a dark wall slides over a rough metal floor: sideways or, where motion tells of depth, towards
+/// the camera.
 class HitMotionTest : public LibraryTest, public testing::WithParamInterface<Told> {
 protected:
     static constexpr glm::vec3 kCard = {-0.4f, 0.3f, -1.5f};
     static constexpr uint32_t kCardInstance = 2;
 
-    static SurfaceScene scene(float x) {
+    static glm::vec3 along(float way) {
+        return GetParam() == Told::MotionWithDepth ? glm::vec3(0, 0, way) : glm::vec3(way, 0, 0);
+    }
+
+    static SurfaceScene scene(float way) {
         SurfaceScene made;
         made.addQuad({-6, 0, 4}, {12, 0, 0}, {0, 0, -8}, whiteMetal(0.3f));
         made.addQuad({-6, 0, -3}, {12, 0, 0}, {0, 4, 0}, emitting(glm::vec3(0.2f)));
-        made.addQuad(kCard + glm::vec3(x, 0, 0), {0.8f, 0, 0}, {0, 0.7f, 0}, emitting(glm::vec3(2)));
+        made.addQuad(kCard + along(way), {0.8f, 0, 0}, {0, 0.7f, 0}, emitting(glm::vec3(2)));
         return made;
     }
 
     static Settings settings(Told told, bool hitMotion) {
         Settings settings = plainSettings();
-        const bool screen = told == Told::MotionImage;
+        const bool screen = told == Told::MotionImage || told == Told::MotionWithDepth;
         settings.screen.enabled = screen;
         settings.rays.enabled = !screen;
         settings.denoise.enabled = true;
@@ -52,26 +59,29 @@ protected:
     };
     static Shown show(const SyntheticCamera& camera, const SurfaceScene& now, float step) {
         Shown shown = {SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(now), camera, kWidth, kHeight), {}};
-        std::vector<glm::vec2> texels;
+        std::vector<glm::vec4> texels; // in UV and metres
         for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
             const glm::dvec3 eye = camera.originThrough(i % kWidth, i / kWidth, kWidth, kHeight);
             const glm::dvec3 way = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
             const auto hit = SurfaceScene::seenBy(now)(eye, way);
             glm::dvec2 moved(0);
+            double nearer = 0;
             if (hit && hit->radiance.r > 1) {
                 const glm::dvec3 place = eye + way * hit->distance;
-                moved = camera.project(place - glm::dvec3(step, 0, 0), kWidth, kHeight) -
-                        camera.project(place, kWidth, kHeight);
+                const glm::dvec3 before = place - glm::dvec3(along(step));
+                moved = camera.project(before, kWidth, kHeight) - camera.project(place, kWidth, kHeight);
+                nearer = dot(before - place, glm::normalize(camera.target - camera.position));
             }
-            texels.emplace_back(moved / glm::dvec2(kWidth, kHeight));
+            texels.emplace_back(moved / glm::dvec2(kWidth, kHeight), nearer, 0);
         }
-        shown.motion = uploadTestImage(gpu(), "test/motion", VK_FORMAT_R32G32_SFLOAT, kWidth, kHeight, bytesOf(texels));
+        shown.motion =
+            uploadTestImage(gpu(), "test/motion", VK_FORMAT_R32G32B32A32_SFLOAT, kWidth, kHeight, bytesOf(texels));
         shown.host.gbuffer.motion = asHostImage(shown.motion);
         return shown;
     }
 
-    /// The last of `frames` frames; the card ends at `x`.
-    Picture play(const Settings& chosen, uint32_t frames, float x, float step) {
+    /// The last of `frames` frames; the card ends at `x`. `depthScale`: Conventions::motionDepthScale.
+    Picture play(const Settings& chosen, uint32_t frames, float x, float step, float depthScale = 1) {
         const Told told = GetParam();
         const SyntheticCamera camera = {.position = {0, 0.9, 3}, .target = {0, 0.35, -0.5}};
         SurfaceScene first = scene(0);
@@ -92,7 +102,9 @@ protected:
                 world.rays.record(commands);
                 world.surfaces.record(commands);
             });
-            const Shown shown = show(camera, now, i == 0 ? 0 : step);
+            Shown shown = show(camera, now, i == 0 ? 0 : step);
+            if (told == Told::MotionWithDepth)
+                shown.host.gbuffer.conventions.motionDepthScale = depthScale;
             must(made.setInputs(shown.host.gbuffer));
             View view = camera.view(kWidth, kHeight);
             view.frameIndex = i;
@@ -103,7 +115,8 @@ protected:
 
     static void place(SurfaceScene::World& world, const SurfaceScene& first, float x) {
         std::vector<RayInstance> instances = first.triangles.instances;
-        instances[kCardInstance].localToWorld[12] = x;
+        const glm::vec3 offset = along(x);
+        std::copy_n(&offset.x, 3, &instances[kCardInstance].localToWorld[12]);
         std::vector<SurfaceInstance> surfaces;
         for (uint32_t i = 0; i < instances.size(); ++i)
             surfaces.push_back({instances[i].mesh, i, instances[i].localToWorld});
@@ -175,6 +188,10 @@ TEST_P(HitMotionTest, whatMovesLeavesNoGhost) {
     EXPECT_GT(ghost(ignored, now, since, then), 0.3);
     EXPECT_LT(error(followed, now), 0.5 * error(ignored, now));
     EXPECT_LT(error(followed, now), 0.75 * error(fresh, now)) << "it has a history";
+    if (told == Told::MotionWithDepth) {
+        const Picture flat = play(settings(told, true), kFrames, kEnd, kStep, 0);
+        EXPECT_GT(ghost(flat, now, since, then), 0.1) << "motion on screen alone says little";
+    }
 }
 
 TEST_P(HitMotionTest, whatRestsKeepsItsBits) {
@@ -182,11 +199,11 @@ TEST_P(HitMotionTest, whatRestsKeepsItsBits) {
     EXPECT_EQ(play(settings(told, true), 6, 0.2f, 0).composite, play(settings(told, false), 6, 0.2f, 0).composite);
 }
 
-INSTANTIATE_TEST_SUITE_P(By, HitMotionTest, testing::Values(Told::Transform, Told::Vertices, Told::MotionImage),
+INSTANTIATE_TEST_SUITE_P(By, HitMotionTest,
+                         testing::Values(Told::Transform, Told::Vertices, Told::MotionImage, Told::MotionWithDepth),
                          [](const auto& parameter) {
-                             return parameter.param == Told::Transform  ? "Transform"
-                                    : parameter.param == Told::Vertices ? "Vertices"
-                                                                        : "MotionImage";
+                             constexpr std::array kNames = {"Transform", "Vertices", "MotionImage", "MotionWithDepth"};
+                             return kNames.at(static_cast<size_t>(parameter.param));
                          });
 
 } // namespace

@@ -100,7 +100,7 @@ Images draw(gpu::Context& context, const Host& host, const Host* previous = null
     const glm::dmat4 toView = matrix(view.worldToView), toClip = matrix(view.viewToClip);
     std::vector<float> depth;
     std::vector<glm::vec4> normal, material;
-    std::vector<glm::vec2> motion;
+    std::vector<glm::vec4> motion;
     const auto uvOf = [](const View& of, const Conventions& conventions, const glm::dvec3& positionWS) {
         const glm::dvec4 clip = matrix(of.viewToClip) * matrix(of.worldToView) * glm::dvec4(positionWS, 1);
         const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
@@ -133,7 +133,9 @@ Images draw(gpu::Context& context, const Host& host, const Host* previous = null
         material.emplace_back(0.5f, 0.5f, 0.5f, host.roughness);
         const glm::dvec2 moved =
             previous ? uvOf(previous->view(), c, positionWS) - uvOf(view, c, positionWS) : glm::dvec2(0);
-        motion.emplace_back(moved / glm::dvec2(c.motionScale[0], c.motionScale[1]));
+        const double nearer = previous ? previous->camera.viewZ(positionWS) - host.camera.viewZ(positionWS) : 0;
+        motion.emplace_back(moved / glm::dvec2(c.motionScale[0], c.motionScale[1]),
+                            c.motionDepthScale != 0 ? nearer / double(c.motionDepthScale) : 0, 0);
     }
     constexpr VkFormat kWide = VK_FORMAT_R32G32B32A32_SFLOAT;
     Images out;
@@ -147,7 +149,7 @@ Images draw(gpu::Context& context, const Host& host, const Host* previous = null
     out.normal = upload("test/normal", kWide, normal);
     out.material = upload("test/material", kWide, material);
     out.litRadiance = uploadTestImage(context, "test/lit", kWide, kWidth, kHeight, bytesOf(material));
-    out.motion = uploadTestImage(context, "test/motion", VK_FORMAT_R32G32_SFLOAT, kWidth, kHeight, bytesOf(motion));
+    out.motion = uploadTestImage(context, "test/motion", kWide, kWidth, kHeight, bytesOf(motion));
     out.gbuffer.depth = asHostImage(out.depth);
     out.gbuffer.normal = asHostImage(out.normal);
     out.gbuffer.material = asHostImage(out.material);
@@ -378,6 +380,37 @@ TEST_F(InputCheckTest, WrongMotionIsNamed) {
             EXPECT_THAT(result.findings, IsEmpty());
         // A camera that stands still says nothing about motion.
         EXPECT_FALSE(check(reflections, {gbuffer, jittered}).motionCompared);
+    }
+}
+
+TEST_F(InputCheckTest, WrongMotionInDepthIsNamed) {
+    Host before, now;
+    now.camera.position += glm::normalize(now.camera.target - now.camera.position) * 0.3;
+    struct Case {
+        float truth, declared;
+        const char* finding; ///< null: none
+    };
+    const Case cases[] = {{1, 1, nullptr},
+                          {-1, -1, nullptr},
+                          {0.01f, 0.01f, nullptr},
+                          {0, 0, nullptr},
+                          {-1, 1, "motionDepthScale -1, not 1 as declared"},
+                          {0.01f, 1, "motionDepthScale 0.01, not 1 as declared"},
+                          {0, 1, "state motionDepthScale 0"}};
+    Reflections reflections = checked();
+    for (const Case& one : cases) {
+        now.conventions.motionDepthScale = one.truth;
+        const Images images = draw(gpu(), now, &before);
+        GBuffer gbuffer = images.gbuffer;
+        gbuffer.conventions.motionDepthScale = one.declared;
+        must(reflections.setInputs(gbuffer));
+        record(reflections, before.view());
+        const InputCheck result = check(reflections, {gbuffer, now.view()});
+        EXPECT_TRUE(result.motionCompared);
+        if (one.finding)
+            EXPECT_THAT(result.findings, ElementsAre(HasSubstr(one.finding)));
+        else
+            EXPECT_THAT(result.findings, IsEmpty());
     }
 }
 

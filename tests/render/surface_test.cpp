@@ -92,6 +92,19 @@ TEST_F(SurfaceTest, MotionIsPreviousMinusCurrentWithoutJitter) {
     const glm::vec3 motion = draw(parts, view, 64, 64).motion.center();
     EXPECT_NEAR(motion.x, -0.25f, 1e-4f);
     EXPECT_NEAR(motion.y, 0, 1e-4f);
+    EXPECT_NEAR(motion.z, 0, 1e-4f);
+}
+
+TEST_F(SurfaceTest, MotionTellsDepth) {
+    SceneParts parts;
+    parts.add(square(8), metal(0.5f));
+    scene::Camera perspective;
+    perspective.viewToWorld = scene::lookAt({0, 0, 2}, glm::vec3(0));
+    for (const scene::Camera& camera : {perspective, front(4).camera}) {
+        render::ViewParameters view = {camera, camera, {}, {}};
+        view.prevCamera->viewToWorld[3].z += 0.5f; // the camera was half a metre farther away
+        EXPECT_NEAR(draw(parts, view, 64, 64).motion.center().z, 0.5f, 1e-3f) << camera.orthographic;
+    }
 }
 
 TEST_F(SurfaceTest, OddSizesAndEmptyScenesAreDrawn) {

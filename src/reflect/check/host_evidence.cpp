@@ -341,6 +341,21 @@ std::vector<check::Motion> HostEvidence::motions(size_t reading, const FrameCame
     return found;
 }
 
+std::vector<check::DepthMotion> HostEvidence::depthMotions(size_t reading, const FrameCamera& previous) const {
+    const shared::FrameConstants then = frameOf(readings_[reading], previous);
+    const glm::mat4 toThen = then.worldToView * readings_[reading].frame.viewToWorld;
+    std::vector<check::DepthMotion> found;
+    for (size_t i = 0; i < samples(); ++i) {
+        const glm::vec3 here = positionVS(reading, i, 0, 0);
+        const float stated = stored(i).motion[2];
+        if (here.z >= 0 || !std::isfinite(stated))
+            continue;
+        const float nearer = here.z - (toThen * glm::vec4(here, 1)).z;
+        found.push_back({stated / -here.z, nearer / -here.z});
+    }
+    return found;
+}
+
 std::string nameOfMotion(const check::MotionUnit& unit, const glm::uvec2& extent) {
     if (!unit.pixels)
         return fmt::format("motionScale {{{}, {}}}", unit.scale.x, unit.scale.y);

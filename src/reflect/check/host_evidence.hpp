@@ -53,6 +53,7 @@ public:
     /// Roughness as stored, scaled and biased.
     std::vector<float> roughness(const MaterialChannel& stated) const;
     std::vector<check::Motion> motions(size_t reading, const FrameCamera& previous) const;
+    std::vector<check::DepthMotion> depthMotions(size_t reading, const FrameCamera& previous) const;
 
 private:
     /// What differs from the declarations beside `conventions`.

@@ -40,6 +40,12 @@ InputCheck compareInputs(const DeclaredFrame& frame, std::span<const shared::Inp
                                  [&](const check::MotionUnit& unit) { return nameOfMotion(unit, extent); });
         out.motionCompared = motion.compared;
         add(motion.finding);
+        if (frame.conventions.motionDepthScale != 0) {
+            const check::MotionCheck inDepth = check::compareDepthMotion(
+                evidence.depthMotions(compared.best, *frame.previous), frame.conventions.motionDepthScale);
+            out.motionCompared = out.motionCompared || inDepth.compared;
+            add(inDepth.finding);
+        }
     }
     return out;
 }

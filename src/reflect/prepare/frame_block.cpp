@@ -59,6 +59,7 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::Setti
     constants.traceSize = traced;
     constants.traceScale = constants.size / constants.traceSize;
     constants.motionScale = {host.conventions().motionScale[0], host.conventions().motionScale[1]};
+    constants.motionDepthScale = host.conventions().motionDepthScale;
     constants.viewToPrevView = glm::mat4(glm::dmat4(before_.worldToView) * glm::dmat4(constants.viewToWorld));
     constants.prevViewToPixel = before_.viewToPixel;
     constants.prevUvToView = before_.uvToView;
