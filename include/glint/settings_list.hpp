@@ -271,6 +271,10 @@
         "Maximum surfaces that a ray path hits; the last surface reflects the environment",                            \
         "ray-query:MAX_BOUNCES ray-query:bounces",                                                                     \
         "linear 1..4; if rays.enabled=true; cost +")                                                                   \
+    SETTING(bool, environmentOcclusion, true, "", "",                                                                  \
+        "One more ray tells if the environment that a path's last surface reflects is hidden there",                   \
+        "",                                                                                                            \
+        "switch; if rays.enabled=true; cost +")                                                                        \
     SETTING(RayLobe, lobe, RayLobe::Ggx, "", "",                                                                       \
         "Ray directions: ggx (spread by roughness), mirror, or mirrorIfOne (mirror if rays.samples is 1, else ggx)",   \
         "",                                                                                                            \

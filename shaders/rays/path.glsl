@@ -1,6 +1,6 @@
 // A path of rays through the host's triangles: what it hits adds its light, and it continues from there for up to
-// rays.bounces bounces. The last surface reflects the environment, as in the host's own frames. Include after the ray
-// seam and rays_inputs.glsl.
+// rays.bounces bounces. The last surface reflects the environment, as in the host's own frames, where a last ray does not
+// find it hidden (rays.environmentOcclusion). Include after the ray seam and rays_inputs.glsl.
 #ifndef GLINT_RAYS_PATH_GLSL
 #define GLINT_RAYS_PATH_GLSL
 
@@ -30,6 +30,8 @@ struct Path {
 
     // how the path continues
     bool ended;
+    vec3 environment; // reflected by the last surface, if the last ray meets nothing
+    bool isLastRay;
     vec3 throughput;
     Ray ray;
     LobeVertex vertex; // where the ray starts
@@ -46,7 +48,7 @@ Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, 
     PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
     Ray ray = viewRay(originWS, directionWS);
     uint transparents = isOn(kRaysTransparents) ? settings.transparents : 0u;
-    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false,
+    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, vec3(0.0), false,
                 vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, transparents);
 }
 
@@ -93,6 +95,22 @@ void continueFrom(LitSurface met, vec3 directionWS, inout Path path) {
         path.ray.flags &= ~kRayCullBackFaces;
 }
 
+/// Adds what the last surface reflects of the environment, or sends a last ray that tells if it is hidden: along the mirror
+/// direction, whatever the roughness, so that it brings no noise.
+void endInEnvironment(LitSurface met, inout Path path) {
+    if (!isOn(kRaysEnvironmentOcclusion) || maxComponent(path.throughput * met.environmentSpecular) < kLeastThroughput) {
+        path.radiance += path.throughput * met.environmentSpecular;
+        return;
+    }
+    path.ended = false;
+    path.isLastRay = true;
+    path.environment = met.environmentSpecular;
+    path.density = 0.0;
+    path.medium = kAir; // transparent surfaces hide nothing
+    path.transparents = 0u;
+    continueFrom(met, reflect(path.ray.directionWS, met.normalWS), path);
+}
+
 /// Adds the light of the surface that bounce number `bounce` hit, and continues from there while bounces remain.
 void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     bool last = bounce + 1u == settings.bounces || met.perceptualRoughness > settings.maxRoughness ||
@@ -103,9 +121,11 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
         next = sampleLobe(met.normalWS, V, sampledRoughness(met.lobeRoughness),
                           laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
     path.ended = next.weight <= 0.0;
-    path.radiance += path.throughput * (met.own + (path.ended ? met.environmentSpecular : vec3(0.0)));
-    if (path.ended)
+    path.radiance += path.throughput * met.own;
+    if (path.ended) {
+        endInEnvironment(met, path);
         return;
+    }
     path.throughput *= met.response;
     path.spread = reflected(path.spread, met.bend, sampledRoughness(met.lobeRoughness));
     continueFrom(met, next.ws, path);
@@ -214,13 +234,19 @@ bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIn
 
 /// `bounce`: number of surfaces that the path has hit already, without those that it passed through.
 void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
-    while (bounce < settings.bounces) {
+    while (bounce < settings.bounces || path.isLastRay) {
         if (path.vertex.sendsRays)
             addLights(bounce, px, sampleIndex, path);
         if (path.ended)
             return;
         bool transparent;
         Hit hit = traceSegment(path, transparent);
+        if (path.isLastRay) {
+            path.ended = true;
+            if (!isHit(hit))
+                path.radiance += path.throughput * path.environment;
+            return;
+        }
         if (!isHit(hit)) {
             leaveScene(bounce, path);
             return;

@@ -25,16 +25,17 @@ struct RaysConstants {
     float3 transparentsHigh;
 };
 
-GLINT_CONSTANT(uint, kRaysAlphaTest, 1);           // texels may let a ray pass
-GLINT_CONSTANT(uint, kRaysMirror, 2);              // mirror directions only, at any roughness
-GLINT_CONSTANT(uint, kRaysEnvironment, 4);         // the environment answers for a ray that misses
-GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8);  // the host's own diffuse environment is bound
-GLINT_CONSTANT(uint, kRaysAccumulate, 16);         // previous frames of the same view count as well
-GLINT_CONSTANT(uint, kRaysReuseLight, 32);         // of surfaces that the frame shows
-GLINT_CONSTANT(uint, kRaysTransparentScene, 128);  // some materials are transparent, however rays treat them
-GLINT_CONSTANT(uint, kRaysTransparents, 64);       // some surfaces let rays pass
-GLINT_CONSTANT(uint, kRaysSampleLights, 256);      // rays to lights from every hit that a path continues from
-GLINT_CONSTANT(uint, kRaysSampleLightsFirst, 512); // and from the pixel's surface
+GLINT_CONSTANT(uint, kRaysAlphaTest, 1);               // texels may let a ray pass
+GLINT_CONSTANT(uint, kRaysMirror, 2);                  // mirror directions only, at any roughness
+GLINT_CONSTANT(uint, kRaysEnvironment, 4);             // the environment answers for a ray that misses
+GLINT_CONSTANT(uint, kRaysEnvironmentDiffuse, 8);      // the host's own diffuse environment is bound
+GLINT_CONSTANT(uint, kRaysAccumulate, 16);             // previous frames of the same view count as well
+GLINT_CONSTANT(uint, kRaysReuseLight, 32);             // of surfaces that the frame shows
+GLINT_CONSTANT(uint, kRaysTransparentScene, 128);      // some materials are transparent, however rays treat them
+GLINT_CONSTANT(uint, kRaysTransparents, 64);           // some surfaces let rays pass
+GLINT_CONSTANT(uint, kRaysSampleLights, 256);          // rays to lights from every hit that a path continues from
+GLINT_CONSTANT(uint, kRaysSampleLightsFirst, 512);     // and from the pixel's surface
+GLINT_CONSTANT(uint, kRaysEnvironmentOcclusion, 1024); // a last ray tells if the last surface's environment is hidden
 
 // Fourth word of the source's record: where the first hit was in the previous frame, lib/packed_motion.glsl. Third
 // word, after the words of lib/ray_record.glsl: number of hits lit from the frame (low 12 bits), and

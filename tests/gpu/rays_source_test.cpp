@@ -193,6 +193,31 @@ TEST_P(RaysSourceTest, twoMirrorsShowAsManyBouncesAsAsked) {
     }
 }
 
+/// The floor shows a metal wall, and that the environment, unless a black wall hides it.
+TEST_P(RaysSourceTest, theLastSurfaceReflectsWhatIsNotHidden) {
+    TestEnvironment environment = whiteEnvironment();
+    const auto shown = [&](bool hidden, bool occlusion, int bounces) {
+        SurfaceScene scene;
+        scene.addQuad({-3, 0, 3}, {6, 0, 0}, {0, 0, -6}, whiteMetal(0));
+        scene.addQuad({-3, 0, -3}, {6, 0, 0}, {0, 4, 0}, whiteMetal(0.2f));
+        if (hidden)
+            scene.addQuad({20, -20, 6}, {-40, 0, 0}, {0, 40, 0}, blackMatte());
+        Settings settings = raySettings();
+        settings.denoise.enabled = false;
+        settings.rays.bounces = bounces;
+        settings.rays.environmentOcclusion = occlusion;
+        const SyntheticCamera camera = {.position = {0, 1, 4.5}, .target = {0, 0, -1}};
+        const Picture picture = look(scene, camera, 33, 17, settings, environment.map);
+        return reflected(picture, picture.pixels() / 2).g;
+    };
+    for (const int bounces : {1, 2})
+        for (const bool occlusion : {false, true})
+            EXPECT_NEAR(shown(false, occlusion, bounces), 1, 0.02) << bounces << occlusion;
+    EXPECT_NEAR(shown(true, false, 1), 1, 0.02);
+    EXPECT_EQ(shown(true, true, 1), 0);
+    EXPECT_EQ(shown(true, true, 2), 0) << "the path meets the black wall itself";
+}
+
 TEST_P(RaysSourceTest, aWhiteFurnaceStaysWhite) {
     TestEnvironment environment = whiteEnvironment();
     for (const float roughness : {0.f, 0.1f, 0.3f, 0.5f, 0.7f, 0.9f, 1.f}) {

@@ -177,6 +177,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     flag(host.environment && settings.sky.enabled, shared::kRaysEnvironment);
     flag(static_cast<bool>(host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
     flag(rays.accumulate, shared::kRaysAccumulate);
+    flag(rays.environmentOcclusion, shared::kRaysEnvironmentOcclusion);
     flag(sampleLights_, shared::kRaysSampleLights);
     // The denoiser uses a pixel's answer as the light along its one ray.
     flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLightsFirst);
