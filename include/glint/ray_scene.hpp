@@ -68,11 +68,11 @@ public:
     /// no device memory; the same geometry gives the same hits as with `create`.
     ///
     /// Each command buffer that Glint records traces the top level of the last call of `adopt` or
-    /// setAccelerationStructure before it was recorded. Until the GPU has finished with that command buffer, the
-    /// handle and all that it refers to must exist and stay unchanged. The host records two barriers: before
+    /// setAccelerationStructure before it was recorded; the handle and all that it refers to must exist until the GPU
+    /// has finished with that command buffer, and Glint never destroys them. The host records two barriers: before
     /// Reflections::record, from ACCELERATION_STRUCTURE_WRITE of its builds to ACCELERATION_STRUCTURE_READ at
     /// COMPUTE_SHADER; and before it builds or refits these structures again, one of execution from COMPUTE_SHADER to
-    /// ACCELERATION_STRUCTURE_BUILD. Glint never destroys the handle.
+    /// ACCELERATION_STRUCTURE_BUILD.
     ///
     /// On such a scene setInstances, updateInstances and deform return InvalidArgument, because the host makes these
     /// changes in its own structures; `record` records nothing, releaseStaging has no effect, and all times are 0.

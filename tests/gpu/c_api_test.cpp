@@ -523,11 +523,8 @@ TEST_F(CApiTest, AHostsAccelerationStructureGivesTheHitsOfItsTriangles) {
                            [&](VkCommandBuffer commands, const RayHits& hits) { shading.record(commands, hits); }));
     const std::vector<RayInstance>& instances = scene_.triangles.instances;
     RayTracingHost host(gpu(), scene_.triangles);
-    std::vector<RayTracingHost::Instance> turned;
-    for (uint32_t i = static_cast<uint32_t>(instances.size()); i-- > 0;)
-        turned.push_back({instances[i], i});
-    host.addTop(turned);
-    host.addTop(turned);
+    host.addTop(RayTracingHost::reversed(instances));
+    host.addTop(RayTracingHost::reversed(instances));
     run([&](VkCommandBuffer commands) {
         host.buildAll(commands);
         world.rays.record(commands);

@@ -80,8 +80,9 @@ protected:
     }
 
     uint32_t instanceCount() const { return static_cast<uint32_t>(scene_.triangles.instances.size()); }
-    HostAccelerationStructure declared(const RayTracingHost& host, size_t top) const {
-        return {.topLevel = host.top(top), .instanceCount = instanceCount()};
+    HostAccelerationStructure declared(const RayTracingHost& host, size_t top,
+                                       InstanceNumbering numbering = InstanceNumbering::TopLevelIndex) const {
+        return {.topLevel = host.top(top), .instanceCount = instanceCount(), .numbering = numbering};
     }
 
     Picture look(RayScene& rays, SurfaceTable& surfaces, const Settings& settings) {
@@ -112,15 +113,18 @@ protected:
 
     /// Frames in which the card moves. `depth` frames are in flight, each with a top level of its own; 0: one frame of
     /// Glint's own scene.
-    std::vector<std::vector<uint16_t>> play(uint32_t depth, const Settings& settings) {
+    std::vector<std::vector<uint16_t>> play(uint32_t depth, const Settings& settings,
+                                            InstanceNumbering numbering = InstanceNumbering::TopLevelIndex) {
+        const auto listed =
+            numbering == InstanceNumbering::CustomIndex ? RayTracingHost::reversed : RayTracingHost::inOrder;
         SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
         RayTracingHost host(gpu(), scene_.triangles);
         for (uint32_t i = 0; i < depth; ++i)
-            host.addTop(scene_.triangles.instances);
+            host.addTop(listed(scene_.triangles.instances));
         std::optional<RayScene> adopted;
         if (depth > 0) {
             run([&](VkCommandBuffer commands) { host.buildBottoms(commands); });
-            adopted = must(RayScene::adopt(library(), declared(host, 0)));
+            adopted = must(RayScene::adopt(library(), declared(host, 0, numbering)));
         }
         RayScene& rays = adopted ? *adopted : world.rays;
         ReflectionsDesc desc = {kWidth, kHeight, settings, true, true};
@@ -142,8 +146,8 @@ protected:
                 surfaces.push_back({instances[i].mesh, i, instances[i].localToWorld});
             must(world.surfaces.setInstances(surfaces));
             if (depth > 0) {
-                host.setInstances(frame % depth, instances);
-                must(rays.setAccelerationStructure(declared(host, frame % depth)));
+                host.setInstances(frame % depth, listed(instances));
+                must(rays.setAccelerationStructure(declared(host, frame % depth, numbering)));
             } else {
                 must(rays.setInstances(instances));
             }
@@ -178,11 +182,11 @@ TEST_F(HostAccelerationStructureTest, ShowsWhatTheTrianglesShow) {
     const Picture own = look(world.rays, world.surfaces, raySettings());
     EXPECT_GT(own.counted("hit"), 500u);
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     for (uint32_t i = 1; i < instanceCount(); ++i) {
         std::vector<RayInstance> fewer = scene_.triangles.instances;
         fewer[i].mask = 0;
-        host.addTop(fewer);
+        host.addTop(RayTracingHost::inOrder(fewer));
     }
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
     expectSame(look(world.surfaces, declared(host, 0), raySettings()), own);
@@ -195,7 +199,7 @@ TEST_F(HostAccelerationStructureTest, ShowsWhatTheTrianglesShow) {
 TEST_F(HostAccelerationStructureTest, MasksAndHolesFollowTheSettings) {
     SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
     const Picture whole = look(world.rays, world.surfaces, raySettings());
     Settings masked = raySettings();
@@ -215,16 +219,11 @@ TEST_F(HostAccelerationStructureTest, MasksAndHolesFollowTheSettings) {
 TEST_F(HostAccelerationStructureTest, CustomIndicesNumberInstancesInAnyOrder) {
     SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
     RayTracingHost host(gpu(), scene_.triangles);
-    std::vector<RayTracingHost::Instance> turned;
-    for (uint32_t i = instanceCount(); i-- > 0;)
-        turned.push_back({scene_.triangles.instances[i], i});
-    host.addTop(turned);
+    host.addTop(RayTracingHost::reversed(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
-    HostAccelerationStructure declaration = declared(host, 0);
     const Picture own = look(world.rays, world.surfaces, raySettings());
-    EXPECT_NE(look(world.surfaces, declaration, raySettings()).composite, own.composite) << "numbered in their order";
-    declaration.numbering = InstanceNumbering::CustomIndex;
-    expectSame(look(world.surfaces, declaration, raySettings()), own);
+    EXPECT_NE(look(world.surfaces, declared(host, 0), raySettings()).composite, own.composite) << "in their order";
+    expectSame(look(world.surfaces, declared(host, 0, InstanceNumbering::CustomIndex), raySettings()), own);
 }
 
 /// Three bottom levels of several geometries, whose opacity is theirs, not their instances'.
@@ -251,18 +250,14 @@ TEST_F(HostAccelerationStructureTest, GeometriesAreNumberedFromTheCustomIndexOn)
     RayTracingHost host(gpu(), bottoms);
     host.addTop(instances);
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
-    HostAccelerationStructure declaration = declared(host, 0);
-    declaration.numbering = InstanceNumbering::CustomIndex;
-    expectSame(look(world.surfaces, declaration, raySettings()), look(world.rays, world.surfaces, raySettings()));
+    expectSame(look(world.surfaces, declared(host, 0, InstanceNumbering::CustomIndex), raySettings()),
+               look(world.rays, world.surfaces, raySettings()));
 }
 
 TEST_F(HostAccelerationStructureTest, HitsForTheHostToShadeHaveItsNumbers) {
     SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
     RayTracingHost host(gpu(), scene_.triangles);
-    std::vector<RayTracingHost::Instance> turned;
-    for (uint32_t i = instanceCount(); i-- > 0;)
-        turned.push_back({scene_.triangles.instances[i], i});
-    host.addTop(turned);
+    host.addTop(RayTracingHost::reversed(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) {
         host.buildAll(commands);
         world.rays.record(commands);
@@ -275,16 +270,14 @@ TEST_F(HostAccelerationStructureTest, HitsForTheHostToShadeHaveItsNumbers) {
             made.setRays(rays, [&](VkCommandBuffer commands, const RayHits& hits) { shading.record(commands, hits); }));
         return trace(made, camera_.view(kWidth, kHeight));
     };
-    HostAccelerationStructure declaration = declared(host, 0);
-    declaration.numbering = InstanceNumbering::CustomIndex;
-    RayScene adopted = must(RayScene::adopt(library(), declaration));
+    RayScene adopted = must(RayScene::adopt(library(), declared(host, 0, InstanceNumbering::CustomIndex)));
     expectSame(shaded(adopted), shaded(world.rays));
 }
 
 TEST_F(HostAccelerationStructureTest, MeshesThatDeformAreRefittedByTheHost) {
     SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
     RayScene adopted = must(RayScene::adopt(library(), declared(host, 0)));
     const Picture before = look(world.rays, world.surfaces, raySettings());
@@ -312,7 +305,7 @@ TEST_F(HostAccelerationStructureTest, LampsAreSampledByDeclaredTriangles) {
     gbuffer_ = SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene_), camera_, kWidth, kHeight);
     SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
     const Picture own = look(world.rays, world.surfaces, settings);
     std::vector<uint32_t> counts;
@@ -339,7 +332,7 @@ TEST_F(HostAccelerationStructureTest, TransparentSurfacesAreWhereTheHostDeclares
     settings.rays.bounces = 1;
     SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
     const Picture own = look(world.rays, world.surfaces, settings);
     rays::Bounds box;
@@ -373,7 +366,7 @@ TEST_F(HostAccelerationStructureTest, TheDenoiserFollowsWhatMoves) {
     settings.denoise.antilag = Antilag::Gradient;
     scene_.materials[0].roughnessFactor = 0.3f;
     gbuffer_ = SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene_), camera_, kWidth, kHeight);
-    EXPECT_EQ(play(2, settings), play(0, settings));
+    EXPECT_EQ(play(2, settings, InstanceNumbering::CustomIndex), play(0, settings));
 }
 
 /// Recorded with one top level, submitted after another has replaced it.
@@ -382,8 +375,8 @@ TEST_F(HostAccelerationStructureTest, ARecordedFrameKeepsItsTopLevel) {
     RayTracingHost host(gpu(), scene_.triangles);
     std::vector<RayInstance> moved = scene_.triangles.instances;
     moved[kCard].localToWorld[13] = 0.5f;
-    host.addTop(scene_.triangles.instances);
-    host.addTop(moved);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
+    host.addTop(RayTracingHost::inOrder(moved));
     run([&](VkCommandBuffer commands) {
         host.buildAll(commands);
         world.surfaces.record(commands);
@@ -416,7 +409,7 @@ TEST_F(HostAccelerationStructureTest, ARecordedFrameKeepsItsTopLevel) {
 
 TEST_F(HostAccelerationStructureTest, TakesNoMemoryAndRecordsNothing) {
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     run([&](VkCommandBuffer commands) { host.buildAll(commands); });
     const uint64_t before = library().memory().bytes;
     RayScene rays = must(RayScene::adopt(library(), declared(host, 0)));
@@ -429,7 +422,7 @@ TEST_F(HostAccelerationStructureTest, TakesNoMemoryAndRecordsNothing) {
 
 TEST_F(HostAccelerationStructureTest, MistakesAreErrorsOfOneLine) {
     RayTracingHost host(gpu(), scene_.triangles);
-    host.addTop(scene_.triangles.instances);
+    host.addTop(RayTracingHost::inOrder(scene_.triangles.instances));
     const auto expectError = [](const auto& result, std::string_view part) {
         ASSERT_FALSE(result);
         EXPECT_EQ(result.error().code, ErrorCode::InvalidArgument);

@@ -134,10 +134,17 @@ RayTracingHost::RayTracingHost(gpu::Context& context, const TestScene& scene)
           return bottoms;
       }()) {}
 
-std::vector<RayTracingHost::Instance> RayTracingHost::listed(const std::vector<RayInstance>& instances) {
+std::vector<RayTracingHost::Instance> RayTracingHost::inOrder(const std::vector<RayInstance>& instances) {
     std::vector<Instance> list;
     for (const RayInstance& instance : instances)
         list.push_back({instance});
+    return list;
+}
+
+std::vector<RayTracingHost::Instance> RayTracingHost::reversed(const std::vector<RayInstance>& instances) {
+    std::vector<Instance> list;
+    for (uint32_t i = static_cast<uint32_t>(instances.size()); i-- > 0;)
+        list.push_back({instances[i], i});
     return list;
 }
 

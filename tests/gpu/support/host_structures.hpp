@@ -51,14 +51,16 @@ public:
     /// One bottom level for each mesh.
     RayTracingHost(gpu::Context& context, const TestScene& scene);
 
+    /// In this order, without custom indices.
+    static std::vector<Instance> inOrder(const std::vector<RayInstance>& instances);
+    /// In reverse order; custom indices are the numbers in the list.
+    static std::vector<Instance> reversed(const std::vector<RayInstance>& instances);
     /// Returns a new top level's number.
     size_t addTop(const std::vector<Instance>& instances);
-    /// In this order, without custom indices.
-    size_t addTop(const std::vector<RayInstance>& instances) { return addTop(listed(instances)); }
     VkAccelerationStructureKHR top(size_t number) const { return tops_[number].structure->handle(); }
 
     /// Writes other instances, as many. The GPU must be done with this top level.
-    void setInstances(size_t top, const std::vector<RayInstance>& instances) { write(tops_[top], listed(instances)); }
+    void setInstances(size_t top, const std::vector<Instance>& instances) { write(tops_[top], instances); }
     /// Writes other positions of a mesh, the first of its bottom level. The GPU must be done with it.
     void move(size_t bottom, const std::vector<glm::vec3>& positions);
 
@@ -76,7 +78,6 @@ private:
         gpu::Buffer instances;
         std::unique_ptr<HostStructure> structure;
     };
-    static std::vector<Instance> listed(const std::vector<RayInstance>& instances);
     void write(Top& top, const std::vector<Instance>& instances);
 
     gpu::Context& context_;
