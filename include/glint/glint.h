@@ -106,6 +106,13 @@ typedef enum GlintRayBackend {
     GLINT_RAY_BACKEND_MAX_ENUM = 0x7fffffff
 } GlintRayBackend;
 
+/// glint::InstanceNumbering
+typedef enum GlintInstanceNumbering {
+    GLINT_INSTANCE_NUMBERING_TOP_LEVEL_INDEX = 0,
+    GLINT_INSTANCE_NUMBERING_CUSTOM_INDEX = 1,
+    GLINT_INSTANCE_NUMBERING_MAX_ENUM = 0x7fffffff
+} GlintInstanceNumbering;
+
 /// glint::SurfaceAlpha
 typedef enum GlintSurfaceAlpha {
     GLINT_SURFACE_ALPHA_OPAQUE = 0,
@@ -445,6 +452,20 @@ typedef struct GlintRaySceneDesc {
 
 GLINT_API void glint_ray_scene_desc_init(GlintRaySceneDesc* desc, uint32_t size);
 
+/// A top-level acceleration structure of the host (glint::HostAccelerationStructure).
+typedef struct GlintHostAccelerationStructure {
+    uint32_t size;
+    uint32_t instanceCount;
+    VkAccelerationStructureKHR topLevel;
+    const uint32_t* triangleCounts; ///< instanceCount numbers; null: unknown
+    GlintInstanceNumbering numbering;
+    float transparentLowWS[3];
+    float transparentHighWS[3];
+    uint32_t reserved;
+} GlintHostAccelerationStructure;
+
+GLINT_API void glint_host_acceleration_structure_init(GlintHostAccelerationStructure* host, uint32_t size);
+
 /// glint::RaySceneTimes
 typedef struct GlintRaySceneTimes {
     uint32_t size;
@@ -459,8 +480,14 @@ GLINT_API void glint_ray_scene_times_init(GlintRaySceneTimes* times, uint32_t si
 
 GLINT_API GlintResult glint_ray_scene_create(GlintContext* context, const GlintRaySceneDesc* desc,
                                              GlintRayScene** scene);
+/// A scene of the host's own top level, which the host builds and owns (glint::RayScene::adopt).
+GLINT_API GlintResult glint_ray_scene_adopt(GlintContext* context, const GlintHostAccelerationStructure* host,
+                                            GlintRayScene** scene);
 GLINT_API void glint_ray_scene_destroy(GlintRayScene* scene);
 GLINT_API GlintRayBackend glint_ray_scene_backend(const GlintRayScene* scene);
+/// Replaces the host's top level of an adopted scene, from the next recording on.
+GLINT_API GlintResult glint_ray_scene_set_acceleration_structure(GlintRayScene* scene,
+                                                                 const GlintHostAccelerationStructure* host);
 GLINT_API GlintResult glint_ray_scene_set_instances(GlintRayScene* scene, const GlintRayInstance* instances,
                                                     uint32_t count);
 /// Replaces `count` instances from `first` on and leaves the others.

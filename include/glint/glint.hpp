@@ -6,6 +6,7 @@
 #include "glint/context.hpp"
 #include "glint/error.hpp"
 #include "glint/gbuffer.hpp"
+#include "glint/host_acceleration_structure.hpp"
 #include "glint/input_check.hpp"
 #include "glint/inspection.hpp"
 #include "glint/outputs.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The host's triangles and instances for ray tracing. Optional: without a RayScene the source `rays` is not available.
+// The host's triangles and instances for ray tracing, or its own acceleration structure. Optional: without a RayScene
+// the source `rays` is not available.
 #pragma once
 
 #include "glint/api.h"
 #include "glint/context.hpp"
+#include "glint/host_acceleration_structure.hpp"
 #include "glint/ray_backend.hpp"
 #include "glint/view.hpp"
 
@@ -53,20 +55,42 @@ struct RaySceneTimes {
     double gpuUpdateMs = 0; ///< the last record that built or refitted
 };
 
-/// Acceleration structures of the host's triangles. Both back ends find the same hits. Triangles with a vertex that is
-/// NaN, infinite or beyond 1e18 m are skipped, as are instances with such a transform or a singular one. Empty scenes
-/// are valid. Threading: external synchronization.
+/// Acceleration structures of the host's triangles: made by Glint with `create`, or the host's own with `adopt`. Both
+/// back ends find the same hits. `create` skips triangles with a vertex that is NaN, infinite or beyond 1e18 m, and
+/// instances with such a transform or a singular one. Empty scenes are valid. Threading: external synchronization.
 class GLINT_API RayScene {
 public:
     /// Copies the triangles. With the Bvh back end it also builds the hierarchies, in about 1 s per million triangles.
     /// Errors: InvalidArgument for a vertex index or a mesh index out of range; Unsupported for Query on a device
     /// without ray queries, or for a scene larger than the device's storage buffers; OutOfMemory.
     static Result<RayScene> create(Context& context, const RaySceneDesc& desc);
+    /// Traces through the host's own top level instead, by the Query back end. Copies nothing, builds nothing and takes
+    /// no device memory; the same geometry gives the same hits as with `create`.
+    ///
+    /// Each command buffer that Glint records traces the top level of the last call of `adopt` or
+    /// setAccelerationStructure before it was recorded; the handle and all that it refers to must exist until the GPU
+    /// has finished with that command buffer, and Glint never destroys them. The host records two barriers: before
+    /// Reflections::record, from ACCELERATION_STRUCTURE_WRITE of its builds to ACCELERATION_STRUCTURE_READ at
+    /// COMPUTE_SHADER; and before it builds or refits these structures again, one of execution from COMPUTE_SHADER to
+    /// ACCELERATION_STRUCTURE_BUILD.
+    ///
+    /// On such a scene setInstances, updateInstances and deform return InvalidArgument, because the host makes these
+    /// changes in its own structures; `record` records nothing, releaseStaging has no effect, and all times are 0.
+    /// Errors: Unsupported on a device without ray queries; InvalidArgument for a null handle, 2^24 instances or more,
+    /// triangle counts for another number of instances, or a box with a side that is not a number, beyond 1e18 m or
+    /// reversed.
+    static Result<RayScene> adopt(Context& context, const HostAccelerationStructure& host);
     ~RayScene();
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
 
     RayBackend backend() const; ///< returns Query or Bvh
+
+    /// Replaces the host's top level and the declarations that come with it, each frame if the host has several. Takes
+    /// effect with the next command buffer that traces rays; those in flight keep theirs. Cheap, and allowed at any
+    /// time between recordings.
+    /// Errors: InvalidArgument as in `adopt`, for another `numbering` than there, and for a scene made by `create`.
+    Result<void> setAccelerationStructure(const HostAccelerationStructure& host);
 
     /// Replaces all instances: the host may move, add or remove instances. Takes effect with the next record.
     /// Errors: InvalidArgument as in create, and for more than maxInstances instances.

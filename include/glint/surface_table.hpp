@@ -98,7 +98,7 @@ struct VertexStream {
     uint32_t stride = 0;         ///< bytes from vertex to vertex, a multiple of 4
 };
 
-/// Vertex data for shading the RayMesh of the same index.
+/// Vertex data for shading the RayMesh of the same index; in an adopted RayScene, one geometry of a bottom level.
 struct SurfaceMesh {
     VertexStream positions; ///< x, y, z; same as the RayMesh's
     VertexStream normals;   ///< x, y, z unit; absent: flat shading
@@ -111,7 +111,8 @@ struct SurfaceMesh {
     VertexStream previousPositions;
 };
 
-/// Material and transform for shading the RayInstance of the same index. An instance that keeps its index and its mesh
+/// Material and transform for shading the RayInstance of the same index; in an adopted RayScene, the hits of the same
+/// number (InstanceNumbering). An instance that keeps its index and its mesh
 /// from frame to frame is one that moves; denoise.hitMotion follows it in reflections.
 struct SurfaceInstance {
     uint32_t mesh = 0;
@@ -136,7 +137,7 @@ struct SurfaceLight {
 struct SurfaceTableDesc {
     std::span<const SurfaceTexture> textures;
     std::span<const SurfaceMaterial> materials; ///< at least one
-    std::span<const SurfaceMesh> meshes;        ///< as many as the RayScene's
+    std::span<const SurfaceMesh> meshes;        ///< as many as the RayScene's; any number if it is adopted
     std::span<const SurfaceInstance> instances; ///< as many as the RayScene's
     std::span<const SurfaceLight> lights;
     uint32_t maxInstances = 0; ///< maximum count for setInstances; raised to the count of `instances`

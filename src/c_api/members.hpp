@@ -30,6 +30,7 @@ GLINT_C_STRUCT(View, GlintView)
 GLINT_C_STRUCT(RayMesh, GlintRayMesh)
 GLINT_C_STRUCT(RayInstance, GlintRayInstance)
 GLINT_C_STRUCT(RaySceneDesc, GlintRaySceneDesc)
+GLINT_C_STRUCT(HostAccelerationStructure, GlintHostAccelerationStructure)
 GLINT_C_STRUCT(RaySceneTimes, GlintRaySceneTimes)
 GLINT_C_STRUCT(SurfaceMaterial, GlintSurfaceMaterial)
 GLINT_C_STRUCT(SurfaceMesh, GlintSurfaceMesh)
@@ -74,6 +75,9 @@ constexpr RoughnessKind lastOf(RoughnessKind) {
 }
 constexpr RayBackend lastOf(RayBackend) {
     return RayBackend::Bvh;
+}
+constexpr InstanceNumbering lastOf(InstanceNumbering) {
+    return InstanceNumbering::CustomIndex;
 }
 constexpr SurfaceAlpha lastOf(SurfaceAlpha) {
     return SurfaceAlpha::Blend;
@@ -228,6 +232,16 @@ template <class Visitor>
 void members(Visitor& visitor, GlintRaySceneDesc& c, RaySceneDesc& cpp) { // and the lists (rays.cpp)
     GLINT_PAIR(maxInstances)
     GLINT_PAIR(backend)
+}
+
+template <class Visitor>
+void members(Visitor& visitor, GlintHostAccelerationStructure& c,
+             HostAccelerationStructure& cpp) { // and triangleCounts (rays.cpp)
+    GLINT_PAIR(topLevel)
+    GLINT_PAIR(instanceCount)
+    GLINT_PAIR(numbering)
+    GLINT_PAIR(transparentLowWS)
+    GLINT_PAIR(transparentHighWS)
 }
 
 template <class Visitor>

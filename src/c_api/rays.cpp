@@ -20,6 +20,15 @@ Result<std::vector<RayMesh>> readMeshes(const GlintRayMesh* first, uint32_t coun
     return meshes;
 }
 
+/// The list is the host's: it lives as long as the call.
+Result<HostAccelerationStructure> readHost(const GlintHostAccelerationStructure* host) {
+    GLINT_TRY(whole, wholeStruct<HostAccelerationStructure>(host));
+    GLINT_TRY(cpp, readStruct<HostAccelerationStructure>(host));
+    if (whole.triangleCounts)
+        cpp.triangleCounts = {whole.triangleCounts, whole.instanceCount};
+    return cpp;
+}
+
 } // namespace
 
 void glint_ray_mesh_init(GlintRayMesh* mesh, uint32_t size) {
@@ -32,6 +41,10 @@ void glint_ray_instance_init(GlintRayInstance* instance, uint32_t size) {
 
 void glint_ray_scene_desc_init(GlintRaySceneDesc* desc, uint32_t size) {
     initStruct<RaySceneDesc>(desc, size);
+}
+
+void glint_host_acceleration_structure_init(GlintHostAccelerationStructure* host, uint32_t size) {
+    initStruct<HostAccelerationStructure>(host, size);
 }
 
 void glint_ray_scene_times_init(GlintRaySceneTimes* times, uint32_t size) {
@@ -53,12 +66,30 @@ GlintResult glint_ray_scene_create(GlintContext* context, const GlintRaySceneDes
     return GLINT_SUCCESS;
 }
 
+GlintResult glint_ray_scene_adopt(GlintContext* context, const GlintHostAccelerationStructure* host,
+                                  GlintRayScene** scene) {
+    GLINT_C_REQUIRE(scene);
+    *scene = nullptr;
+    GLINT_C_REQUIRE(context);
+    GLINT_C_TRY(cpp, readHost(host));
+    GLINT_C_TRY(made, RayScene::adopt(context->context, cpp));
+    *scene = new GlintRayScene{std::move(made)};
+    return GLINT_SUCCESS;
+}
+
 void glint_ray_scene_destroy(GlintRayScene* scene) {
     delete scene;
 }
 
 GlintRayBackend glint_ray_scene_backend(const GlintRayScene* scene) {
     return scene ? static_cast<GlintRayBackend>(scene->scene.backend()) : GLINT_RAY_BACKEND_AUTO;
+}
+
+GlintResult glint_ray_scene_set_acceleration_structure(GlintRayScene* scene,
+                                                       const GlintHostAccelerationStructure* host) {
+    GLINT_C_REQUIRE(scene);
+    GLINT_C_TRY(cpp, readHost(host));
+    return outcome(scene->scene.setAccelerationStructure(cpp));
 }
 
 GlintResult glint_ray_scene_set_instances(GlintRayScene* scene, const GlintRayInstance* instances, uint32_t count) {

@@ -158,14 +158,18 @@ Pass& Pass::read(std::string_view name, Buffer& buffer) {
 }
 
 Pass& Pass::read(std::string_view name, AccelerationStructure& top) {
-    const ShaderBinding* binding = find(name, true, false, ResourceKind::AccelerationStructure);
-    if (!binding)
-        return *this;
     const Use use = traversal(shaderStages(pipeline_));
     frame_.use(top.storage(), use);
     for (AccelerationStructure* bottom : top.references())
         frame_.use(bottom->storage(), use);
-    scene_ = top.handle();
+    return read(name, top.handle());
+}
+
+Pass& Pass::read(std::string_view name, VkAccelerationStructureKHR top) {
+    const ShaderBinding* binding = find(name, true, false, ResourceKind::AccelerationStructure);
+    if (!binding)
+        return *this;
+    scene_ = top;
     VkWriteDescriptorSet& write = writes_[bound_++];
     write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstBinding = binding->binding;

@@ -57,6 +57,8 @@ public:
     Pass& read(std::string_view name, Buffer& buffer);
     /// Binds the top level that the shader's ray queries trace, and makes every structure it refers to readable.
     Pass& read(std::string_view name, AccelerationStructure& top);
+    /// Binds a host's top level, whose barriers are the host's.
+    Pass& read(std::string_view name, VkAccelerationStructureKHR top);
     /// Binds one mip of a writeonly storage image; its old content is discarded unless `keep`.
     Pass& write(std::string_view name, Image& image, uint32_t mip = 0, bool keep = false);
     Pass& write(std::string_view name, Buffer& buffer);

@@ -11,6 +11,10 @@
 
 namespace glint::rays {
 
+/// Every device with ray queries supports this many (Vulkan 1.3, "Required Limits"), and the hierarchy's levels can
+/// hold them. Custom indices of instances have as many bits.
+constexpr uint32_t kMostInstances = (1u << 24) - 1;
+
 struct Placement {
     glm::dmat4x3 localToWorld;
     glm::dmat3 worldToLocal; ///< for directions; positions first have the local origin subtracted

@@ -10,9 +10,6 @@
 namespace glint::rays {
 namespace {
 
-/// Every device with ray queries supports this many (Vulkan 1.3, "Required Limits"), and the hierarchy's levels can
-/// hold them.
-constexpr uint32_t kMostInstances = (1u << 24) - 1;
 static_assert(uint64_t{kMostInstances} <= uint64_t{1} << 3 * shared::kBvhTopLevels);
 
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
@@ -28,7 +25,23 @@ Bounds boundsOf(const std::vector<glm::vec3>& points) {
 
 } // namespace
 
+std::vector<gpu::SpecConstant> Scene::constants() const {
+    constexpr uint32_t kCustomIndices = 2;
+    if (adopted_ && adopted_->numbering() == InstanceNumbering::CustomIndex)
+        return {{kCustomIndices, VK_TRUE}};
+    return {};
+}
+
+uint32_t Scene::trianglesSeen(uint32_t instance, uint32_t mask) const {
+    if (adopted_)
+        return adopted_->triangleCount(instance);
+    const RayInstance& placed = instances_[instance];
+    return (placed.mask & mask) != 0 ? meshTriangles_[placed.mesh] : 0;
+}
+
 Bounds Scene::instanceBounds(uint32_t instance) const {
+    if (adopted_)
+        return adopted_->transparentBounds();
     const RayInstance& placed = instances_[instance];
     const Bounds& local = meshBounds_[placed.mesh];
     const std::optional<Placement> placement = placementOf(placed);
@@ -95,7 +108,34 @@ Result<std::unique_ptr<Scene>> Scene::create(gpu::Context& context, const RaySce
     return scene;
 }
 
+Result<std::unique_ptr<Scene>> Scene::adopt(gpu::Context& context, const HostAccelerationStructure& host) {
+    if (!context.rayQuery())
+        return makeError(ErrorCode::Unsupported,
+                         "ray queries are not enabled on {}: the host's acceleration structure cannot be traced",
+                         context.info().name);
+    std::unique_ptr<Scene> scene(new Scene(context));
+    GLINT_TRY(adopted, AdoptedScene::create(host));
+    scene->adopted_ = std::move(adopted);
+    scene->backend_ = RayBackend::Query;
+    return scene;
+}
+
+Result<void> Scene::setAccelerationStructure(const HostAccelerationStructure& host) {
+    if (!adopted_)
+        return invalidArgument("the ray scene was made of triangles; RayScene::adopt takes an acceleration structure");
+    return adopted_->replace(host);
+}
+
+/// Glint has no lists of a scene that is the host's acceleration structure.
+Result<void> Scene::checkOwn(const char* call) const {
+    if (adopted_)
+        return invalidArgument("{}: the ray scene is the host's acceleration structure, which the host changes itself",
+                               call);
+    return {};
+}
+
 Result<void> Scene::setInstances(std::span<const RayInstance> instances) {
+    GLINT_CHECK(checkOwn("setInstances"));
     const auto start = std::chrono::steady_clock::now();
     GLINT_CHECK(check(instances));
     instances_.assign(instances.begin(), instances.end());
@@ -105,6 +145,7 @@ Result<void> Scene::setInstances(std::span<const RayInstance> instances) {
 }
 
 Result<void> Scene::updateInstances(uint32_t first, std::span<const RayInstance> instances) {
+    GLINT_CHECK(checkOwn("updateInstances"));
     const auto start = std::chrono::steady_clock::now();
     if (uint64_t{first} + instances.size() > instances_.size())
         return invalidArgument("ray instances {} to {} are updated, the scene has {}", first,
@@ -117,6 +158,7 @@ Result<void> Scene::updateInstances(uint32_t first, std::span<const RayInstance>
 }
 
 Result<void> Scene::deform(uint32_t mesh, const float* positions, uint32_t vertexCount, uint32_t vertexStride) {
+    GLINT_CHECK(checkOwn("deform"));
     const auto start = std::chrono::steady_clock::now();
     if (mesh >= deformable_.size() || deformable_[mesh] == 0)
         return invalidArgument("ray mesh {} was not made with `deforms`, or has no vertices", mesh);
@@ -135,6 +177,8 @@ Result<void> Scene::deform(uint32_t mesh, const float* positions, uint32_t verte
 }
 
 void Scene::record(VkCommandBuffer commands) {
+    if (adopted_)
+        return;
     std::visit(
         [&](auto& backend) {
             if (!backend->pending(progress_))
@@ -149,17 +193,23 @@ void Scene::record(VkCommandBuffer commands) {
 }
 
 void Scene::releaseStaging() {
+    if (adopted_)
+        return;
     std::visit([&](auto& backend) { backend->releaseStaging(progress_); }, scene_);
 }
 
 RaySceneTimes Scene::times() {
-    if (backend_ == RayBackend::Query)
+    if (backend_ == RayBackend::Query && !adopted_)
         for (const gpu::PassTime& time : timers_->latest())
             (time.name == "rays/build" ? times_.gpuBuildMs : times_.gpuUpdateMs) = time.milliseconds;
     return times_;
 }
 
 gpu::Pass& Scene::bind(gpu::Pass& pass) {
+    if (adopted_) {
+        adopted_->bind(pass);
+        return pass;
+    }
     GLINT_ASSERT(recorded_ || pass.rehearsing(), "a ray scene is traced before it was recorded");
     std::visit([&](auto& backend) { backend->bind(pass); }, scene_);
     return pass;
@@ -179,6 +229,15 @@ RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 Result<RayScene> RayScene::create(Context& context, const RaySceneDesc& desc) {
     GLINT_TRY(scene, rays::Scene::create(context.gpu(), desc));
     return RayScene(std::move(scene));
+}
+
+Result<RayScene> RayScene::adopt(Context& context, const HostAccelerationStructure& host) {
+    GLINT_TRY(scene, rays::Scene::adopt(context.gpu(), host));
+    return RayScene(std::move(scene));
+}
+
+Result<void> RayScene::setAccelerationStructure(const HostAccelerationStructure& host) {
+    return scene_->setAccelerationStructure(host);
 }
 
 RayBackend RayScene::backend() const {

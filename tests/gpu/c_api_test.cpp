@@ -1,5 +1,7 @@
 // The C interface beside the C++ interface: the same calls give the same bits, with every source.
 #include "c_api/struct_reading.hpp"
+#include "gpu/support/host_shading.hpp"
+#include "gpu/support/host_structures.hpp"
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
 
@@ -502,6 +504,63 @@ TEST_F(CApiTest, AHostMayShadeHitsItself) {
     EXPECT_EQ(glint_ray_scene_set_instances(scene, two.data(), 2), GLINT_ERROR_INVALID_ARGUMENT);
     EXPECT_EQ(glint_ray_scene_deform(scene, 0, mesh.positions, mesh.vertexCount, 12), GLINT_ERROR_INVALID_ARGUMENT)
         << "the mesh does not deform";
+    glint_reflections_destroy(reflections_);
+    reflections_ = nullptr;
+    glint_ray_scene_destroy(scene);
+}
+
+TEST_F(CApiTest, AHostsAccelerationStructureGivesTheHitsOfItsTriangles) {
+    if (!gpu().rayQuery())
+        GTEST_SKIP() << "no ray queries on " << gpu().info().name;
+    const HostShading shading(gpu());
+    Settings settings;
+    settings.screen.enabled = false;
+    settings.rays.enabled = true;
+    SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Query);
+    Reflections cpp = LibraryTest::reflections(kWidth, kHeight, settings);
+    test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));
+    test::must(cpp.setRays(world.rays,
+                           [&](VkCommandBuffer commands, const RayHits& hits) { shading.record(commands, hits); }));
+    const std::vector<RayInstance>& instances = scene_.triangles.instances;
+    RayTracingHost host(gpu(), scene_.triangles);
+    host.addTop(RayTracingHost::reversed(instances));
+    host.addTop(RayTracingHost::reversed(instances));
+    run([&](VkCommandBuffer commands) {
+        host.buildAll(commands);
+        world.rays.record(commands);
+    });
+    const Picture expected = LibraryTest::trace(cpp, view(1));
+    EXPECT_GT(expected.counted("hit"), 100u);
+
+    GlintHostAccelerationStructure top = initialized(glint_host_acceleration_structure_init);
+    GlintRayScene* scene = nullptr;
+    EXPECT_EQ(glint_ray_scene_adopt(context_, &top, &scene), GLINT_ERROR_INVALID_ARGUMENT) << "it is null";
+    EXPECT_EQ(scene, nullptr);
+    const std::vector<uint32_t> triangleCounts(instances.size(), 2);
+    top.topLevel = host.top(0);
+    top.instanceCount = static_cast<uint32_t>(instances.size());
+    top.numbering = GLINT_INSTANCE_NUMBERING_CUSTOM_INDEX;
+    top.triangleCounts = triangleCounts.data();
+    must(glint_ray_scene_adopt(context_, &top, &scene));
+    EXPECT_EQ(glint_ray_scene_backend(scene), GLINT_RAY_BACKEND_QUERY);
+    create(settings);
+    setInputs(gbuffer_.gbuffer, environment_.map);
+    must(glint_reflections_set_shaded_rays(
+        reflections_, scene,
+        [](void* user, VkCommandBuffer commands, const GlintRayHits* hits) {
+            RayHits read = {hits->arguments, hits->hits, hits->hitsSize, {}};
+            read.answer.view = hits->answer->view;
+            read.answer.layout = hits->answer->layout;
+            static_cast<const HostShading*>(user)->record(commands, read);
+        },
+        const_cast<HostShading*>(&shading)));
+    EXPECT_EQ(frameOfC(1), expected.composite);
+    top.topLevel = host.top(1);
+    must(glint_ray_scene_set_acceleration_structure(scene, &top));
+    top.topLevel = VK_NULL_HANDLE;
+    EXPECT_EQ(glint_ray_scene_set_acceleration_structure(scene, &top), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_ray_scene_set_instances(scene, nullptr, 0), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_THAT(glint_last_error(), StartsWith("setInstances: the ray scene is the host's acceleration structure"));
     glint_reflections_destroy(reflections_);
     reflections_ = nullptr;
     glint_ray_scene_destroy(scene);

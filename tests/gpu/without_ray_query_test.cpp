@@ -44,5 +44,14 @@ TEST_F(WithoutRayQuery, queriesAreRefused) {
         << pipeline.error().message;
 }
 
+TEST_F(WithoutRayQuery, aHostsAccelerationStructureIsRefused) {
+    HostAccelerationStructure host;
+    host.topLevel = reinterpret_cast<VkAccelerationStructureKHR>(uintptr_t{1}); // no call may see it
+    const auto scene = rays::Scene::adopt(*context_, host);
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().code, ErrorCode::Unsupported);
+    EXPECT_NE(scene.error().message.find("ray queries are not enabled"), std::string::npos) << scene.error().message;
+}
+
 } // namespace
 } // namespace glint::test

@@ -54,9 +54,8 @@ shared::EmittersHeader LightTable::listEmitters(const rays::Scene& scene) {
     shared::EmittersHeader header = {0, 0, 0, instances};
     list_.assign(kHeaderWords + instances, shared::kNoEmitter);
     for (uint32_t i = 0; i < instances; ++i) {
-        const uint32_t triangles = scene.triangleCount(i);
-        if (!surfaces_->emits(i) || (scene.instance(i).mask & mask) == 0 || triangles == 0 ||
-            triangles > shared::kEmitterLeaves - header.leaves)
+        const uint32_t triangles = scene.trianglesSeen(i, mask);
+        if (!surfaces_->emits(i) || triangles == 0 || triangles > shared::kEmitterLeaves - header.leaves)
             continue;
         list_[kHeaderWords + i] = header.leaves;
         list_.push_back(header.leaves);

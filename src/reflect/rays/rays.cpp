@@ -74,9 +74,8 @@ Result<void> RaysSource::makeSentinels() {
     if (!wantsSentinels_ || !surfaces_ || followSentinels_)
         return {};
     const bool query = scene_->backend() == RayBackend::Query;
-    GLINT_TRY(follow, gpu::Pipeline::compute(
-                          stages_.gpu,
-                          {query ? "rays/sentinels_query" : "rays/sentinels_bvh", 0, {}, surfaces_->textureLayout()}));
+    GLINT_TRY(follow, gpu::Pipeline::compute(stages_.gpu, {query ? "rays/sentinels_query" : "rays/sentinels_bvh", 0,
+                                                           scene_->constants(), surfaces_->textureLayout()}));
     followSentinels_ = std::move(follow);
     return {};
 }
@@ -84,7 +83,8 @@ Result<void> RaysSource::makeSentinels() {
 Result<void> RaysSource::setScene(rays::Scene& scene, SurfaceTableState& surfaces) {
     const bool query = scene.backend() == RayBackend::Query;
     const auto makePaths = [&](std::string_view shader) {
-        return gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}, surfaces.textureLayout()}, gpu::Compile::Later);
+        return gpu::Pipeline::compute(stages_.gpu, {shader, 0, scene.constants(), surfaces.textureLayout()},
+                                      gpu::Compile::Later);
     };
     GLINT_TRY(reflect, makePaths(query ? "rays/reflect_query" : "rays/reflect_bvh"));
     GLINT_TRY(reflectLights, makePaths(query ? "rays/reflect_lights_query" : "rays/reflect_lights_bvh"));
@@ -137,7 +137,7 @@ void RaysSource::environmentChanged() {
 
 Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
     const std::string_view shader = scene.backend() == RayBackend::Query ? "rays/hits_query" : "rays/hits_bvh";
-    GLINT_TRY(traceHits, gpu::Pipeline::compute(stages_.gpu, {shader, 0, {}}));
+    GLINT_TRY(traceHits, gpu::Pipeline::compute(stages_.gpu, {shader, 0, scene.constants()}));
     if (!hits_) {
         const size_t pixels = size_t{radianceWeight_.width()} * radianceWeight_.height();
         GLINT_TRY(hits,

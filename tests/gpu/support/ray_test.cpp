@@ -38,7 +38,8 @@ std::vector<TestHit> traceRays(gpu::Context& context, rays::Scene& scene, const 
     gpu::Buffer out = must(
         gpu::Buffer::create(context, {"test/hits", rays.size() * sizeof(TestHit), kUsage, gpu::BufferHome::Device}));
     const bool query = scene.backend() == RayBackend::Query;
-    const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(context, {query ? "ray_query" : "ray_bvh", 0, {}}));
+    const gpu::Pipeline pipeline =
+        must(gpu::Pipeline::compute(context, {query ? "ray_query" : "ray_bvh", 0, scene.constants()}));
     must(context.submitAndWait([&](VkCommandBuffer commands) {
         scene.record(commands);
         gpu::Frame frame(context, commands, timers.get());

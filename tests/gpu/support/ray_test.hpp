@@ -35,6 +35,7 @@ struct TestMesh {
     std::vector<glm::vec3> positions;
     std::vector<uint32_t> indices;
     bool deforms = false;
+    std::vector<glm::vec4> colors; ///< of the vertices, for surfaces; empty: white
 
     void addTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
     RayMesh view() const {

@@ -88,6 +88,8 @@ SurfaceScene::World SurfaceScene::build(gpu::Context& context, Context& library,
         SurfaceMesh surface;
         surface.positions = {upload(mesh.positions), sizeof(glm::vec3)};
         surface.indices = upload(mesh.indices);
+        if (!mesh.colors.empty())
+            surface.colors = {upload(mesh.colors), sizeof(glm::vec4)};
         meshes.push_back(surface);
     }
     std::vector<SurfaceInstance> instances;

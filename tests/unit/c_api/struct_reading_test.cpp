@@ -101,6 +101,12 @@ TEST(CStructs, EveryMemberIsReadAndWritten) {
     expectRoundTrip<Conventions>(glint_conventions_init);
     expectRoundTrip<View>(glint_view_init, {offsetof(GlintView, reserved), offsetof(GlintView, frameNumber) + 4});
     expectRoundTrip<RayInstance>(glint_ray_instance_init);
+    expectRoundTrip<HostAccelerationStructure>(glint_host_acceleration_structure_init,
+                                               {offsetof(GlintHostAccelerationStructure, topLevel),
+                                                offsetof(GlintHostAccelerationStructure, topLevel) + 4,
+                                                offsetof(GlintHostAccelerationStructure, triangleCounts),
+                                                offsetof(GlintHostAccelerationStructure, triangleCounts) + 4,
+                                                offsetof(GlintHostAccelerationStructure, reserved)});
     expectRoundTrip<SurfaceMaterial>(glint_surface_material_init);
     expectRoundTrip<SurfaceInstance>(glint_surface_instance_init);
     expectRoundTrip<SurfaceLight>(glint_surface_light_init);
@@ -245,6 +251,8 @@ TEST(CStructs, EnumsCountAsInCpp) {
     EXPECT_EQ(static_cast<int>(RayBackend::Auto), GLINT_RAY_BACKEND_AUTO);
     EXPECT_EQ(static_cast<int>(RayBackend::Query), GLINT_RAY_BACKEND_QUERY);
     EXPECT_EQ(static_cast<int>(RayBackend::Bvh), GLINT_RAY_BACKEND_BVH);
+    EXPECT_EQ(static_cast<int>(InstanceNumbering::TopLevelIndex), GLINT_INSTANCE_NUMBERING_TOP_LEVEL_INDEX);
+    EXPECT_EQ(static_cast<int>(InstanceNumbering::CustomIndex), GLINT_INSTANCE_NUMBERING_CUSTOM_INDEX);
     EXPECT_EQ(static_cast<int>(SurfaceAlpha::Opaque), GLINT_SURFACE_ALPHA_OPAQUE);
     EXPECT_EQ(static_cast<int>(SurfaceAlpha::Mask), GLINT_SURFACE_ALPHA_MASK);
     EXPECT_EQ(static_cast<int>(SurfaceAlpha::Blend), GLINT_SURFACE_ALPHA_BLEND);
