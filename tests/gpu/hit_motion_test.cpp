@@ -199,12 +199,14 @@ TEST_P(HitMotionTest, whatRestsKeepsItsBits) {
     EXPECT_EQ(play(settings(told, true), 6, 0.2f, 0).composite, play(settings(told, false), 6, 0.2f, 0).composite);
 }
 
+std::string nameOf(const testing::TestParamInfo<Told>& told) {
+    constexpr std::array kNames = {"Transform", "Vertices", "MotionImage", "MotionWithDepth"};
+    return kNames.at(static_cast<size_t>(told.param));
+}
+
 INSTANTIATE_TEST_SUITE_P(By, HitMotionTest,
                          testing::Values(Told::Transform, Told::Vertices, Told::MotionImage, Told::MotionWithDepth),
-                         [](const auto& parameter) {
-                             constexpr std::array kNames = {"Transform", "Vertices", "MotionImage", "MotionWithDepth"};
-                             return kNames.at(static_cast<size_t>(parameter.param));
-                         });
+                         nameOf);
 
 } // namespace
 } // namespace glint::test
