@@ -85,10 +85,11 @@ struct Conventions {
     /// Factor on stored motion, x and y, which gives previous UV - current UV: {-1, -1} for the opposite sign,
     /// {0.5f, -0.5f} for clip space with +Y up, {1 / width, 1 / height} for pixels. Motion must be non-jittered.
     float motionScale[2] = {1, 1};
-    /// Factor on the third channel of motion ("2.5D motion") that gives the surface's viewZ in the previous frame - its
-    /// viewZ in this one, in metres: 1 if the channel holds that difference, -1 for the opposite sign. 0: there is no
-    /// such channel. Surfaces that move then count as having kept their distance from the camera, so histories of what
-    /// moves towards the camera or away from it are found on screen only.
+    /// Factor that converts the third channel of motion ("2.5D motion") to viewZ in the previous frame - viewZ in this
+    /// one, in metres: 1 if the channel holds that difference, -1 for the opposite sign. 0: there is no such channel;
+    /// moved surfaces then count as having kept their viewZ, so histories of what approaches or recedes trail.
+    /// Differences of device depth are not supported. A pixel's motion must be that of the surface in `depth`, not a
+    /// mean over samples.
     float motionDepthScale = 0;
     /// True if the alpha of `litRadiance` holds the mean of its linear channels without lights' highlights. Where there
     /// are no highlights (emission, background) alpha holds the mean of the channels. Highlights depend on the view

@@ -18,7 +18,8 @@ struct InputCheck {
     /// Fraction of the samples whose normal is within 10 degrees of the depth's, as declared. Normal maps and curved
     /// surfaces of few pixels lower it; they do not mislead the check.
     double normalsAgree = 0;
-    /// True if motion was compared with the matrices of two frames, between which the camera moved enough.
+    /// True if motion was compared with the matrices of two frames, between which the camera moved enough; with
+    /// Conventions::motionDepthScale on screen and in depth.
     bool motionCompared = false;
     /// One line each: what contradicts the declarations, and which declaration fits. Empty: nothing does.
     std::vector<std::string> findings;

@@ -271,7 +271,7 @@
         "Maximum surfaces that a ray path hits; the last surface reflects the environment",                            \
         "ray-query:MAX_BOUNCES ray-query:bounces",                                                                     \
         "linear 1..4; if rays.enabled=true; cost +")                                                                   \
-    SETTING(bool, environmentOcclusion, true, "", "",                                                                  \
+    SETTING(bool, environmentOcclusion, false, "", "",                                                                 \
         "One more ray tells if the environment that a path's last surface reflects is hidden there",                   \
         "",                                                                                                            \
         "switch; if rays.enabled=true; cost +")                                                                        \

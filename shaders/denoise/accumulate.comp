@@ -17,7 +17,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 3) uniform sampler2D reused;         // weight * radiance, weight
 layout(set = 0, binding = 4) uniform sampler2D reusedMeta;     // denoise/reuse.comp
-layout(set = 0, binding = 5) uniform sampler2D motion;         // previous UV - current UV, after scaling
+layout(set = 0, binding = 5) uniform sampler2D motion;         // lib/previous_place.glsl
 layout(set = 0, binding = 6) uniform sampler2D meanBefore;
 layout(set = 0, binding = 7) uniform sampler2D metaBefore;
 layout(set = 0, binding = 8) uniform usampler2D placeBefore;
@@ -183,7 +183,7 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     // A sample may miss what the mean shows, such as a small lamp before a wall: the history knows its distance.
     ivec2 about = floorToInt(imagePixelBefore(here, near, hits.stepVS));
     float tracked = near;
-    if (!before.moved && wasInFrame(about)) {
+    if (!before.movedOnScreen && wasInFrame(about)) {
         vec4 there = texelFetch(metaBefore, about, 0);
         tracked = joined(near, light, there.w, there.x * there.y);
     }
@@ -195,7 +195,7 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     was.knowsDepth = before.knowsDepth;
     Candidate found = lookUp(was, before.px);
     frames = framesOf(found, hits, here.perceptualRoughness);
-    if (!was.moved) {
+    if (!before.movedOnScreen) {
         Candidate inMirror = lookUp(was, imagePixelBefore(here, tracked, hits.stepVS));
         float mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
         if (mirrorFrames > frames) {

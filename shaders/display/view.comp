@@ -23,6 +23,7 @@ vec3 displayColor(vec3 value) {
     switch (constants.kind) {
     case kViewDirection: return value * 0.5 + 0.5;
     case kViewDistance: return vec3(value.x > 0.0 ? kViewHalfWhite / (kViewHalfWhite + value.x) : 0.0);
+    case kViewMotion: return 0.5 + 0.5 * sign(value) * sqrt(abs(value) / kViewLargestMotion);
     case kViewCount: return heat(log2(1.0 + max(value.x, 0.0)) / log2(1.0 + kViewRedCount));
     default: return value;
     }

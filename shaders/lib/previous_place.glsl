@@ -17,6 +17,7 @@ struct PreviousPlace {
     vec3 normalVS;   // of a surface that did not turn
     vec2 px;
     bool moved;
+    bool movedOnScreen;
     bool knowsDepth; // false: it moved, and motion did not tell how far it was from the camera
 };
 
@@ -56,7 +57,7 @@ PreviousPlace previousPlace(ivec2 px, float z, vec3 normalVS, bool moves) {
     before.positionVS = restingPosition(uv, z);
     before.normalVS = mat3(frame.constants.viewToPrevView) * normalVS;
     before.px = previousPixel(before.positionVS);
-    before.moved = false;
+    before.moved = before.movedOnScreen = false;
     before.knowsDepth = true;
     if (moves && (frame.constants.flags & kInputMotion) != 0u) {
         vec3 moved = texelFetch(motion, px, 0).rgb * vec3(frame.constants.motionScale, frame.constants.motionDepthScale);
@@ -65,7 +66,8 @@ PreviousPlace previousPlace(ivec2 px, float z, vec3 normalVS, bool moves) {
         bool tellsDepth = frame.constants.motionDepthScale != 0.0;
         float restingZ = -before.positionVS.z;
         float movedZ = tellsDepth ? z + moved.z : restingZ;
-        before.moved = distance(movedPX, before.px) > kMovedPX || abs(movedZ - restingZ) > kMovedDepth * restingZ;
+        before.movedOnScreen = distance(movedPX, before.px) > kMovedPX;
+        before.moved = before.movedOnScreen || abs(movedZ - restingZ) > kMovedDepth * restingZ;
         if (before.moved) {
             before.px = movedPX;
             before.positionVS = previousPosition(movedUV, movedZ);

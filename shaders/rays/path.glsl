@@ -30,8 +30,7 @@ struct Path {
 
     // how the path continues
     bool ended;
-    vec3 environment; // reflected by the last surface, if the last ray meets nothing
-    bool isLastRay;
+    bool isLastRay; // its throughput is the light that the last surface reflects, if the ray meets nothing
     vec3 throughput;
     Ray ray;
     LobeVertex vertex; // where the ray starts
@@ -48,7 +47,7 @@ Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, 
     PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
     Ray ray = viewRay(originWS, directionWS);
     uint transparents = isOn(kRaysTransparents) ? settings.transparents : 0u;
-    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, vec3(0.0), false,
+    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
                 vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, transparents);
 }
 
@@ -98,14 +97,14 @@ void continueFrom(LitSurface met, vec3 directionWS, inout Path path) {
 /// Adds what the last surface reflects of the environment, or sends a last ray that tells if it is hidden: along the mirror
 /// direction, whatever the roughness, so that it brings no noise.
 void endInEnvironment(LitSurface met, inout Path path) {
-    if (!isOn(kRaysEnvironmentOcclusion) || maxComponent(path.throughput * met.environmentSpecular) < kLeastThroughput) {
-        path.radiance += path.throughput * met.environmentSpecular;
+    bool counts = maxComponent(path.throughput * met.response) >= kLeastThroughput;
+    path.throughput *= met.environmentSpecular;
+    if (!isOn(kRaysEnvironmentOcclusion) || !counts || maxComponent(path.throughput) <= 0.0) {
+        path.radiance += path.throughput;
         return;
     }
     path.ended = false;
     path.isLastRay = true;
-    path.environment = met.environmentSpecular;
-    path.density = 0.0;
     path.medium = kAir; // transparent surfaces hide nothing
     path.transparents = 0u;
     continueFrom(met, reflect(path.ray.directionWS, met.normalWS), path);
@@ -242,9 +241,8 @@ void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
         bool transparent;
         Hit hit = traceSegment(path, transparent);
         if (path.isLastRay) {
-            path.ended = true;
             if (!isHit(hit))
-                path.radiance += path.throughput * path.environment;
+                path.radiance += path.throughput;
             return;
         }
         if (!isHit(hit)) {

@@ -20,8 +20,10 @@ GLINT_CONSTANT(uint, kViewFraction, 0u); ///< render::ViewKind: how a view's val
 GLINT_CONSTANT(uint, kViewDirection, 1u);
 GLINT_CONSTANT(uint, kViewDistance, 2u);
 GLINT_CONSTANT(uint, kViewCount, 3u);
-GLINT_CONSTANT(float, kViewHalfWhite, 5.0f);   ///< metres at which a distance is middle grey
-GLINT_CONSTANT(float, kViewRedCount, 4096.0f); ///< screen.maxSteps' upper bound
+GLINT_CONSTANT(uint, kViewMotion, 4u);
+GLINT_CONSTANT(float, kViewHalfWhite, 5.0f);        ///< metres at which a distance is middle grey
+GLINT_CONSTANT(float, kViewRedCount, 4096.0f);      ///< screen.maxSteps' upper bound
+GLINT_CONSTANT(float, kViewLargestMotion, 0.0625f); ///< UV, or metres, at which a motion is black or white
 
 struct ViewConstants {
     uint2 size; ///< pixels

@@ -252,8 +252,8 @@ MotionCheck compareDepthMotion(std::span<const DepthMotion> motions, float decla
     if (asDeclared >= kGoodMotion && most < asDeclared + kMuchMoreMotion)
         return {true, {}};
     if (most < kGoodMotion)
-        return {true, fmt::format("motion's third channel agrees with the cameras in only {} of pixels: it is not "
-                                  "previous - current viewZ, so state motionDepthScale 0",
+        return {true, fmt::format("motion's third channel agrees with the cameras in only {} of pixels: everything "
+                                  "moves, or it is not previous - current viewZ; state motionDepthScale 0 then",
                                   percent(asDeclared))};
     return {true, fmt::format("motion agrees with the cameras as motionDepthScale {}, not {} as declared ({} of "
                               "pixels, {} as declared)",

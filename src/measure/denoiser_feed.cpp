@@ -29,9 +29,10 @@ constexpr std::array kFeedLayers = {
     FeedLayer{"normal", "XYZ", false, "", "shading normal, world space, unit length; 0: no surface"},
     FeedLayer{"roughness", "Y", false, "", "perceptual roughness, [0, 1]; GGX's alpha is its square"},
     FeedLayer{"reflectivity", "RGB", true, "", "F0, reflectance at normal incidence; 0: the surface reflects nothing"},
-    FeedLayer{"motion", "XY", true, "UV",
-              "previous UV - current UV of the surface, without jitter; UV is (0, 0) at the top left and (1, 1) at the "
-              "bottom right"},
+    FeedLayer{
+        "motion", "XYZ", true, "UV, metres",
+        "X, Y: previous UV - current UV of the surface, without jitter; UV is (0, 0) at the top left and (1, 1) at "
+        "the bottom right. Z: previous - current depth of the surface"},
 };
 
 constexpr float kShareStep = 1 / 1023.0f; ///< the view "weights" has ten bits for each source

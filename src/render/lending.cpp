@@ -46,7 +46,7 @@ gpu::Image borrow(const HostImage& image, const char* name, uint32_t mips, uint3
 glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g) {
     glint::GBuffer inputs; // our conventions are Glint's own
     inputs.conventions.highlightsInAlpha = true;
-    inputs.conventions.motionDepthScale = 1;
+    inputs.conventions.motionDepthScale = g.multisampled.motion ? 0.0f : 1.0f; // a mean over samples is of no surface
     inputs.depth = lend(frame, g.deviceDepth);
     inputs.normal = lend(frame, g.normal);
     inputs.material = lend(frame, g.material);

@@ -10,6 +10,7 @@ static uint32_t viewKindCode(ViewKind kind) {
     case ViewKind::Direction: return shared::kViewDirection;
     case ViewKind::Distance: return shared::kViewDistance;
     case ViewKind::Count: return shared::kViewCount;
+    case ViewKind::Motion: return shared::kViewMotion;
     case ViewKind::Radiance:
     case ViewKind::Fraction: break;
     }

@@ -28,7 +28,8 @@ constexpr std::array kViews = {
     ViewInfo{"albedo", ViewKind::Fraction, "RGB", "base colour"},
     ViewInfo{"roughness", ViewKind::Fraction, "Y", "perceptual roughness"},
     ViewInfo{"reflectivity", ViewKind::Fraction, "RGB", "F0"},
-    ViewInfo{"motion", ViewKind::Direction, "XY", "motion of the surface on the screen: previous UV - current UV"},
+    ViewInfo{"motion", ViewKind::Motion, "XYZ",
+             "motion of the surface: previous UV - current UV, and previous - current depth in metres; grey: none"},
     ViewInfo{"hitUV", ViewKind::Fraction, "UV", "where on the screen the ray hit"},
     ViewInfo{"hitDistance", ViewKind::Distance, "Z", "metres along the ray to its hit"},
     ViewInfo{"lookups", ViewKind::Count, "Y", "depth reads of the ray"},
@@ -67,6 +68,8 @@ glm::vec3 displayColor(ViewKind kind, const glm::vec3& value) {
     case ViewKind::Direction: return value * 0.5f + 0.5f;
     case ViewKind::Distance:
         return glm::vec3(value.x > 0 ? shared::kViewHalfWhite / (shared::kViewHalfWhite + value.x) : 0.0f);
+    case ViewKind::Motion:
+        return 0.5f + 0.5f * glm::sign(value) * glm::sqrt(glm::abs(value) / shared::kViewLargestMotion);
     case ViewKind::Count: return heat(std::log2(1 + std::max(value.x, 0.0f)) / std::log2(1 + shared::kViewRedCount));
     case ViewKind::Radiance:
     case ViewKind::Fraction: break;

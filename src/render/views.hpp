@@ -17,6 +17,7 @@ enum class ViewKind {
     Direction, ///< unit vectors: (x + 1) / 2
     Distance,  ///< metres, 0: none: white is near, black is far
     Count,     ///< integers: blue to red, on a logarithmic scale
+    Motion,    ///< signed, small: grey is none, the root shows pixels as well as large movements
 };
 
 struct ViewInfo {

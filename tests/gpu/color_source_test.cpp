@@ -227,6 +227,45 @@ TEST_F(ColorSourceTest, motionFollowsWhatMoves) {
     EXPECT_GT(count(with, kRed), count(without, kGreen) * 9 / 10);
 }
 
+TEST_F(ColorSourceTest, motionInDepthFollowsWhatApproaches) {
+    // A card before a dark wall comes nearer by a metre, a quarter of its distance.
+    const auto cardAt = [](double z, const glm::vec3& color) {
+        return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
+            Stage stage;
+            stage.cards.push_back({.low = {-0.8, 0}, .high = {0.8, 1}, .z = z});
+            auto hit = stage(origin, direction);
+            if (hit && hit->f0.x == 0)
+                hit->radiance = color;
+            return hit;
+        };
+    };
+    const SyntheticCamera camera;
+    const SyntheticGBuffer first = render(cardAt(-2, kRed));
+    SyntheticGBuffer second = render(cardAt(-1, kGreen));
+    std::vector<glm::vec4> texels;
+    for (uint32_t i = 0; i < kWidth * kHeight; ++i) {
+        const glm::dvec3 eye = camera.originThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const glm::dvec3 ray = camera.rayThrough(i % kWidth, i / kWidth, kWidth, kHeight);
+        const auto hit = cardAt(-1, kGreen)(eye, ray);
+        const glm::dvec3 place = eye + ray * (hit ? hit->distance : 1);
+        const glm::dvec3 before = hit && hit->radiance == kGreen ? place - glm::dvec3(0, 0, 1) : place;
+        const glm::dvec2 moved = camera.project(before, kWidth, kHeight) - camera.project(place, kWidth, kHeight);
+        texels.emplace_back(moved / glm::dvec2(kWidth, kHeight), camera.viewZ(before) - camera.viewZ(place), 0);
+    }
+    const gpu::Image motion =
+        uploadTestImage(gpu(), "test/motion", VK_FORMAT_R32G32B32A32_SFLOAT, kWidth, kHeight, bytesOf(texels));
+    second.gbuffer.motion = asHostImage(motion);
+    const auto found = [&](float depthScale) {
+        second.gbuffer.conventions.motionDepthScale = depthScale;
+        Reflections made = reflections(kWidth, kHeight, previousSettings());
+        frame(made, first.gbuffer);
+        return count(frame(made, second.gbuffer), kRed);
+    };
+    EXPECT_EQ(found(0), 0u) << "nothing was there at the distance at which it is now";
+    EXPECT_GT(found(1), 200u);
+    EXPECT_EQ(found(-1), 0u) << "nor at the wrong one";
+}
+
 TEST_F(ColorSourceTest, motionMustFit) {
     SyntheticGBuffer host = render(floorAndWall());
     Reflections made = reflections(kWidth, kHeight, previousSettings());

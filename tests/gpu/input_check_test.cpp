@@ -414,6 +414,25 @@ TEST_F(InputCheckTest, WrongMotionInDepthIsNamed) {
     }
 }
 
+/// A camera that trucks shows motion on screen alone, so the check goes on until one moves in depth, too.
+TEST_F(InputCheckTest, MotionIsComparedOnScreenAndInDepth) {
+    Host before, now;
+    const glm::dvec3 forward = before.camera.target - before.camera.position;
+    const glm::dvec3 right = 0.25 * glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+    now.camera.position += right;
+    now.camera.target += right;
+    Reflections reflections = checked();
+    for (const float depthScale : {0.0f, 1.0f}) {
+        now.conventions.motionDepthScale = depthScale;
+        const Images images = draw(gpu(), now, &before);
+        must(reflections.setInputs(images.gbuffer));
+        record(reflections, before.view());
+        const InputCheck result = check(reflections, {images.gbuffer, now.view()});
+        EXPECT_THAT(result.findings, IsEmpty());
+        EXPECT_EQ(result.motionCompared, depthScale == 0);
+    }
+}
+
 TEST_F(InputCheckTest, AKnownPlaneShowsWrongDistances) {
     Reflections reflections = checked();
     Host host;

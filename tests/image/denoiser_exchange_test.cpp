@@ -177,7 +177,7 @@ TEST(DenoiserExchange, TheDumpsCamerasDepthAndMotionAgree) {
     const glm::mat4 prevWorldToClip = matrixOf(frame["prevViewToClip"]) * matrixOf(frame["prevWorldToView"]);
     auto layers = channelsOf(folder + "dump/seed-5/" + std::string(frame["file"]));
     size_t surfaces = 0, wrong = 0, turnedAway = 0;
-    float farthest = 0;
+    float farthest = 0, deepest = 0;
     for (size_t p = 0; p < size_t{64} * 36; ++p) {
         const float viewZ = layers["depth.Z"][p];
         if (viewZ == 0)
@@ -189,6 +189,9 @@ TEST(DenoiserExchange, TheDumpsCamerasDepthAndMotionAgree) {
         const glm::vec4 positionWS = viewToWorld * positionVS;
         const glm::vec2 motion(layers["motion.X"][p], layers["motion.Y"][p]);
         wrong += glm::distance(toUV(prevWorldToClip * positionWS), uv + motion) > 1e-4f;
+        const float prevZ = -(matrixOf(frame["prevWorldToView"]) * positionWS).z;
+        wrong += std::abs(prevZ - viewZ - layers["motion.Z"][p]) > 1e-3f * viewZ;
+        deepest = std::max(deepest, std::abs(layers["motion.Z"][p]));
         farthest = std::max(farthest, glm::length(motion * glm::vec2(64, 36)));
         const glm::vec3 normalWS(layers["normal.X"][p], layers["normal.Y"][p], layers["normal.Z"][p]);
         turnedAway += glm::dot(normalWS, glm::vec3(viewToWorld[3] - positionWS)) < 0;
@@ -196,6 +199,7 @@ TEST(DenoiserExchange, TheDumpsCamerasDepthAndMotionAgree) {
     EXPECT_GT(surfaces, 1000u);
     EXPECT_EQ(wrong, 0u);
     EXPECT_EQ(turnedAway, 0u);
+    EXPECT_LT(deepest, 0.01f) << "to the side";
     EXPECT_GT(farthest, 1); // what is near moves by more than the 3 pixels of the centre
 }
 

@@ -33,6 +33,8 @@ TEST(Views, ValuesBecomeColors) {
     EXPECT_EQ(shown(ViewKind::Direction, -1, 0, 1), (Bytes{0, 128, 255}));
     EXPECT_EQ(shown(ViewKind::Distance, 0, 0, 0), (Bytes{0, 0, 0}));
     EXPECT_EQ(shown(ViewKind::Distance, 5, 5, 5), (Bytes{128, 128, 128}));
+    EXPECT_EQ(shown(ViewKind::Motion, 0, 1 / 16.f, -1), (Bytes{128, 255, 0}));
+    EXPECT_EQ(shown(ViewKind::Motion, 1 / 64.f, -1 / 64.f, 0), (Bytes{191, 64, 128}));
     EXPECT_EQ(shown(ViewKind::Count, 0, 0, 0), (Bytes{0, 0, 0}));
     EXPECT_EQ(shown(ViewKind::Count, 4096, 4096, 4096), (Bytes{255, 0, 0}));
     EXPECT_EQ(shown(ViewKind::Count, 63, 63, 63), (Bytes{0, 255, 0})); // the middle of the logarithmic scale

@@ -43,7 +43,7 @@ InputCheck compareInputs(const DeclaredFrame& frame, std::span<const shared::Inp
         if (frame.conventions.motionDepthScale != 0) {
             const check::MotionCheck inDepth = check::compareDepthMotion(
                 evidence.depthMotions(compared.best, *frame.previous), frame.conventions.motionDepthScale);
-            out.motionCompared = out.motionCompared || inDepth.compared;
+            out.motionCompared = motion.compared && inDepth.compared;
             add(inDepth.finding);
         }
     }
@@ -139,7 +139,8 @@ bool InputChecker::evaluate() {
     pending_ = false;
     const auto* samples = static_cast<const shared::InputSample*>(readback_.mapped());
     result_ = compareInputs(sampled_, {samples, sampled_.grid.samples()});
-    settled_ = result_.tested >= check::kFewestSamples && (!sampled_.hasMotion || result_.motionCompared);
+    settled_ = result_.tested >= check::kFewestSamples &&
+               (!sampled_.hasMotion || result_.motionCompared || !result_.findings.empty());
     return true;
 }
 

@@ -35,7 +35,8 @@ public:
     /// Forgets the previous frame's camera.
     void forget() { now_.reset(); }
     /// True if the frame should be checked without being asked. That is the first frame, then ever rarer ones, until
-    /// one has shown enough surfaces and, with an image of motion, a camera that moves.
+    /// one has shown enough surfaces and, with an image of motion, a camera that moves: on screen and, if motion tells
+    /// of it, in depth. A finding ends it, too.
     bool isDue() const;
     /// Samples the frame that was begun last. Ends with a mark: it must be a recording of its own, or its last part.
     void record(gpu::Frame& frame, const FrameInputs& inputs, const GBuffer& gbuffer,
