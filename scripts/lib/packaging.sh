@@ -28,8 +28,31 @@ shared() {
         -DDRIVER="$lib_dir/run-with-driver" -P "$root/tests/embed/embed.cmake"
 }
 
-# The library for Windows, by MinGW-w64, static and shared. Where Wine is installed, its tests that need no device run,
-# and structs have the layout of Linux.
+# mingw_examples FOLDER...: the example hosts for Windows, against what each of these builds installs. They link Windows'
+# Vulkan loader, for which Linux has no import library: one is made of the functions that they name.
+mingw_examples() {
+    local headers=$root/build/mingw/headers work=$root/build/mingw-examples built example name
+    rm -rf "$work"
+    mkdir -p "$work"
+    {
+        printf 'LIBRARY vulkan-1.dll\nEXPORTS\n'
+        grep -ohE '\bvk[A-Z][A-Za-z0-9]*' "$root"/examples/embed/* "$root"/examples/embed-c/* | sort -u |
+            while read -r name; do ! grep -q "VKAPI_CALL $name(" "$headers/vulkan/vulkan_core.h" || echo "$name"; done
+    } >"$work/vulkan-1.def"
+    x86_64-w64-mingw32-dlltool -d "$work/vulkan-1.def" -l "$work/libvulkan-1.a"
+    for built in "$@"; do
+        cmake --install "$root/build/$built" --prefix "$work/$built" >&2
+        for example in embed embed-c; do
+            cmake -G Ninja -S "$root/examples/$example" -B "$work/$built-$example" \
+                --toolchain "$root/cmake/mingw-w64-x86_64.cmake" "-Dglint_DIR=$work/$built/lib/cmake/glint" \
+                "-DVulkan_LIBRARY=$work/libvulkan-1.a" "-DVulkan_INCLUDE_DIR=$headers" >&2
+            ninja -C "$work/$built-$example" >&2
+        done
+    done
+}
+
+# The library for Windows, by MinGW-w64, static and shared, and the example hosts with both. Where Wine is installed, its
+# tests that need no device run, and structs have the layout of Linux.
 mingw() {
     local folder=$root/build/mingw
     tool g++-mingw-w64-x86-64-posix >/dev/null ||
@@ -37,6 +60,7 @@ mingw() {
     tool googletest >/dev/null
     library mingw-shared --toolchain "$root/cmake/mingw-w64-x86_64.cmake" -DGLINT_BUILD_TESTS=OFF -DBUILD_SHARED_LIBS=ON
     library mingw --toolchain "$root/cmake/mingw-w64-x86_64.cmake" -DGLINT_BUILD_TESTS=ON
+    mingw_examples mingw mingw-shared
     type -P wine >/dev/null || { echo "built; no Wine here, so no test ran"; return 0; }
     export WINEPREFIX=$folder/wine WINEDEBUG=-all
     (cd "$folder" && wine bin/glint_unit_tests.exe --gtest_brief=1 2>&1)
