@@ -23,7 +23,7 @@ layout(set = 0, binding = 5) uniform sampler2D raysAnswer;
 layout(set = 0, binding = 6) uniform usampler2D raysRecord;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D noisy;  // weight * radiance, weight
 layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D sentRay;
-layout(set = 0, binding = 10) uniform sampler2D motion; // previous UV - current UV, after scaling
+layout(set = 0, binding = 10) uniform sampler2D motion; // lib/previous_place.glsl
 /// Where the ray's end was, as a displacement from where it is: lib/packed_motion.glsl, view space. If settings.hitMotion.
 layout(set = 0, binding = 11, r32ui) uniform writeonly uimage2D hitMotion;
 layout(push_constant, scalar) uniform PushBlock {

@@ -14,7 +14,7 @@
 layout(set = 0, binding = 3) uniform sampler2D litRadiance;
 layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame's colour
 layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // the previous frame's viewZ
-layout(set = 0, binding = 8) uniform sampler2D motion;    // previous UV - current UV, after scaling
+layout(set = 0, binding = 8) uniform sampler2D motion;    // lib/previous_place.glsl
 
 #include "lib/previous_place.glsl"
 
