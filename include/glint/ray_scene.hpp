@@ -62,7 +62,7 @@ class GLINT_API RayScene {
 public:
     /// Copies the triangles. With the Bvh back end it also builds the hierarchies, in about 1 s per million triangles.
     /// Errors: InvalidArgument for a vertex index or a mesh index out of range; Unsupported for Query on a device
-    /// without ray queries, or for a scene larger than the device's storage buffers; OutOfMemory.
+    /// without ray queries, or for a scene larger than the device's buffers; OutOfMemory.
     static Result<RayScene> create(Context& context, const RaySceneDesc& desc);
     /// Traces through the host's own top level instead, by the Query back end. Copies nothing, builds nothing and takes
     /// no device memory; the same geometry gives the same hits as with `create`.

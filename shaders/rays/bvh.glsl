@@ -3,23 +3,27 @@
 #ifndef GLINT_RAYS_BVH_GLSL
 #define GLINT_RAYS_BVH_GLSL
 
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+
 #include "lib/bvh_node.glsl"
 #include "lib/ray.glsl"
 #include "lib/triangle_ray.glsl"
 
-// Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
-layout(std430, set = 0, binding = 16) readonly buffer BvhNodes {
-    BvhNode item[]; // the top level's root first
-}
-bvhNodes;
-layout(std430, set = 0, binding = 17) readonly buffer BvhTriangles {
+layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhNodes {
+    BvhNode item[];
+};
+layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhTriangles {
     BvhTriangle item[];
-}
-bvhTriangles;
-layout(std430, set = 0, binding = 18) readonly buffer BvhInstances {
+};
+layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhInstances {
     BvhInstance item[];
+};
+// Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
+layout(std430, set = 0, binding = 16) readonly buffer BvhBlock {
+    BvhAddresses at;
 }
-bvhInstances;
+bvh;
 
 /// A ray in one space: world space, or the local space of the current instance.
 struct BvhRay {
@@ -52,6 +56,9 @@ Hit traverseBvh(Ray ray, bool any) {
     Hit hit = missOf(ray);
     if (!isTraceable(ray))
         return hit;
+    BvhNodes allNodes = BvhNodes(bvh.at.nodes);
+    BvhTriangles allTriangles = BvhTriangles(bvh.at.triangles);
+    BvhInstances allInstances = BvhInstances(bvh.at.instances);
     BvhRay current = makeBvhRay(ray.originWS, ray.directionWS);
     bool inInstance = false;
     uint instanceNumber = kNoInstance;
@@ -70,7 +77,7 @@ Hit traverseBvh(Ray ray, bool any) {
                 stack[height++] = nodes;
             uint slot = (bit - 24u) ^ current.boxes.order;
             uint before = bitCount(nodes.y & 0xffu & ((1u << slot) - 1u));
-            BvhNode node = bvhNodes.item[nodes.x + before];
+            BvhNode node = allNodes.item[nodes.x + before];
             uint hits = intersectChildren(node, current.boxes, ray.tMin, hit.distance);
             nodes = uvec2(node.words[1].x, (hits & 0xff000000u) | node.words[0].w >> 24);
             primitives = uvec2(node.words[1].y, hits & 0x00ffffffu);
@@ -80,7 +87,7 @@ Hit traverseBvh(Ray ray, bool any) {
             uint index = primitives.x + uint(findLSB(primitives.y));
             primitives.y &= primitives.y - 1u;
             if (!inInstance) {
-                BvhInstance instance = bvhInstances.item[index];
+                BvhInstance instance = allInstances.item[index];
                 if ((instance.maskAndFlags & ray.mask & 0xffu) == 0u)
                     continue;
                 if (nodes.y >= kFirstNodeBit)
@@ -101,7 +108,7 @@ Hit traverseBvh(Ray ray, bool any) {
                 primitives.y = 0u;
                 continue;
             }
-            BvhTriangle triangle = bvhTriangles.item[index];
+            BvhTriangle triangle = allTriangles.item[index];
             uint numberAndAxis = floatBitsToUint(triangle.vertices[0].w);
             TriangleHit met =
                 intersectTriangle(current.triangles, triangle.vertices[0].xyz, triangle.vertices[1].xyz,

@@ -17,10 +17,10 @@ invariant gl_Position;
 
 void main() {
     Instance instance = instances.list[draw.constants.instance];
-    VertexAttributes vertex = attributes.list[gl_VertexIndex];
+    VertexAttributes vertex = loadAttributes(gl_VertexIndex);
     uv01 = vec4(vertex.uv0, vertex.uv1);
     alpha = vertex.color.a;
-    vec4 world = instance.localToWorld * vec4(positions.list[gl_VertexIndex], 1.0);
+    vec4 world = instance.localToWorld * vec4(loadPositionLS(gl_VertexIndex), 1.0);
     gl_Position = view.constants.worldToClip * world;
     gl_ClipDistance[0] = dot(view.constants.clipPlaneWS, vec4(world.xyz, 1.0));
     gl_PointSize = 1.0;

@@ -2,16 +2,38 @@
 #ifndef GLINT_RENDER_SCENE_BINDINGS_GLSL
 #define GLINT_RENDER_SCENE_BINDINGS_GLSL
 
+#extension GL_EXT_buffer_reference : require
+#extension GL_EXT_buffer_reference_uvec2 : require
+
 #include "shared/gpu_scene.h"
 
 layout(scalar, set = 0, binding = 0) readonly buffer InstanceBlock {
     Instance list[];
 } instances;
-layout(scalar, set = 0, binding = 1) readonly buffer PositionBlock {
+layout(scalar, set = 0, binding = 1) readonly buffer GeometryBlock {
+    GeometryAddresses at;
+} geometry;
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Positions {
     vec3 list[];
-} positions;
-layout(scalar, set = 0, binding = 2) readonly buffer AttributeBlock {
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Attributes {
     VertexAttributes list[];
-} attributes;
+};
+layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer Indices {
+    uint list[];
+};
+
+vec3 loadPositionLS(int vertex) {
+    return Positions(geometry.at.positions).list[vertex];
+}
+
+VertexAttributes loadAttributes(int vertex) {
+    return Attributes(geometry.at.attributes).list[vertex];
+}
+
+/// The vertex, relative to the instance's vertexOffset, of a corner of one of its triangles.
+uint loadIndex(Instance instance, uint triangle, uint corner) {
+    return Indices(geometry.at.indices).list[instance.firstIndex + 3u * triangle + corner];
+}
 
 #endif

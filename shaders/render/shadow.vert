@@ -19,11 +19,11 @@ layout(location = 1) out float alpha;
 
 void main() {
     Instance instance = instances.list[draw.constants.instance];
-    VertexAttributes vertex = attributes.list[gl_VertexIndex];
+    VertexAttributes vertex = loadAttributes(gl_VertexIndex);
     uv01 = vec4(vertex.uv0, vertex.uv1);
     alpha = vertex.color.a;
     vec4 tile = lights.list[draw.constants.light].worldToShadow *
-                (instance.localToWorld * vec4(positions.list[gl_VertexIndex], 1.0));
+                (instance.localToWorld * vec4(loadPositionLS(gl_VertexIndex), 1.0));
     // worldToShadow ends in the tile's UV, rows from the top; the viewport expects clip space, +Y up.
     gl_Position = vec4(2.0 * tile.x - tile.w, tile.w - 2.0 * tile.y, tile.z, tile.w);
 }

@@ -7,10 +7,6 @@
 
 #include "render/surface_bindings.glsl"
 
-layout(scalar, set = 0, binding = 11) readonly buffer IndexBlock {
-    uint list[];
-}
-indices;
 layout(scalar, set = 0, binding = 12) readonly buffer RayItemBlock {
     uint list[]; // indexed by the ray scene's instances: the draw's
 }
@@ -24,8 +20,7 @@ bool rayMeetsSurface(uint instance, uint primitive, vec2 barycentrics) {
     vec3 weights = vec3(1.0 - barycentrics.x - barycentrics.y, barycentrics);
     SurfacePoint point = SurfacePoint(vec3(0.0), vec3(0.0), vec4(0.0), vec2(0.0), vec2(0.0), vec4(0.0), true);
     for (uint corner = 0u; corner < 3u; ++corner) {
-        uint index = indices.list[placed.firstIndex + 3u * primitive + corner];
-        VertexAttributes vertex = attributes.list[placed.vertexOffset + index];
+        VertexAttributes vertex = loadAttributes(int(placed.vertexOffset + loadIndex(placed, primitive, corner)));
         point.uv0 += weights[corner] * vertex.uv0;
         point.uv1 += weights[corner] * vertex.uv1;
         point.color += weights[corner] * vertex.color;

@@ -18,9 +18,9 @@ invariant gl_Position; // passes that draw the same surface get equal depth
 
 void main() {
     Instance instance = instances.list[draw.constants.instance];
-    vec3 positionLS = positions.list[gl_VertexIndex];
-    vec3 prevPositionLS = positions.list[gl_VertexIndex + instance.prevVertexDelta];
-    VertexAttributes vertex = attributes.list[gl_VertexIndex];
+    vec3 positionLS = loadPositionLS(gl_VertexIndex);
+    vec3 prevPositionLS = loadPositionLS(gl_VertexIndex + instance.prevVertexDelta);
+    VertexAttributes vertex = loadAttributes(gl_VertexIndex);
 
     // Normals are transformed by the cofactor matrix, which is the inverse transpose times the determinant: no
     // division, and valid where a scale is zero. The determinant's sign corrects the cofactors' sign and that of a

@@ -41,6 +41,14 @@ struct BvhInstance {
     uint unused;
 };
 
+/// Where the scene's arrays are: read by address, because a storage buffer may be as small as 128 MiB, the triangles of
+/// 2.8 million. Low and high half of each.
+struct BvhAddresses {
+    uint2 nodes; ///< the top level's root first
+    uint2 triangles;
+    uint2 instances;
+};
+
 GLINT_CONSTANT(uint, kBvhPrimitivesPerSlot, 3u);
 /// The builder keeps these limits (src/rays/binary_bvh.hpp), so the traversal's stack cannot overflow: each level
 /// leaves at most one group of siblings on the stack, and entering an instance leaves the primitives beside it.

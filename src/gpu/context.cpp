@@ -301,6 +301,11 @@ Result<void> Context::finish() {
         timestampPeriodNs_ = static_cast<double>(properties.properties.limits.timestampPeriod);
 
     maxStorageBufferRange_ = properties.properties.limits.maxStorageBufferRange;
+    VkPhysicalDeviceVulkan13Properties v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
+    VkPhysicalDeviceVulkan11Properties v11 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES, &v13};
+    VkPhysicalDeviceProperties2 sizes = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &v11};
+    api_.GetPhysicalDeviceProperties2(physicalDevice_, &sizes);
+    maxBufferSize_ = std::min(v13.maxBufferSize, v11.maxMemoryAllocationSize);
     if (rayQuery_) {
         VkPhysicalDeviceAccelerationStructurePropertiesKHR structures = {
             VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};

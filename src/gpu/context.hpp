@@ -98,7 +98,8 @@ public:
     bool anisotropy() const { return anisotropy_; }
     /// Bytes, for acceleration structure builds; 1 without ray queries.
     uint32_t scratchAlignment() const { return scratchAlignment_; }
-    VkDeviceSize maxStorageBufferRange() const { return maxStorageBufferRange_; } ///< bytes
+    VkDeviceSize maxStorageBufferRange() const { return maxStorageBufferRange_; } ///< bytes that one binding shows
+    VkDeviceSize maxBufferSize() const { return maxBufferSize_; }                 ///< bytes
     uint32_t queueFamily() const { return queueFamily_; }
     VkQueueFlags queueFlags() const { return queueFlags_; }
     VkQueue queue() const { return queue_; } ///< the queue of a created context; null for an adopted one
@@ -175,6 +176,7 @@ private:
     bool presents_ = false;
     uint32_t scratchAlignment_ = 1;
     VkDeviceSize maxStorageBufferRange_ = 0;
+    VkDeviceSize maxBufferSize_ = 0;
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
     VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;

@@ -157,6 +157,11 @@ Pass& Pass::read(std::string_view name, Buffer& buffer) {
     return *this;
 }
 
+Pass& Pass::readByAddress(Buffer& buffer) {
+    frame_.use(buffer, {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
+    return *this;
+}
+
 Pass& Pass::read(std::string_view name, AccelerationStructure& top) {
     const Use use = traversal(shaderStages(pipeline_));
     frame_.use(top.storage(), use);

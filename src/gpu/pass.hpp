@@ -55,6 +55,8 @@ public:
     Pass& read(std::string_view name, std::span<Image* const> images, SamplerKind sampler = SamplerKind::LinearClamp);
     /// Binds a uniform buffer or a readonly storage buffer.
     Pass& read(std::string_view name, Buffer& buffer);
+    /// Makes visible what shaders read by the buffer's address.
+    Pass& readByAddress(Buffer& buffer);
     /// Binds the top level that the shader's ray queries trace, and makes every structure it refers to readable.
     Pass& read(std::string_view name, AccelerationStructure& top);
     /// Binds a host's top level, whose barriers are the host's.

@@ -1,5 +1,7 @@
 #include "rays/bvh_scene.hpp"
 
+#include "gpu/device_address.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <numeric>
@@ -53,8 +55,8 @@ void BvhScene::writeTriangles(const Part& part, shared::BvhTriangle* out) const 
 }
 
 bool BvhScene::fits(const gpu::Context& context, size_t triangles, size_t instances) {
-    return bytesFor<shared::BvhTriangle>(triangles) <= context.maxStorageBufferRange() &&
-           bytesFor<shared::BvhInstance>(instances) <= context.maxStorageBufferRange();
+    return bytesFor<shared::BvhTriangle>(triangles) <= context.maxBufferSize() &&
+           bytesFor<shared::BvhInstance>(instances) <= context.maxBufferSize();
 }
 
 Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances) {
@@ -72,10 +74,10 @@ Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshe
         scene.parts_.push_back(std::move(part));
     }
     const auto checkSize = [&](size_t bytes) -> Result<void> {
-        if (bytes > context.maxStorageBufferRange())
+        if (bytes > context.maxBufferSize())
             return makeError(ErrorCode::Unsupported,
-                             "{} triangles for rays take a buffer of {} bytes, {} lets shaders see {}", triangleCount,
-                             bytes, context.info().name, context.maxStorageBufferRange());
+                             "{} triangles for rays take a buffer of {} bytes; one of {} holds at most {}",
+                             triangleCount, bytes, context.info().name, context.maxBufferSize());
         return {};
     };
     const size_t triangleBytes = bytesFor<shared::BvhTriangle>(triangleCount);
@@ -100,7 +102,8 @@ Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshe
         out = std::move(buffer);
         return {};
     };
-    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
+                                          VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     constexpr VkBufferUsageFlags kStaging = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     GLINT_CHECK(make(scene.nodes_, "rays/nodes", nodeBytes, kUsage, gpu::BufferHome::Device));
     GLINT_CHECK(make(scene.triangles_, "rays/triangles", triangleBytes, kUsage, gpu::BufferHome::Device));
@@ -108,6 +111,11 @@ Result<BvhScene> BvhScene::create(gpu::Context& context, std::vector<Mesh> meshe
     GLINT_CHECK(make(scene.nodeStaging_, "rays/nodes/staging", nodeBytes, kStaging, gpu::BufferHome::Upload));
     GLINT_CHECK(
         make(scene.triangleStaging_, "rays/triangles/staging", triangleBytes, kStaging, gpu::BufferHome::Upload));
+    GLINT_CHECK(make(scene.addresses_, "rays/addresses", sizeof(shared::BvhAddresses),
+                     VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Upload));
+    *static_cast<shared::BvhAddresses*>(scene.addresses_.mapped()) = {
+        gpu::addressWords(scene.nodes_.address()), gpu::addressWords(scene.triangles_.address()),
+        gpu::addressWords(scene.instanceRecords_.address())};
     auto* nodes = static_cast<shared::BvhNode*>(scene.nodeStaging_.mapped());
     auto* triangles = static_cast<shared::BvhTriangle*>(scene.triangleStaging_.mapped());
     for (Part& part : scene.parts_) {
@@ -284,7 +292,7 @@ void BvhScene::releaseStaging(const gpu::Progress& progress) {
 }
 
 void BvhScene::bind(gpu::Pass& pass) {
-    pass.read("bvhNodes", nodes_).read("bvhTriangles", triangles_).read("bvhInstances", instanceRecords_);
+    pass.read("bvh", addresses_).readByAddress(nodes_).readByAddress(triangles_).readByAddress(instanceRecords_);
 }
 
 } // namespace glint::rays

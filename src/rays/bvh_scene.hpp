@@ -1,4 +1,4 @@
-// Back end `bvh`: Glint's own two-level hierarchy, built on the CPU and stored in three storage buffers that
+// Back end `bvh`: Glint's own two-level hierarchy, built on the CPU and stored in three buffers that
 // shaders/rays/bvh.glsl traverses.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace glint::rays {
 
 class BvhScene {
 public:
-    /// Can shaders see the buffers of so many triangles and instances?
+    /// Does the device have buffers for so many triangles and instances?
     static bool fits(const gpu::Context& context, size_t triangles, size_t instances);
-    /// Errors: OutOfMemory; Unsupported for buffers larger than the device's storage buffer range.
+    /// Errors: OutOfMemory; Unsupported for buffers larger than the device makes.
     static Result<BvhScene> create(gpu::Context& context, std::vector<Mesh> meshes, uint32_t maxInstances);
 
     /// Requires, checked by the caller: at most maxInstances, and every mesh exists.
@@ -73,6 +73,7 @@ private:
     gpu::Standing upload_;                                ///< of all other data, from the staging buffers
     gpu::Buffer nodeStaging_, triangleStaging_;
     gpu::Buffer nodes_, triangles_, instanceRecords_;
+    gpu::Buffer addresses_; ///< of these three
 };
 
 } // namespace glint::rays

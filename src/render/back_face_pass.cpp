@@ -42,12 +42,7 @@ void BackFacePass::draw(gpu::Frame& frame, const View& view, gpu::Buffer& viewBu
         if (!clear && !frame.rehearsing() && std::none_of(items.begin(), items.end(), belongs))
             return;
         gpu::Pass pass = frame.pass(pipeline);
-        pass.read("instances", scene.instances())
-            .read("positions", scene.positions())
-            .read("attributes", scene.attributes())
-            .read("view", viewBuffer)
-            .indices(scene.indices())
-            .depth(backDepth, clear);
+        scene.bind(pass).read("view", viewBuffer).depth(backDepth, clear);
         if (masked)
             pass.read("materials", scene.materials()).table(scene.textures().set());
         pass.draw([&](gpu::Draws& draws) {

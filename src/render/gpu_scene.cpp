@@ -1,5 +1,6 @@
 #include "render/gpu_scene.hpp"
 
+#include "gpu/device_address.hpp"
 #include "gpu/transfer.hpp"
 
 #include <algorithm>
@@ -27,10 +28,7 @@ struct GeometryArrays {
     }
 };
 
-Result<void> checkBufferSize(const gpu::Context& context, const char* what, size_t bytes) {
-    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-    context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
-    const size_t most = properties.properties.limits.maxStorageBufferRange;
+Result<void> checkSize(const gpu::Context& context, const char* what, size_t bytes, size_t most) {
     if (bytes > most)
         return makeError(ErrorCode::Unsupported, "the scene's {} take {} bytes; one buffer of {} holds {}", what, bytes,
                          context.info().name, most);
@@ -46,6 +44,15 @@ Result<GpuScene> GpuScene::create(gpu::Context& context, const scene::Scene& sce
     GLINT_CHECK(result.uploadMaterials(context, scene));
     GLINT_CHECK(result.setPose(context, scene, pose));
     return result;
+}
+
+gpu::Pass& GpuScene::bind(gpu::Pass& pass) {
+    return pass.read("instances", instances_)
+        .read("geometry", geometry_)
+        .readByAddress(positions_)
+        .readByAddress(attributes_)
+        .readByAddress(indices_)
+        .indices(indices_);
 }
 
 Result<void> GpuScene::uploadMaterials(gpu::Context& context, const scene::Scene& scene) {
@@ -101,8 +108,9 @@ Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& 
             static_cast<int>(arrays.positions.size()) - static_cast<int>(range->second.firstVertex);
         arrays.positions.insert(arrays.positions.end(), lastDeformed_[i].begin(), lastDeformed_[i].end());
     }
-    GLINT_CHECK(checkBufferSize(context, "vertices", arrays.attributes.size() * sizeof(shared::VertexAttributes)));
-    // Ray hits read these buffers by address (glint/surface_table.hpp).
+    GLINT_CHECK(checkSize(context, "vertices", arrays.attributes.size() * sizeof(shared::VertexAttributes),
+                          context.maxBufferSize()));
+    // Read by address, by ray hits, too (glint/surface_table.hpp).
     constexpr VkBufferUsageFlags kStorage =
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
     GLINT_TRY(positions, gpu::uploadBuffer(context, "scene/positions", arrays.positions, kStorage));
@@ -112,6 +120,12 @@ Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& 
     positions_ = std::move(positions);
     attributes_ = std::move(attributes);
     indices_ = std::move(indices);
+    const shared::GeometryAddresses addresses = {gpu::addressWords(positions_.address()),
+                                                 gpu::addressWords(attributes_.address()),
+                                                 gpu::addressWords(indices_.address())};
+    GLINT_TRY(geometry, gpu::uploadBuffer(context, "scene/geometry", std::as_bytes(std::span(&addresses, 1)),
+                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    geometry_ = std::move(geometry);
     return {};
 }
 
@@ -152,6 +166,8 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
              range.firstIndex, range.firstVertex, range.prevVertexDelta, item.boundsWS.center(),
              static_cast<uint32_t>(shape)});
     }
+    GLINT_CHECK(
+        checkSize(context, "instances", instances.size() * sizeof(shared::Instance), context.maxStorageBufferRange()));
     GLINT_TRY(buffer, gpu::uploadBuffer(context, "scene/instances", instances, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
     instances_ = std::move(buffer);
     lastShapes_ = std::move(shapes);

@@ -27,8 +27,8 @@ struct GpuItem {
 
 class GpuScene {
 public:
-    /// `scene` and `pose` are only read. Errors: OutOfMemory, DeviceLost; Unsupported for a scene whose vertices do not
-    /// fit into one buffer of this device.
+    /// `scene` and `pose` are only read. Errors: OutOfMemory, DeviceLost; Unsupported for a scene whose vertices or
+    /// instances do not fit into one buffer of this device.
     static Result<GpuScene> create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose);
 
     /// Poses the same scene at another time. Motion vectors are relative to the previous pose, so call this once per
@@ -42,11 +42,11 @@ public:
     const std::vector<GpuItem>& items() const { return items_; }
     bool transmitsLight() const { return transmitsLight_; } ///< at least one item is transmissive
     const scene::Bounds& boundsWS() const { return boundsWS_; }
-    gpu::Buffer& instances() { return instances_; }   ///< shared::Instance
+    gpu::Pass& bind(gpu::Pass& pass); ///< what shaders/render/scene_bindings.glsl declares, and the indices
     gpu::Buffer& positions() { return positions_; }   ///< float3
     gpu::Buffer& attributes() { return attributes_; } ///< shared::VertexAttributes
-    gpu::Buffer& materials() { return materials_; }   ///< shared::Material; the last one is glTF's default
     gpu::Buffer& indices() { return indices_; }       ///< uint32
+    gpu::Buffer& materials() { return materials_; }   ///< shared::Material; the last one is glTF's default
     const gpu::TextureTable& textures() const { return textures_.table(); }
     uint32_t textureIndex(const scene::TextureSlot& slot, TextureKind kind) const {
         return textures_.index(slot, kind);
@@ -65,6 +65,7 @@ private:
 
     GpuTextures textures_;
     gpu::Buffer materials_, instances_, positions_, attributes_, indices_;
+    gpu::Buffer geometry_; ///< shared::GeometryAddresses
     std::unordered_map<const scene::Geometry*, Range> ranges_;
     std::vector<GpuItem> items_;
     bool transmitsLight_ = false;

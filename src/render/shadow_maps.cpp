@@ -141,22 +141,15 @@ void ShadowMaps::draw(gpu::Frame& frame, GpuScene& scene, std::span<const shared
             }
         }
     };
-    frame.pass(opaque_)
-        .read("instances", scene.instances())
-        .read("positions", scene.positions())
-        .read("attributes", scene.attributes())
-        .read("lights", lightBuffer)
-        .indices(scene.indices())
-        .depth(atlas_, true)
-        .draw([&](gpu::Draws& draws) { drawItems(draws, SurfaceClass::Opaque); });
-    frame.pass(masked_)
-        .read("instances", scene.instances())
-        .read("positions", scene.positions())
-        .read("attributes", scene.attributes())
+    gpu::Pass opaque = frame.pass(opaque_);
+    scene.bind(opaque).read("lights", lightBuffer).depth(atlas_, true).draw([&](gpu::Draws& draws) {
+        drawItems(draws, SurfaceClass::Opaque);
+    });
+    gpu::Pass masked = frame.pass(masked_);
+    scene.bind(masked)
         .read("materials", scene.materials())
         .read("lights", lightBuffer)
         .table(scene.textures().set())
-        .indices(scene.indices())
         .depth(atlas_, false)
         .draw([&](gpu::Draws& draws) { drawItems(draws, SurfaceClass::Masked); });
 }

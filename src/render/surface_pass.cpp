@@ -10,13 +10,7 @@ namespace glint::render {
 
 gpu::Pass geometryPass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene& scene, gpu::Buffer& view) {
     gpu::Pass pass = frame.pass(pipeline);
-    pass.read("instances", scene.instances())
-        .read("positions", scene.positions())
-        .read("attributes", scene.attributes())
-        .read("materials", scene.materials())
-        .read("view", view)
-        .table(scene.textures().set())
-        .indices(scene.indices());
+    scene.bind(pass).read("materials", scene.materials()).read("view", view).table(scene.textures().set());
     return pass;
 }
 
@@ -27,7 +21,7 @@ gpu::Pass surfacePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, GpuScene
         .read("environmentDiffuse", inputs.environment.diffuse())
         .read("dfg", inputs.dfg);
     if (inputs.rayWorld)
-        inputs.rayWorld->bindForShadows(pass.read("indices", scene.indices()));
+        inputs.rayWorld->bindForShadows(pass);
     else
         pass.read("shadowAtlas", inputs.shadowAtlas, gpu::SamplerKind::ShadowCompare);
     return pass;

@@ -1,6 +1,7 @@
 // RayScene: both back ends find the hits of an oracle that tests every triangle in double precision.
 #include "gpu/support/frames_in_flight.hpp"
 #include "gpu/support/ray_test.hpp"
+#include "rays/bvh_scene.hpp"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -406,17 +407,43 @@ TEST_F(RaySceneBackend, autoTakesTheFasterOne) {
     EXPECT_EQ(scene->backend(), gpu().rayQuery() && !gpu().info().software ? RayBackend::Query : RayBackend::Bvh);
 }
 
-TEST_F(RaySceneBackend, autoTakesQueriesWhereTheHierarchyDoesNotFit) {
-    if (!gpu().rayQuery())
-        GTEST_SKIP() << "no ray queries on " << gpu().info().name;
-    const auto most = static_cast<uint32_t>(gpu().maxStorageBufferRange() / sizeof(shared::BvhInstance));
-    if (most >= (1u << 24))
-        GTEST_SKIP() << "any number of instances fits";
-    const std::unique_ptr<rays::Scene> scene = oneTriangle().build(gpu(), RayBackend::Auto, most + 1);
-    EXPECT_EQ(scene->backend(), RayBackend::Query);
-    const auto refused = rays::Scene::create(gpu(), {.maxInstances = most + 1, .backend = RayBackend::Bvh});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::Unsupported);
+TEST_F(RaySceneBackend, autoAsksWhetherTheHierarchyFits) {
+    EXPECT_TRUE(rays::BvhScene::fits(gpu(), 10'000'000, 1'000'000));
+    EXPECT_FALSE(rays::BvhScene::fits(gpu(), size_t(1) << 57, 1));
+    EXPECT_FALSE(rays::BvhScene::fits(gpu(), 1, size_t(1) << 57));
+}
+
+// A binding may show as little as 128 MiB of a buffer. What lies behind is hit, too.
+TEST_P(RaySceneTest, sceneLargerThanABindingShows) {
+    constexpr uint32_t kSide = 1200;
+    TestScene scene;
+    TestMesh& mesh = scene.meshes.emplace_back();
+    for (uint32_t y = 0; y <= kSide; ++y)
+        for (uint32_t x = 0; x <= kSide; ++x)
+            mesh.positions.emplace_back(x, y, -2);
+    for (uint32_t y = 0; y < kSide; ++y)
+        for (uint32_t x = 0; x < kSide; ++x) {
+            const uint32_t corner = y * (kSide + 1) + x;
+            for (const uint32_t vertex :
+                 {corner, corner + 1, corner + kSide + 1, corner + 1, corner + kSide + 2, corner + kSide + 1})
+                mesh.indices.push_back(vertex);
+        }
+    scene.instances.emplace_back();
+    ASSERT_GT(mesh.indices.size() / 3 * sizeof(shared::BvhTriangle), size_t(128) << 20);
+
+    std::vector<TestRay> rays;
+    std::vector<uint32_t> expected;
+    for (uint32_t y = 0; y < kSide; y += 59)
+        for (uint32_t x = 0; x < kSide; x += 61) {
+            TestRay& ray = rays.emplace_back();
+            ray.originWS = {float(x) + 0.25f, float(y) + 0.25f, 0};
+            expected.push_back(2 * (y * kSide + x));
+        }
+    const std::vector<TestHit> hits = trace(scene, rays);
+    for (size_t i = 0; i < rays.size(); ++i) {
+        ASSERT_EQ(hits[i].primitive, expected[i]);
+        ASSERT_NEAR(hits[i].distance, 2, 1e-5);
+    }
 }
 
 // ---------------------------------------------------------------- parts of the instances

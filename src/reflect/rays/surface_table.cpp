@@ -1,5 +1,6 @@
 #include "reflect/rays/surface_table.hpp"
 
+#include "gpu/device_address.hpp"
 #include "reflect/host_numbers.hpp"
 #include "shared/light.h"
 #include "shared/material.h"
@@ -92,16 +93,12 @@ Result<shared::Material> packMaterial(const SurfaceMaterial& m, size_t number, u
 
 // ---------------------------------------------------------------- meshes
 
-shared::uint2 packAddress(VkDeviceAddress address) {
-    return {static_cast<uint32_t>(address), static_cast<uint32_t>(address >> 32)};
-}
-
 bool isAligned(const VertexStream& stream) {
     return stream.address % 4 == 0 && stream.stride % 4 == 0 && (stream.address == 0 || stream.stride > 0);
 }
 
 shared::StreamRecord packStream(const VertexStream& stream) {
-    return {packAddress(stream.address), stream.stride / 4};
+    return {gpu::addressWords(stream.address), stream.stride / 4};
 }
 
 Result<shared::SurfaceMeshRecord> packMesh(const SurfaceMesh& mesh, size_t number) {
@@ -111,10 +108,14 @@ Result<shared::SurfaceMeshRecord> packMesh(const SurfaceMesh& mesh, size_t numbe
             return invalidArgument("surface mesh {}: addresses and strides must be multiples of 4", number);
     if (mesh.positions.address == 0 || mesh.indices == 0 || mesh.indices % 4 != 0)
         return invalidArgument("surface mesh {}: positions and indices must be there, at multiples of 4", number);
-    return shared::SurfaceMeshRecord{packStream(mesh.positions), packStream(mesh.normals),
-                                     packStream(mesh.tangents),  packStream(mesh.uv0),
-                                     packStream(mesh.uv1),       packStream(mesh.colors),
-                                     packAddress(mesh.indices),  packStream(mesh.previousPositions)};
+    return shared::SurfaceMeshRecord{packStream(mesh.positions),
+                                     packStream(mesh.normals),
+                                     packStream(mesh.tangents),
+                                     packStream(mesh.uv0),
+                                     packStream(mesh.uv1),
+                                     packStream(mesh.colors),
+                                     gpu::addressWords(mesh.indices),
+                                     packStream(mesh.previousPositions)};
 }
 
 // ---------------------------------------------------------------- lights
