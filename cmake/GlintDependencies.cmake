@@ -1,6 +1,7 @@
 # What the library itself needs, by package (scripts/lib/setup.sh installs them).
 find_program(GLSLC glslc REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
 
 if(CMAKE_CROSSCOMPILING AND WIN32)
     include(GlintHostHeaders)

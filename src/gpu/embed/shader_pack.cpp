@@ -1,9 +1,11 @@
-// Build tool: reads SPIR-V files and writes one C++ file with each shader's words and reflected bindings.
+// Build tool: reads SPIR-V files and writes one C++ file with each shader's reflected bindings and the words of FILE.spv.opt,
+// the same shader optimized, which has lost the bindings that it turned out not to need.
 //   glint_shader_pack SET ROOT OUT.cpp ROOT/trace/classify.comp.spv ...
 #include "gpu/embed/shader_reflection.hpp"
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -16,12 +18,20 @@ using namespace glint::gpu;
     std::exit(1);
 }
 
-ReflectedShader readShader(const std::string& path) {
+std::string readFile(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
-    auto shader = reflectShader(bytes, path);
+    return {(std::istreambuf_iterator<char>(file)), {}};
+}
+
+ReflectedShader readShader(const std::string& path) {
+    auto shader = reflectShader(readFile(path), path);
     if (!shader)
         fail(shader.error().message);
+    const std::string optimized = readFile(path + ".opt");
+    if (optimized.empty() || optimized.size() % sizeof(uint32_t) != 0)
+        fail(path + ".opt: not a SPIR-V file");
+    shader->words.resize(optimized.size() / sizeof(uint32_t));
+    std::memcpy(shader->words.data(), optimized.data(), optimized.size());
     return *std::move(shader);
 }
 
