@@ -74,6 +74,7 @@ SequenceJson bandJson(const measure::MotionBandFigures& band) {
     json["energy"] = seriesJson(band.error.energy);
     json["fireflies"] = seriesJson(band.error.fireflies);
     json["trail"] = sharesJson(band.trail);
+    json["lead"] = sharesJson(band.lead);
     json["ghost"] = sharesJson(band.ghost.ghost);
     json["ghostError"] = valuesJson(band.ghost.error);
     json["heal"] = known(band.ghost.heal);
@@ -151,6 +152,7 @@ std::string bandRow(const char* signal, const char* name, const measure::MotionB
     row += cell(lag(&measure::StepResponse::lag90), "{:.1f}");
     row += cell(lag(&measure::StepResponse::lag99), "{:.1f}");
     row += shareCell(band.trail[3]);
+    row += shareCell(band.lead[3]);
     row += shareCell(band.ghost.ghost[4]);
     row += cell(band.ghost.heal, "{:.0f}");
     row += cell(band.error.sharp.mean, "{:.3f}");
@@ -173,9 +175,10 @@ std::string sequenceText(const measure::Sequence& sequence) {
             text += fmt::format("\n{}: {:.2f} rays per pixel, {:.2f} ms, {:.2f} (95 %)\n", config.name,
                                 config.raysPerPixel, config.times.total().median, config.times.total().p95);
         if (!config.figures.empty())
-            text += fmt::format("  {:<17}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>14}{:>14}{:>9}{:>9}{:>9}{:>9}\n",
-                                "", "relMSE", "bias", "noise", "flicker", "swim", "tPSNR", "lag90", "lag99", "trail4",
-                                "ghost4", "heal", "sharp", "energy", "firefly");
+            text +=
+                fmt::format("  {:<17}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>14}{:>14}{:>14}{:>9}{:>9}{:>9}{:>9}\n",
+                            "", "relMSE", "bias", "noise", "flicker", "swim", "tPSNR", "lag90", "lag99", "trail4",
+                            "lead4", "ghost4", "heal", "sharp", "energy", "firefly");
         for (size_t signal = 0; signal < config.figures.size(); ++signal)
             for (size_t band = 0; band <= measure::kBands; ++band)
                 if (hasPixels(config.figures[signal][band]))

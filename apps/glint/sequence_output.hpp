@@ -14,9 +14,9 @@ std::string sequenceText(const measure::Sequence& sequence);
 ///               "notes", "settings"}]}
 /// A config whose frames are files: {"name", "storedSeeds", "figures", "notes"}.
 /// A band: {"pixels", "relMse", "bias", "noise", "flicker", "swim", "sharp", "energy", "fireflies": {"mean", "p95",
-/// "standardError"}, "tPsnr", "trail": 16 and "ghost": 32 of {"share", "standardError"}, "ghostError": [32], "heal",
-/// "disoccluded", "lag90" and "lag99": {"mean", "reached", "steps"}, "steps": [{"frame", "lag90", "lag99", "overshoot",
-/// "pixels"}]}. Unknown figures are null; bands without pixels are absent.
+/// "standardError"}, "tPsnr", "trail": 16, "lead": 16 and "ghost": 32 of {"share", "standardError"}, "ghostError":
+/// [32], "heal", "disoccluded", "lag90" and "lag99": {"mean", "reached", "steps"}, "steps": [{"frame", "lag90",
+/// "lag99", "overshoot", "pixels"}]}. Unknown figures are null; bands without pixels are absent.
 std::string sequenceJson(const measure::Sequence& sequence);
 
 } // namespace glint::cli

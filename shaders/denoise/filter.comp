@@ -43,13 +43,14 @@ void main() {
     LobeSurface here = lobeSurfaceAt(px);
     if (!isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
         float noise = deviation(moments);
-        float strength = saturate(noise / max(settings.noiseTarget * moments.y, 1e-6));
+        float strength = noise / max(settings.noiseTarget * moments.y, 1e-6);
         // A first frame is one sample of the lobe: its neighbours' are all that there is.
         float young = youth(moments.x);
+        // Of the lobe. tuned: builtin:motion-objects; with 0.5 and 1 relMSE of rough surfaces is 0.0062 instead of 0.0055.
+        float widest = mix(0.3, 0.7, young);
         float lobe = lobePixels(here.perceptualRoughness, here.viewZ, moments.w);
-        float widest = min(settings.filterRadius, mix(0.5, 1.0, young) * lobe);
+        float radius = min(strength * min(0.5 * lobe, settings.filterRadius), min(widest * lobe, settings.filterRadius));
         uint taps = young > 0.0 ? kYoungTaps : kTaps;
-        float radius = widest * strength;
         if (radius >= 0.5) {
             mat2 disc = lobeDisc(here, radius);
             Spiral spiral =

@@ -20,8 +20,8 @@ void MotionMeter::add(const MotionFrame& frame, const SurfaceMotion& motion) {
 MotionFigures MotionMeter::figures() const {
     MotionFigures figures;
     for (size_t band = 0; band <= kBands; ++band)
-        figures[band] = {error_.figures(band), flicker_.figures(band), trail_.figures(band), ghost_.figures(band),
-                         steps_.figures(band)};
+        figures[band] = {error_.figures(band), flicker_.figures(band), trail_.trail(band),
+                         trail_.lead(band),    ghost_.figures(band),   steps_.figures(band)};
     return figures;
 }
 

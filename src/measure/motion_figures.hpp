@@ -14,6 +14,7 @@ struct MotionBandFigures {
     FrameErrorFigures error;
     FlickerFigures flicker;
     TrailFigures trail = {};
+    TrailFigures lead = {};
     GhostFigures ghost;
     std::vector<StepResponse> steps;
 };

@@ -1,4 +1,5 @@
-// How much of each earlier frame still shows: ghosting as an impulse response.
+// How much of each earlier frame still shows, and how much of each later one already does: ghosting as an impulse
+// response, and what of it is blur.
 #pragma once
 
 #include "measure/motion_frame.hpp"
@@ -10,19 +11,29 @@ namespace glint::measure {
 
 constexpr size_t kTrailFrames = 16;
 
-/// `[k - 1]`: share of what the reference showed k frames ago that the tested frame still shows, 1: all of it, 0: none.
-/// NaN if the reference does not change. Shares of different k overlap, as earlier frames resemble each other.
+/// `[k - 1]`: share of what the reference shows k frames earlier or later that the tested frame shows, 1: all of it, 0:
+/// none. NaN if the reference does not change. Shares of different k overlap, as neighbouring frames resemble each
+/// other.
 using TrailFigures = std::array<Share, kTrailFrames>;
 
 class TrailMeter {
 public:
     /// Requires a reference. `counts`: false for frames before the end of the warm-up.
     void add(const MotionFrame& frame, bool counts);
-    TrailFigures figures(size_t band) const;
+    /// Of the frames before.
+    TrailFigures trail(size_t band) const;
+    /// Of the frames after, which cannot show. Blur that is even in space resembles both alike, up to 0.5 where it
+    /// leaves nothing of the image. Lag makes the trail larger than the lead.
+    TrailFigures lead(size_t band) const;
 
 private:
-    std::deque<std::array<Radiance, 2>> references_;       ///< of the last frames, the latest first
-    std::array<ByBand<ShareSeries>, kTrailFrames> shares_; ///< by age
+    struct Before {
+        MotionFrame frame;
+        bool counts;
+    };
+    std::deque<Before> before_;                            ///< the last frames, the latest first
+    std::array<ByBand<ShareSeries>, kTrailFrames> trails_; ///< by age
+    std::array<ByBand<ShareSeries>, kTrailFrames> leads_;
 };
 
 } // namespace glint::measure

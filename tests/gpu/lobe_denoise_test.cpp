@@ -172,6 +172,40 @@ TEST_F(LobeDenoiseTest, neighboursAndFilterKeepTheMean) {
     EXPECT_NEAR(sumOf(picture) / sumOf(truth), 1, 0.01);
 }
 
+TEST_F(LobeDenoiseTest, theFilterKeepsWhatShortHistoriesShow) {
+    // Histories as short as motion leaves them are all noise to the filter, which is then as wide as it may be.
+    const SyntheticScene scene = roughFloor(0.7f);
+    Settings settings = denoised();
+    settings.denoise.historySeconds = 5.0f / 60;
+    const auto meanOf = [&](const Settings& of) {
+        constexpr uint32_t kSeeds = 16;
+        Picture mean = play(of, scene, 8, 0, 1);
+        for (uint32_t seed = 2; seed <= kSeeds; ++seed) {
+            const Picture one = play(of, scene, 8, 0, seed);
+            for (size_t i = 0; i < mean.reflection.size(); ++i)
+                mean.reflection[i] += (one.reflection[i] - mean.reflection[i]) / static_cast<float>(seed);
+        }
+        return mean;
+    };
+    Settings unfiltered = settings;
+    unfiltered.denoise.maxRadius = 0;
+    const Picture filtered = meanOf(settings);
+    const Picture truth = meanOf(unfiltered);
+    constexpr size_t kApart = 3; // pixels
+    double same = 0;             // of the gradients along x
+    double whole = 0;
+    for (size_t i = 0; i + kApart < truth.pixels(); ++i) {
+        const size_t left = 4 * i, right = 4 * (i + kApart);
+        if (i % kWidth + kApart >= kWidth || truth.weight[left] <= 0.99f || truth.weight[right] <= 0.99f)
+            continue;
+        const double gradient = truth.reflection[right] - truth.reflection[left];
+        same += gradient * (filtered.reflection[right] - filtered.reflection[left]);
+        whole += gradient * gradient;
+    }
+    std::cout << "gradients after the filter: " << same / whole << " of those before\n";
+    EXPECT_GT(same / whole, 0.77) << "0.74 if the filter is half of the lobe wide";
+}
+
 TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {
     // Rounding down to 16 bits in every frame would take 2.8 % in 200 frames.
     const SyntheticScene scene = roughFloor(0.25f);

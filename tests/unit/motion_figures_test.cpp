@@ -213,11 +213,37 @@ TEST(MotionFigures, AShiftedPictureIsItsOwnTrail) {
         EXPECT_NEAR(share.value, 0, 0.02);
 }
 
+TEST(MotionFigures, BlurLeadsAsMuchAsItTrailsAndLagLeadsLess) {
+    // A box of nine pixels on waves of 20 has the gain g; a half of 1 - g resembles either.
+    const Picture waves = [](uint32_t x, uint32_t, uint32_t frame) { return 2 + std::sin(0.31 * (double(x) + frame)); };
+    const Picture blurred = [=](uint32_t x, uint32_t y, uint32_t frame) {
+        double sum = 0;
+        for (uint32_t i = 0; i < 9; ++i)
+            sum += waves(x + i, y, frame - 4) / 9;
+        return sum;
+    };
+    const double gain = std::sin(4.5 * 0.31) / (9 * std::sin(0.5 * 0.31));
+    const MotionBandFigures blur = measured({.test = {noisy(blurred, 0.2, 40), noisy(blurred, 0.2, 41)},
+                                             .reference = {noisy(waves, 0.2, 42), noisy(waves, 0.2, 43)},
+                                             .frames = 40,
+                                             .warmUp = 17});
+    EXPECT_NEAR(blur.trail[3].value, 0.5 * (1 - gain), 0.03);
+    EXPECT_NEAR(blur.lead[3].value, 0.5 * (1 - gain), 0.03);
+    const Picture late = [=](uint32_t x, uint32_t y, uint32_t frame) { return waves(x, y, frame - 4); };
+    const MotionBandFigures lag = measured({.test = {noisy(late, 0.2, 44), noisy(late, 0.2, 45)},
+                                            .reference = {noisy(waves, 0.2, 46), noisy(waves, 0.2, 47)},
+                                            .frames = 40,
+                                            .warmUp = 17});
+    EXPECT_NEAR(lag.trail[3].value, 1, 0.02);
+    EXPECT_NEAR(lag.lead[3].value, -std::cos(4 * 0.31), 0.03);
+}
+
 TEST(MotionFigures, AStillPictureHasNoTrail) {
     const MotionBandFigures figures =
         measured({.test = {flat, flat}, .reference = {noisy(flat, 0.5, 25), noisy(flat, 0.5, 26)}, .frames = 24});
-    for (const Share& share : figures.trail)
-        EXPECT_TRUE(std::isnan(share.value)) << share.value;
+    for (const TrailFigures& shares : {figures.trail, figures.lead})
+        for (const Share& share : shares)
+            EXPECT_TRUE(std::isnan(share.value)) << share.value;
 }
 
 TEST(MotionFigures, SharpIsTheGainOfGradients) {

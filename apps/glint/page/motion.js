@@ -42,12 +42,12 @@ const shareOf = (list, index) => list && list[index] ? list[index].share : null;
 
 function motionTable(motion) {
   return knownTable("Motion of the reflected radiance", ["settings", "surfaces", "relative MSE", "bias", "noise", "flicker", "swim",
-    "lag90, frames", "trail4", "ghost4", "sharp", "energy", "fireflies a million"],
+    "lag90, frames", "trail4", "lead4", "ghost4", "sharp", "energy", "fireflies a million"],
     bandRows(motion.configs, config => config.figures && config.figures.reflection, band => [
       digits(meanOf(band.relMse)), digits(meanOf(band.bias)), digits(meanOf(band.noise)), digits(meanOf(band.flicker)),
       digits(meanOf(band.swim)), band.lag90.reached === band.lag90.steps ? fixed(band.lag90.mean, 1) : kUnknown,
-      digits(shareOf(band.trail, 3), 2), digits(shareOf(band.ghost, 4), 2), fixed(meanOf(band.sharp), 3),
-      fixed(meanOf(band.energy), 3), digits(meanOf(band.fireflies), 2)]));
+      digits(shareOf(band.trail, 3), 2), digits(shareOf(band.lead, 3), 2), digits(shareOf(band.ghost, 4), 2),
+      fixed(meanOf(band.sharp), 3), fixed(meanOf(band.energy), 3), digits(meanOf(band.fireflies), 2)]));
 }
 
 function trailChart(motion) {
