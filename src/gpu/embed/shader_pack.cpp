@@ -1,5 +1,5 @@
-// Build tool: reads SPIR-V files and writes one C++ file with each shader's reflected bindings and the words of FILE.spv.opt,
-// the same shader optimized, which has lost the bindings that it turned out not to need.
+// Build tool: reads SPIR-V files and writes one C++ file with each shader's reflected bindings and the words of
+// FILE.spv.opt, the same shader optimized, which has lost the bindings that it turned out not to need.
 //   glint_shader_pack SET ROOT OUT.cpp ROOT/trace/classify.comp.spv ...
 #include "gpu/embed/shader_reflection.hpp"
 
