@@ -31,8 +31,8 @@ struct Instance {
     uint bodyShape;      ///< kRefraction* (shared/refraction.h): the body's shape for transmitted light
 };
 
-/// Where the scene's arrays are: read by address, because a storage buffer may be as small as 128 MiB, the attributes of
-/// 2.2 million vertices. Low and high half of each.
+/// Where the scene's arrays are: read by address, because a storage buffer may be as small as 128 MiB, the attributes
+/// of 2.2 million vertices. Low and high half of each.
 struct GeometryAddresses {
     uint2 positions;  ///< float3
     uint2 attributes; ///< VertexAttributes
