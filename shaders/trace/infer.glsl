@@ -13,10 +13,19 @@ const uint kInferSamples = 6u;
 const float kInferSpacing = 4.0;
 /// How far beside the crossing the surface is looked for, as a fraction of the frame's height.
 const float kInferReach = 0.25;
-/// So near, in pixels, the colour beside the crossing serves for it.
-const float kInferNear = 8.0;
+/// Planes whose crossing is looked for beside the occluder, at most.
+const uint kInferPlanes = 2u;
+/// A surface that shows on one side only tells all about a crossing up to this far from it, as a fraction of the frame's
+/// height (at least kInferNear pixels), and nothing from this far on.
+const float kInferSure = 0.04;
+const float kInferUnsure = 0.12;
+/// So near, in pixels, one side tells all, however small the frame.
+const float kInferNear = 12.0;
 /// How far off a plane what a pixel shows may lie to belong to it, as a fraction of its nearness.
 const float kInferSlack = 0.01;
+
+/// What the surface beside an inferred crossing tells about it, 0 to 1: a factor of the answer's weight.
+float inferredEvidence = 1.0;
 
 const uint kOccluder = 0u; // the pixel shows something in front of the plane, or a surface that meets it there
 const uint kSurface = 1u;  // the plane's surface
@@ -52,15 +61,18 @@ struct Beside {
     vec2 px;
 };
 
-/// Leaves the occluder with growing steps, then returns to its edge in at most four.
-Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, inout uint lookups) {
+/// Leaves the occluder with growing steps, then returns to its edge in at most four. `known` lies there;
+/// if it shows kOccluder, nothing is known.
+Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, Beside known, inout uint lookups) {
     Beside found = Beside(kOccluder, 0.0, crossing.px);
-    float reach = kInferReach * frame.constants.size.y;
+    bool knows = known.shown != kOccluder;
+    float reach = knows ? known.distance : kInferReach * frame.constants.size.y;
     float inside = 0.0;
     float next = 1.0;
     int returns = 0;
     while (next <= reach && returns <= 4) {
-        uint shown = lookBeside(r, plane, crossing, crossing.px + direction * next, lookups);
+        bool isKnown = knows && next >= known.distance;
+        uint shown = isKnown ? known.shown : lookBeside(r, plane, crossing, crossing.px + direction * next, lookups);
         if (shown == kOccluder) {
             inside = next;
         } else {
@@ -71,7 +83,7 @@ Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, 
             break;
         if (found.shown == kOccluder) { // has not left yet
             found.distance = next;
-            next *= 4.0;
+            next = knows ? min(4.0 * next, known.distance) : 4.0 * next;
             continue;
         }
         if (found.distance - inside <= 1.0)
@@ -79,7 +91,8 @@ Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, 
         next = floor(0.5 * (inside + found.distance));
         ++returns;
     }
-    found.px = crossing.px + direction * found.distance;
+    bool isKnown = knows && found.distance >= known.distance; // the sum below may round to its neighbour
+    found.px = isKnown ? known.px : crossing.px + direction * found.distance;
     return found;
 }
 
@@ -88,19 +101,39 @@ bool onOpposite(uint shows) {
     return (shows & 3u) == 3u || (shows & 12u) == 12u;
 }
 
-/// The nearest pixel beside the occluder that shows the plane's surface. It counts if the surface shows on two opposite
-/// sides, or if nothing else shows nearer.
-bool findSurface(Ray r, ShownPlane plane, Sample crossing, inout uint lookups, out vec2 px) {
+/// Samples of the ray's line: the one before it went behind something, and those from there on.
+struct HiddenLine {
+    Sample samples[kInferSamples + 1u];
+    uint count;
+};
+
+/// The nearest pixel beside the occluder that shows the plane's surface, and how much it tells about the crossing, 0 to
+/// 1: all if the surface shows on two opposite sides. On one side only it must show nearer than anything behind the
+/// plane, and tells the less the farther it is.
+float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, inout uint lookups, out vec2 px) {
     vec2 along = normalize(r.screen.deltaPX);
     vec2 directions[4] = vec2[](along, -along, vec2(along.y, -along.x), vec2(-along.y, along.x));
+    Beside unknown = Beside(kOccluder, kInferReach * frame.constants.size.y, crossing.px);
+    Beside known[4] = Beside[](unknown, unknown, unknown, unknown); // from the samples, after the crossing and before it
+    for (uint i = 0u; i < line.count; ++i) {
+        Sample s = line.samples[i];
+        int side = s.share > crossing.share ? 0 : 1;
+        float apart = distance(s.px, crossing.px);
+        if (apart < 1.0 || apart >= known[side].distance)
+            continue;
+        uint shown = compare(plane, s.px, s.sceneZ);
+        if (shown != kOccluder)
+            known[side] = Beside(shown, apart, s.px);
+    }
     const float kNone = 1e9;
     float nearestSurface = kNone;
     float nearestBeyond = kNone;
     uint shows = 0u; // a bit for each direction
+    px = crossing.px;
     for (int i = 0; i < 4; ++i) {
-        if (nearestSurface <= kInferNear && onOpposite(shows))
-            break; // across the line it could hardly be nearer
-        Beside found = besideOccluder(r, plane, crossing, directions[i], lookups);
+        if (onOpposite(shows) || (i == 2 && shows == 0u))
+            break; // across the line is hardly anything else
+        Beside found = besideOccluder(r, plane, crossing, directions[i], known[i], lookups);
         if (found.shown == kBeyond)
             nearestBeyond = min(nearestBeyond, found.distance);
         if (found.shown != kSurface)
@@ -111,58 +144,75 @@ bool findSurface(Ray r, ShownPlane plane, Sample crossing, inout uint lookups, o
             px = found.px;
         }
     }
-    return onOpposite(shows) || nearestSurface < min(nearestBeyond, kNone);
+    if (onOpposite(shows))
+        return 1.0;
+    if (nearestSurface >= min(nearestBeyond, kNone))
+        return 0.0;
+    float height = frame.constants.size.y;
+    float sure = max(kInferSure * height, kInferNear);
+    return 1.0 - smoothstep(sure, max(kInferUnsure * height, 2.0 * sure), nearestSurface);
 }
 
-/// Tests whether the ray crossed, between `front` and `behind`, the surface that the sample `shown` shows. Returns true
-/// if the search is over; `end` changes if it did.
-bool inferFrom(Ray r, Sample shown, float front, float behind, inout March end) {
-    ShownPlane plane = planeShown(shown.px, shown.sceneZ);
-    if (!facesRay(plane.normalVS, false, r) || isOwnSurface(plane.pointVS, plane.normalVS, r))
-        return false;
-    float heightFront = heightAt(r, plane, front);
-    float heightBehind = heightAt(r, plane, behind);
-    if (heightFront <= 0.0 || heightBehind >= 0.0)
-        return false;
-    Sample crossing =
-        takeSample(r.screen, crossingShare(r.screen, front, heightFront, behind, heightBehind), end.lookups);
-    uint there = compare(plane, crossing.px, crossing.sceneZ);
-    if (there == kBeyond)
-        return false; // the surface would show
-    vec2 px = crossing.px;
-    if (there == kOccluder && !findSurface(r, plane, crossing, end.lookups, px))
-        return true;
-    logDecision(crossing.px, kSampleInferred);
-    end.outcome = kOutcomeInferred;
-    end.hitPX = px;
-    end.share = crossing.share;
-    return true;
-}
-
-/// Answers a ray that ended without an answer after it went behind something, if it crossed a surface there.
+/// Answers a ray that ended without an answer after it went behind something, if it crossed a surface there: the first
+/// one of those that its line shows.
 void inferCrossing(Ray r, inout March end) {
     float pixelShare = 1.0 / screenPixels(r.screen);
     float last = min(end.share, r.screen.screenEnd);
+    float first = max(firstBehind - pixelShare, 0.0);
     float spacing = max(kInferSpacing * pixelShare, (last - firstBehind) / float(kInferSamples));
-    Sample front = takeSample(r.screen, max(firstBehind - pixelShare, 0.0), end.lookups);
-    bool wasBehind = false;
+    HiddenLine line;
+    line.samples[0] = takeSample(r.screen, first, end.lookups);
+    line.count = 1u;
     for (uint i = 0u; i < kInferSamples; ++i) {
-        Sample s = takeSample(r.screen, firstBehind + float(i) * spacing, end.lookups);
-        if (s.share >= last)
+        float share = firstBehind + float(i) * spacing;
+        if (share >= last)
+            break;
+        line.samples[line.count++] = takeSample(r.screen, share, end.lookups);
+    }
+    // Where the ray crosses the plane of each, from its front.
+    const float kNowhere = 2.0;
+    float crossings[kInferSamples + 1u];
+    for (uint i = 0u; i < line.count; ++i) {
+        crossings[i] = kNowhere;
+        Sample s = line.samples[i];
+        if (s.sceneZ >= kBackgroundZ)
+            continue;
+        ShownPlane plane = planeShown(s.px, s.sceneZ);
+        float heightFirst = heightAt(r, plane, first);
+        float heightLast = heightAt(r, plane, last);
+        if (heightFirst > 0.0 && heightLast < 0.0 && facesRay(plane.normalVS, false, r) &&
+            !isOwnSurface(plane.pointVS, plane.normalVS, r))
+            crossings[i] = crossingShare(r.screen, first, heightFirst, last, heightLast);
+    }
+    uint tries = 0u;
+    for (uint n = 0u; n < line.count && tries < kInferPlanes; ++n) {
+        uint which = 0u;
+        for (uint i = 1u; i < line.count; ++i)
+            which = crossings[i] < crossings[which] ? i : which;
+        float share = crossings[which];
+        if (share >= kNowhere)
             return;
-        bool behind = s.rayZ >= s.sceneZ;
-        // Behind something: what shows there. Out of the occluder: the surfaces on both sides of it may meet behind it.
-        uint sides = behind ? 1u : wasBehind ? 2u : 0u;
-        for (uint side = 0u; side < sides; ++side) {
-            Sample shown = s;
-            if (!behind && side == 0u)
-                shown = front;
-            if ((behind || shown.sceneZ < kBackgroundZ) && inferFrom(r, shown, front.share, s.share, end))
-                return;
+        for (uint i = 0u; i < line.count; ++i) // the same plane
+            crossings[i] = crossings[i] <= share + pixelShare ? kNowhere : crossings[i];
+        ShownPlane plane = planeShown(line.samples[which].px, line.samples[which].sceneZ);
+        Sample crossing = takeSample(r.screen, share, end.lookups);
+        uint there = compare(plane, crossing.px, crossing.sceneZ);
+        if (there == kBeyond)
+            continue; // the surface would show
+        vec2 px = crossing.px;
+        float evidence = 1.0;
+        if (there == kOccluder) {
+            evidence = findSurface(r, plane, crossing, line, end.lookups, px);
+            ++tries;
         }
-        wasBehind = behind;
-        if (!behind)
-            front = s;
+        if (evidence <= 0.0)
+            continue;
+        logDecision(crossing.px, kSampleInferred);
+        end.outcome = kOutcomeInferred;
+        end.hitPX = clamp(px, floor(px) + 0.01, floor(px) + 0.99); // the same pixel once stored
+        end.share = crossing.share;
+        inferredEvidence = evidence;
+        return;
     }
 }
 
