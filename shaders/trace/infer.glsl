@@ -15,12 +15,15 @@ const float kInferSpacing = 4.0;
 const float kInferReach = 0.25;
 /// Planes whose crossing is looked for beside the occluder, at most.
 const uint kInferPlanes = 2u;
+/// The search for the occluder's edge ends this near to it, as a fraction of the distance from the crossing.
+const float kInferEdge = 0.125;
 /// A surface that shows on one side only tells all about a crossing up to this far from it, as a fraction of the frame's
-/// height (at least kInferNear pixels), and nothing from this far on.
+/// height, and nothing from this far on.
 const float kInferSure = 0.04;
 const float kInferUnsure = 0.12;
-/// So near, in pixels, one side tells all, however small the frame.
-const float kInferNear = 12.0;
+const float kInferSurePixels = 12.0; // at least, however small the frame
+/// So near, in pixels, the colour beside the crossing serves for it.
+const float kInferNear = 8.0;
 /// How far off a plane what a pixel shows may lie to belong to it, as a fraction of its nearness.
 const float kInferSlack = 0.01;
 
@@ -86,7 +89,7 @@ Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, 
             next = knows ? min(4.0 * next, known.distance) : 4.0 * next;
             continue;
         }
-        if (found.distance - inside <= 1.0)
+        if (found.distance - inside <= max(kInferEdge * found.distance, 1.0))
             break;
         next = floor(0.5 * (inside + found.distance));
         ++returns;
@@ -100,6 +103,8 @@ Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, 
 bool onOpposite(uint shows) {
     return (shows & 3u) == 3u || (shows & 12u) == 12u;
 }
+
+const float kNowhere = 2.0; // as a share
 
 /// Samples of the ray's line: the one before it went behind something, and those from there on.
 struct HiddenLine {
@@ -131,8 +136,8 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
     uint shows = 0u; // a bit for each direction
     px = crossing.px;
     for (int i = 0; i < 4; ++i) {
-        if (onOpposite(shows) || (i == 2 && shows == 0u))
-            break; // across the line is hardly anything else
+        if (nearestSurface <= kInferNear && onOpposite(shows))
+            break; // across the line it could hardly be nearer
         Beside found = besideOccluder(r, plane, crossing, directions[i], known[i], lookups);
         if (found.shown == kBeyond)
             nearestBeyond = min(nearestBeyond, found.distance);
@@ -149,47 +154,49 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
     if (nearestSurface >= min(nearestBeyond, kNone))
         return 0.0;
     float height = frame.constants.size.y;
-    float sure = max(kInferSure * height, kInferNear);
+    float sure = max(kInferSure * height, kInferSurePixels);
     return 1.0 - smoothstep(sure, max(kInferUnsure * height, 2.0 * sure), nearestSurface);
 }
 
+/// Where the ray crosses the plane of what the sample shows, from its front, between two places; kNowhere: it does not.
+float crossingOf(Ray r, Sample s, float first, float last) {
+    if (s.sceneZ >= kBackgroundZ)
+        return kNowhere;
+    ShownPlane plane = planeShown(s.px, s.sceneZ);
+    float heightFirst = heightAt(r, plane, first);
+    float heightLast = heightAt(r, plane, last);
+    bool crosses = heightFirst > 0.0 && heightLast < 0.0 && facesRay(plane.normalVS, false, r) &&
+                   !isOwnSurface(plane.pointVS, plane.normalVS, r);
+    return crosses ? crossingShare(r.screen, first, heightFirst, last, heightLast) : kNowhere;
+}
+
 /// Answers a ray that ended without an answer after it went behind something, if it crossed a surface there: the first
-/// one of those that its line shows.
+/// one of those that its line shows. Takes samples up to the first one after a crossing, then tests that crossing.
 void inferCrossing(Ray r, inout March end) {
     float pixelShare = 1.0 / screenPixels(r.screen);
     float last = min(end.share, r.screen.screenEnd);
     float first = max(firstBehind - pixelShare, 0.0);
     float spacing = max(kInferSpacing * pixelShare, (last - firstBehind) / float(kInferSamples));
     HiddenLine line;
-    line.samples[0] = takeSample(r.screen, first, end.lookups);
-    line.count = 1u;
-    for (uint i = 0u; i < kInferSamples; ++i) {
-        float share = firstBehind + float(i) * spacing;
-        if (share >= last)
-            break;
-        line.samples[line.count++] = takeSample(r.screen, share, end.lookups);
-    }
-    // Where the ray crosses the plane of each, from its front.
-    const float kNowhere = 2.0;
+    line.count = 0u;
     float crossings[kInferSamples + 1u];
-    for (uint i = 0u; i < line.count; ++i) {
-        crossings[i] = kNowhere;
-        Sample s = line.samples[i];
-        if (s.sceneZ >= kBackgroundZ)
-            continue;
-        ShownPlane plane = planeShown(s.px, s.sceneZ);
-        float heightFirst = heightAt(r, plane, first);
-        float heightLast = heightAt(r, plane, last);
-        if (heightFirst > 0.0 && heightLast < 0.0 && facesRay(plane.normalVS, false, r) &&
-            !isOwnSurface(plane.pointVS, plane.normalVS, r))
-            crossings[i] = crossingShare(r.screen, first, heightFirst, last, heightLast);
-    }
-    uint tries = 0u;
-    for (uint n = 0u; n < line.count && tries < kInferPlanes; ++n) {
+    float next = first;
+    for (uint tries = 0u; tries < kInferPlanes;) {
         uint which = 0u;
-        for (uint i = 1u; i < line.count; ++i)
-            which = crossings[i] < crossings[which] ? i : which;
-        float share = crossings[which];
+        float share = kNowhere;
+        for (uint i = 0u; i < line.count; ++i)
+            if (crossings[i] < share) {
+                which = i;
+                share = crossings[i];
+            }
+        bool ended = line.count > kInferSamples || next >= last;
+        if (!ended && (line.count == 0u || line.samples[line.count - 1u].share <= share)) {
+            line.samples[line.count] = takeSample(r.screen, next, end.lookups);
+            crossings[line.count] = crossingOf(r, line.samples[line.count], first, last);
+            next = firstBehind + float(line.count) * spacing;
+            ++line.count;
+            continue;
+        }
         if (share >= kNowhere)
             return;
         for (uint i = 0u; i < line.count; ++i) // the same plane
