@@ -19,8 +19,8 @@ const uint kInferPlanes = 2u;
 const float kInferEdge = 0.125;
 /// A surface that shows on one side only tells all about a crossing up to this far from it, as a fraction of the frame's
 /// height, and nothing from this far on.
-const float kInferSure = 0.04;
-const float kInferUnsure = 0.12;
+const float kInferSure = 0.02;
+const float kInferUnsure = 0.07;
 const float kInferSurePixels = 12.0; // at least, however small the frame
 /// So near, in pixels, the colour beside the crossing serves for it.
 const float kInferNear = 8.0;
@@ -155,7 +155,7 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
         return 0.0;
     float height = frame.constants.size.y;
     float sure = max(kInferSure * height, kInferSurePixels);
-    return 1.0 - smoothstep(sure, max(kInferUnsure * height, 2.0 * sure), nearestSurface);
+    return 1.0 - smoothstep(sure, max(kInferUnsure * height, 1.5 * sure), nearestSurface);
 }
 
 /// Where the ray crosses the plane of what the sample shows, from its front, between two places; kNowhere: it does not.
