@@ -66,10 +66,10 @@ struct Beside {
 
 /// Leaves the occluder with growing steps, then returns to its edge in at most four. `known` lies there;
 /// if it shows kOccluder, nothing is known.
-Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, Beside known, inout uint lookups) {
+Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, Beside known, float reach,
+                      inout uint lookups) {
     Beside found = Beside(kOccluder, 0.0, crossing.px);
-    bool knows = known.shown != kOccluder;
-    float reach = knows ? known.distance : kInferReach * frame.constants.size.y;
+    bool knows = known.shown != kOccluder && known.distance <= reach;
     float inside = 0.0;
     float next = 1.0;
     int returns = 0;
@@ -118,7 +118,11 @@ struct HiddenLine {
 float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, inout uint lookups, out vec2 px) {
     vec2 along = normalize(r.screen.deltaPX);
     vec2 directions[4] = vec2[](along, -along, vec2(along.y, -along.x), vec2(-along.y, along.x));
-    Beside unknown = Beside(kOccluder, kInferReach * frame.constants.size.y, crossing.px);
+    float height = frame.constants.size.y;
+    float reach = kInferReach * height;
+    float sure = max(kInferSure * height, kInferSurePixels);
+    float unsure = max(kInferUnsure * height, 1.5 * sure);
+    Beside unknown = Beside(kOccluder, reach, crossing.px);
     Beside known[4] = Beside[](unknown, unknown, unknown, unknown); // from the samples, after the crossing and before it
     for (uint i = 0u; i < line.count; ++i) {
         Sample s = line.samples[i];
@@ -138,7 +142,10 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
     for (int i = 0; i < 4; ++i) {
         if (nearestSurface <= kInferNear && onOpposite(shows))
             break; // across the line it could hardly be nearer
-        Beside found = besideOccluder(r, plane, crossing, directions[i], known[i], lookups);
+        // Where the opposite direction does not show the surface, one side must tell.
+        bool isAlone = (i & 1) == 1 && (shows & (1u << (i - 1))) == 0u;
+        Beside found =
+            besideOccluder(r, plane, crossing, directions[i], known[i], isAlone ? unsure : reach, lookups);
         if (found.shown == kBeyond)
             nearestBeyond = min(nearestBeyond, found.distance);
         if (found.shown != kSurface)
@@ -153,9 +160,7 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
         return 1.0;
     if (nearestSurface >= min(nearestBeyond, kNone))
         return 0.0;
-    float height = frame.constants.size.y;
-    float sure = max(kInferSure * height, kInferSurePixels);
-    return 1.0 - smoothstep(sure, max(kInferUnsure * height, 1.5 * sure), nearestSurface);
+    return 1.0 - smoothstep(sure, unsure, nearestSurface);
 }
 
 /// Where the ray crosses the plane of what the sample shows, from its front, between two places; kNowhere: it does not.
