@@ -64,14 +64,14 @@ struct Beside {
     vec2 px;
 };
 
-/// Leaves the occluder with growing steps, then returns to its edge in at most four. `known` lies there;
-/// if it shows kOccluder, nothing is known.
+/// Leaves the occluder with growing steps up to `reach` pixels, then returns to its edge in at most four. `known`: what a
+/// sample shows in this direction; kOccluder: nothing is known.
 Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, Beside known, float reach,
                       inout uint lookups) {
     Beside found = Beside(kOccluder, 0.0, crossing.px);
     bool knows = known.shown != kOccluder && known.distance <= reach;
     float inside = 0.0;
-    float next = 1.0;
+    float next = 3.0;
     int returns = 0;
     while (next <= reach && returns <= 4) {
         bool isKnown = knows && next >= known.distance;
@@ -86,7 +86,10 @@ Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, 
             break;
         if (found.shown == kOccluder) { // has not left yet
             found.distance = next;
-            next = knows ? min(4.0 * next, known.distance) : 4.0 * next;
+            float farthest = knows ? known.distance : reach;
+            // A last step of less than half its size would tell little more, unless it is known.
+            bool shortens = next < farthest && (knows || 2.0 * next <= farthest);
+            next = shortens ? min(4.0 * next, farthest) : 4.0 * next;
             continue;
         }
         if (found.distance - inside <= max(kInferEdge * found.distance, 1.0))
@@ -206,6 +209,9 @@ void inferCrossing(Ray r, inout March end) {
             return;
         for (uint i = 0u; i < line.count; ++i) // the same plane
             crossings[i] = crossings[i] <= share + pixelShare ? kNowhere : crossings[i];
+        vec2 crossingPX = r.screen.startPX + r.screen.deltaPX * share;
+        if (distance(line.samples[which].px, crossingPX) > kInferReach * frame.constants.size.y)
+            continue; // no search would find it
         ShownPlane plane = planeShown(line.samples[which].px, line.samples[which].sceneZ);
         Sample crossing = takeSample(r.screen, share, end.lookups);
         uint there = compare(plane, crossing.px, crossing.sceneZ);
