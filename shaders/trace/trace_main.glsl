@@ -47,7 +47,7 @@ float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float percept
     if (isOn(kFadeFacingCamera))
         weight *= logFade(kLoggedFacingCamera, fadeFacingCamera(VoR));
     if (end.outcome == kOutcomeInferred)
-        weight *= logFade(kLoggedInferred, settings.inferredWeight);
+        weight *= logFade(kLoggedInferred, settings.inferredWeight * inferredEvidence);
     if (isOn(kFadeBackface)) {
         vec3 hitNormalVS = unpackSurface(texelFetch(metSurface, ivec2(end.hitPX), 0).xy).normalVS;
         weight *= logFade(kLoggedBackface, fadeBackface(dot(hitNormalVS, -ray.directionVS)));

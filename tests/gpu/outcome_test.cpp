@@ -372,6 +372,44 @@ TEST_P(OutcomeTest, aWallBehindAnOccluderIsInferred) {
     }
 }
 
+TEST_P(OutcomeTest, theSurfaceCrossedFirstIsInferred) {
+    if (!technique().walks)
+        GTEST_SKIP() << "it does not look at what is on the way";
+    // Behind the card the ray crosses a low wall, which shows under the card, and then a high one, which shows above
+    // it.
+    const SyntheticCamera camera;
+    Stage scene;
+    scene.cards.push_back({.low = {-0.7, 0.5}, .high = {0.7, 0.8}, .z = -1});
+    scene.cards.push_back({.low = {-100, 0}, .high = {100, 0.6}, .z = -3});
+    scene.cards.push_back({.z = -3.5});
+    Settings changed = settings();
+    changed.screen.inferred = 1;
+    const Picture picture = show(scene, camera, changed);
+    size_t unseen = 0;
+    for (uint32_t i = 0; i < picture.pixels(); ++i) {
+        const std::optional<MirrorRay> ray = mirrorRay(scene, camera, i);
+        const auto t = ray && ray->start.z < -1.15 ? scene.cards[1].distance(ray->start, ray->direction) : std::nullopt;
+        if (!t)
+            continue;
+        // The card hides both crossings, and is wider by a pixel and more.
+        const glm::dvec3 low = ray->start + ray->direction * *t;
+        const glm::dvec3 high =
+            ray->start + ray->direction * scene.cards[2].distance(ray->start, ray->direction).value();
+        bool hidden = low.y < 0.5;
+        for (const glm::dvec3& at : {low, high})
+            for (const double off : {-0.08, 0.08})
+                for (const glm::dvec3& moved : {at + glm::dvec3(off, 0, 0), at + glm::dvec3(0, off, 0)})
+                    hidden =
+                        hidden && scene.cards[0].distance(camera.position, glm::normalize(moved - camera.position));
+        if (!hidden)
+            continue;
+        ++unseen;
+        ASSERT_EQ(picture.outcome(i), shared::kOutcomeInferred) << i;
+        ASSERT_NEAR(picture.hitDistance[i * 4], *t, 0.01 * *t) << i;
+    }
+    EXPECT_GT(unseen, 10u);
+}
+
 TEST_P(OutcomeTest, nothingIsInferredWhereNoSurfaceShowsBesideTheOccluder) {
     const SyntheticCamera camera;
     Stage scene = wallBehindCard();

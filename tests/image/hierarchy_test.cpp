@@ -83,7 +83,9 @@ protected:
     }
 
     /// The eye sees steps in a row as a seam. `most`: of all takeovers, a third above the value measured when this was
-    /// written (1.4 %, without mirrors 3.5 %), so that it does not become worse.
+    /// written (1.4 %, without mirrors 3.5 %), so that it does not become worse. Coherent inferred answers
+    /// (docs/techniques/linear.md) have fewer takeovers, 2110 instead of 2465 without mirrors, of which as many, 111
+    /// instead of 110, are in a row; the limits rose with the shares, 1.9 and 5.3 %.
     static void expectFewSeams(const Seams& seams, double most) {
         EXPECT_GT(seams.all.across.steps.size(), 1000u);
         EXPECT_LE(seams.all.inRow(), most);
@@ -92,8 +94,8 @@ protected:
 
 TEST_F(HierarchyTest, TheBestWinsWithFewSeamsInAHall) {
     const SourcePictures pictures = drawSources(device(), hallJob(320, 180), 5);
-    expectFewSeams(measure("", pictures), 0.018);
-    expectFewSeams(measure("no mirrors: ", withoutMirrors(pictures)), 0.047);
+    expectFewSeams(measure("", pictures), 0.02);
+    expectFewSeams(measure("no mirrors: ", withoutMirrors(pictures)), 0.055);
 }
 
 // Seams are visible here, and documented: docs/techniques/composite.md says where.
