@@ -17,8 +17,8 @@ const float kInferReach = 0.25;
 const uint kInferPlanes = 2u;
 /// The search for the occluder's edge ends this near to it, as a fraction of the distance from the crossing.
 const float kInferEdge = 0.125;
-/// A surface that shows on one side only tells all about a crossing up to this far from it, as a fraction of the frame's
-/// height, and nothing from this far on.
+/// A surface that shows on one side only tells all about a crossing up to this far from it, as a fraction of the
+/// frame's height, and nothing from this far on.
 const float kInferSure = 0.01;
 const float kInferUnsure = 0.08;
 const float kInferSurePixels = 9.0; // at least, however small the frame
@@ -65,8 +65,8 @@ struct Beside {
     vec2 px;
 };
 
-/// Leaves the occluder with growing steps up to `reach` pixels, then returns to its edge in at most four. `known`: what a
-/// sample shows in this direction; kOccluder: nothing is known.
+/// Leaves the occluder with growing steps up to `reach` pixels, then returns to its edge in at most four. `known`: what
+/// a sample shows in this direction; kOccluder: nothing is known.
 Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, Beside known, float reach,
                       inout uint lookups) {
     Beside found = Beside(kOccluder, 0.0, crossing.px);
@@ -127,7 +127,8 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
     float sure = max(kInferSure * height, kInferSurePixels);
     float unsure = max(kInferUnsure * height, 2.5 * sure);
     Beside unknown = Beside(kOccluder, reach, crossing.px);
-    Beside known[4] = Beside[](unknown, unknown, unknown, unknown); // from the samples, after the crossing and before it
+    Beside known[4] =
+        Beside[](unknown, unknown, unknown, unknown); // from the samples, after the crossing and before it
     for (uint i = 0u; i < line.count; ++i) {
         Sample s = line.samples[i];
         int side = s.share > crossing.share ? 0 : 1;
@@ -148,8 +149,7 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
             break; // across the line it could hardly be nearer
         // Where the opposite direction does not show the surface, one side must tell.
         bool isAlone = (i & 1) == 1 && (shows & (1u << (i - 1))) == 0u;
-        Beside found =
-            besideOccluder(r, plane, crossing, directions[i], known[i], isAlone ? unsure : reach, lookups);
+        Beside found = besideOccluder(r, plane, crossing, directions[i], known[i], isAlone ? unsure : reach, lookups);
         if (found.shown == kBeyond)
             nearestBeyond = min(nearestBeyond, found.distance);
         if (found.shown != kSurface)
