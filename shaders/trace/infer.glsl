@@ -17,12 +17,12 @@ const float kInferReach = 0.25;
 const uint kInferPlanes = 2u;
 /// The search for the occluder's edge ends this near to it, as a fraction of the distance from the crossing.
 const float kInferEdge = 0.125;
-/// A surface that shows on one side only tells all about a crossing up to this far from it, as a fraction of the
-/// frame's height, and nothing from this far on.
+/// Evidence of a surface that shows on one side only: all of it if the surface shows nearer to the crossing than
+/// kInferSure of the frame's height, none from kInferUnsure on. tuned: hall, 640x360; with 0.12 the lit end wall shows
+/// where the reflected one is dark, with 0.07 the fade is a step.
 const float kInferSure = 0.01;
 const float kInferUnsure = 0.08;
-const float kInferSurePixels = 9.0; // at least, however small the frame
-// tuned: hall, 640x360; at 12 % the lit end wall shows where the reflected one is dark, at 7 % the fade is a step
+const float kInferSurePixels = 9.0; // kInferSure is at least this, however small the frame
 /// So near, in pixels, the colour beside the crossing serves for it.
 const float kInferNear = 8.0;
 /// How far off a plane what a pixel shows may lie to belong to it, as a fraction of its nearness.

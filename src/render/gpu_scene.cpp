@@ -120,11 +120,11 @@ Result<void> GpuScene::uploadGeometry(gpu::Context& context, const scene::Pose& 
     positions_ = std::move(positions);
     attributes_ = std::move(attributes);
     indices_ = std::move(indices);
-    const shared::GeometryAddresses addresses = {gpu::addressWords(positions_.address()),
-                                                 gpu::addressWords(attributes_.address()),
-                                                 gpu::addressWords(indices_.address())};
-    GLINT_TRY(geometry, gpu::uploadBuffer(context, "scene/geometry", std::as_bytes(std::span(&addresses, 1)),
-                                          VK_BUFFER_USAGE_STORAGE_BUFFER_BIT));
+    GLINT_TRY(geometry, gpu::Buffer::create(context, {"scene/geometry", sizeof(shared::GeometryAddresses),
+                                                      VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, gpu::BufferHome::Upload}));
+    *static_cast<shared::GeometryAddresses*>(geometry.mapped()) = {gpu::addressWords(positions_.address()),
+                                                                   gpu::addressWords(attributes_.address()),
+                                                                   gpu::addressWords(indices_.address())};
     geometry_ = std::move(geometry);
     return {};
 }
