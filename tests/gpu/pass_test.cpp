@@ -390,23 +390,30 @@ TEST_F(PassTest, timersOfASoftwareDeviceWaitForTheDispatch) {
     constexpr uint32_t kCount = 1 << 21;
     gpu::Buffer numbers = storage(std::vector<uint32_t>(kCount));
     const std::unique_ptr<gpu::Timers> timers = must(gpu::Timers::create(gpu()));
-    const auto start = std::chrono::steady_clock::now();
-    run([&](VkCommandBuffer commands) {
-        gpu::Frame frame(gpu(), commands, timers.get());
-        frame.clear(source, {});
-        const VkClearColorValue black = {};
-        frame.pass(draw).read("scale", scale).read("source", source).color(target, &black).draw([](gpu::Draws& draws) {
-            draws.draw(3);
+    double most =
+        0; // share of the wall's time; other processes may come between recording and running, so the best of 3
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        const auto start = std::chrono::steady_clock::now();
+        run([&](VkCommandBuffer commands) {
+            gpu::Frame frame(gpu(), commands, timers.get());
+            frame.clear(source, {});
+            const VkClearColorValue black = {};
+            frame.pass(draw)
+                .read("scale", scale)
+                .read("source", source)
+                .color(target, &black)
+                .draw([](gpu::Draws& draws) { draws.draw(3); });
+            for (uint32_t i = 0; i < 16; ++i)
+                frame.pass(increment).readWrite("values", numbers).push(IncrementPush{kCount, 3, i}).dispatch(kCount);
         });
-        for (uint32_t i = 0; i < 16; ++i)
-            frame.pass(increment).readWrite("values", numbers).push(IncrementPush{kCount, 3, i}).dispatch(kCount);
-    });
-    const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-    double sum = 0;
-    for (const gpu::PassTime& time : timers->latest())
-        sum += time.milliseconds;
-    EXPECT_GT(sum, 0.5 * wall.count());
-    EXPECT_LT(sum, wall.count());
+        const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
+        double sum = 0;
+        for (const gpu::PassTime& time : timers->latest())
+            sum += time.milliseconds;
+        EXPECT_LT(sum, wall.count());
+        most = std::max(most, sum / wall.count());
+    }
+    EXPECT_GT(most, 0.5);
 }
 
 TEST_F(PassTest, morePassesThanTimersHaveQueriesGoUntimed) {

@@ -4,20 +4,14 @@
 #include "gpu/support/frames_in_flight.hpp"
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/surface_scene.hpp"
+#include "gpu/support/thread_time.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <deque>
 
 namespace glint::test {
 namespace {
-
-double threadMilliseconds() {
-    timespec now = {};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 double wallMilliseconds() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
