@@ -1,6 +1,7 @@
 // glint bake: reflection probes for a scene, into a file that `glint render --probes` reads.
 #include "base/file.hpp"
 #include "commands.hpp"
+#include "file_roles.hpp"
 #include "gpu/context.hpp"
 #include "render/bake_job.hpp"
 #include "render/probe_world.hpp"
@@ -56,6 +57,10 @@ Result<void> bakeProbes(const BakeCommandOptions& options) {
     GLINT_TRY(job, makePictureJob(options.scene));
     const std::string output = options.output.empty() ? render::probeFileFor(options.scene.scene) : options.output;
     GLINT_CHECK(checkFolder("-o", output));
+    std::vector<NamedFile> inputs = inputFiles(options.scene);
+    inputs.push_back({"--probes", options.placing});
+    const NamedFile outputs[] = {{"-o", output}};
+    GLINT_CHECK(checkOutputs(inputs, outputs));
     const auto start = std::chrono::steady_clock::now();
     GLINT_TRY(context, gpu::Context::create({job.device, job.validate}));
     GLINT_TRY(set, render::runBakeJob(*context, job, bake));

@@ -6,6 +6,7 @@
 #include "bench_output.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "file_roles.hpp"
 #include "ray_bench_options.hpp"
 #include "ray_bench_output.hpp"
 #include "render_options.hpp"
@@ -96,7 +97,13 @@ void showProgress(const std::string& point) {
 Result<void> checkOutput(const BenchOptions& options) {
     if (options.json.empty() || options.json == "-")
         return {};
-    return checkFolder("--json", options.json);
+    GLINT_CHECK(checkFolder("--json", options.json));
+    std::vector<NamedFile> inputs = inputFiles(options.scene);
+    for (const std::string& scene : options.scenes)
+        inputs.push_back({"SCENE", scene});
+    addConfigFiles(options.configs, inputs);
+    const NamedFile outputs[] = {{"--json", options.json}};
+    return checkOutputs(inputs, outputs);
 }
 
 /// Shows no figures if the validation layer reports messages.

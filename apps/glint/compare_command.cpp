@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "comparison_output.hpp"
 #include "config_option.hpp"
+#include "file_roles.hpp"
 #include "render_options.hpp"
 #include "report_page.hpp"
 
@@ -53,7 +54,7 @@ bool isPage(const std::string& report) {
     return report.ends_with(".html");
 }
 
-Result<void> checkOutputs(const CompareOptions& options) {
+Result<void> checkOptions(const CompareOptions& options) {
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(checkFolder("--json", options.json));
     if (isPage(options.report))
@@ -67,7 +68,11 @@ Result<void> checkOutputs(const CompareOptions& options) {
         return invalidArgument("--frames {}: expected 1 to 10000", options.frames);
     if (options.referenceFrames < 0 || options.referenceFrames > 100000)
         return invalidArgument("--reference-frames {}: expected 1 to 100000", options.referenceFrames);
-    return {};
+    std::vector<NamedFile> inputs = inputFiles(options.scene);
+    addConfigFiles(options.configs, inputs);
+    addConfigFiles({options.reference}, inputs);
+    const NamedFile outputs[] = {{"--json", options.json}, {"--report", isPage(options.report) ? options.report : ""}};
+    return checkOutputs(inputs, outputs);
 }
 
 void showProgress(const std::string& config) {
@@ -89,7 +94,7 @@ Result<void> writeReports(const CompareOptions& options, measure::Comparison com
 }
 
 Result<void> compare(const CompareOptions& options) {
-    GLINT_CHECK(checkOutputs(options));
+    GLINT_CHECK(checkOptions(options));
     GLINT_TRY(configs, makeConfigs(options));
     GLINT_TRY(reference, makeReference(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));

@@ -2,6 +2,7 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "file_roles.hpp"
 #include "inspect_output.hpp"
 #include "inspect_overlay.hpp"
 #include "render/views.hpp"
@@ -54,6 +55,8 @@ Result<render::RenderJob> makeJob(const InspectOptions& options) {
     if (kind != PictureKind::Png)
         return invalidArgument("-o {}: a ray is drawn over a .png picture", printable(options.output));
     GLINT_CHECK(checkFolder("-o", options.output));
+    const NamedFile outputs[] = {{"-o", options.output}};
+    GLINT_CHECK(checkOutputs(inputFiles(options.scene), outputs));
     job.views = {options.view};
     job.display = true;
     return job;

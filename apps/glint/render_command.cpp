@@ -2,6 +2,7 @@
 #include "base/file.hpp"
 #include "base/log.hpp"
 #include "commands.hpp"
+#include "file_roles.hpp"
 #include "measure/job_exact.hpp"
 #include "measure/job_hits.hpp"
 #include "render_options.hpp"
@@ -23,6 +24,7 @@ void showProgress(uint32_t done, uint32_t frames) {
 
 Result<void> renderPictures(const RenderOptions& options, const render::RenderFunction& render) {
     GLINT_TRY(job, makeRenderJob(options));
+    GLINT_CHECK(checkOutputs(inputFiles(options), outputFiles(options)));
     job.progress = showProgress;
     GLINT_TRY(result, render(job));
     for (const std::string& note : result.notes)

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "config_option.hpp"
 #include "feed_files.hpp"
+#include "file_roles.hpp"
 #include "frames_option.hpp"
 #include "measure/sequence.hpp"
 #include "motion_option.hpp"
@@ -165,6 +166,12 @@ public:
         return {};
     }
 
+    void addPaths(uint32_t frames, std::vector<NamedFile>& files) const {
+        for (const auto& [config, pattern] : patterns_)
+            for (uint32_t frame = 0; frame < frames; ++frame)
+                files.push_back({"-o", pattern.path(frame)});
+    }
+
     Result<void> write(const measure::SequenceFrame& frame) const {
         if (patterns_.empty())
             return {};
@@ -189,6 +196,16 @@ private:
     std::map<size_t, FramePattern> patterns_; ///< by index of the config
 };
 
+Result<void> checkFiles(const SequenceOptions& options, const FrameFiles& frames) {
+    std::vector<NamedFile> inputs = inputFiles(options.scene);
+    inputs.push_back({"--path", options.path});
+    addConfigFiles(options.configs, inputs);
+    addConfigFiles({options.reference}, inputs);
+    std::vector<NamedFile> outputs = {{"--json", options.json}};
+    frames.addPaths(static_cast<uint32_t>(options.frames), outputs);
+    return checkOutputs(inputs, outputs);
+}
+
 void showSequenceProgress(const std::string& what, uint32_t done, uint32_t frames) {
     if (isatty(fileno(stderr)))
         fmt::print(stderr, "\r{}: frame {} of {}{}", printable(what), done, frames, done == frames ? "\n" : "");
@@ -211,6 +228,7 @@ Result<void> runSequence(const SequenceOptions& options) {
     plan.stored = std::move(stored);
     GLINT_TRY(feed, sequenceFeed(options, plan));
     GLINT_TRY(files, FrameFiles::create(options.output, plan.configs, plan.stored));
+    GLINT_CHECK(checkFiles(options, files));
     GLINT_CHECK(files.makeFolders());
     if (feed)
         GLINT_CHECK(feed->makeFolders());

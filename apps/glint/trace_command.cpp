@@ -3,6 +3,7 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "file_roles.hpp"
 #include "render/trace_job.hpp"
 #include "render_options.hpp"
 #include "render_output.hpp"
@@ -102,6 +103,21 @@ Result<std::vector<TraceOptions>> framesOf(const TraceOptions& options) {
     return frames;
 }
 
+/// Frames are written one by one, so that an early one's output may be what a later one reads: all are compared.
+Result<void> checkFiles(const std::vector<TraceOptions>& frames) {
+    std::vector<NamedFile> inputs, outputs;
+    for (const TraceOptions& frame : frames) {
+        for (NamedFile& file : inputFiles(frame.picture))
+            inputs.push_back({file.option == "SCENE" ? "GBUFFER" : std::move(file.option), std::move(file.path)});
+        inputs.push_back({"--color", frame.color});
+        if (!scene::mappingPresetText(frame.mapping))
+            inputs.push_back({"--mapping", frame.mapping});
+        for (NamedFile& file : outputFiles(frame.picture))
+            outputs.push_back(std::move(file));
+    }
+    return checkOutputs(inputs, outputs);
+}
+
 /// Each kind of note once: those of a sequence's frames differ in numbers alone.
 class Notes {
 public:
@@ -134,6 +150,7 @@ Result<void> trace(const TraceOptions& options) {
         jobs.push_back(job);
         more.push_back(withInnerViews(job));
     }
+    GLINT_CHECK(checkFiles(frames));
     GLINT_TRY(first, render::loadTraceInputs(jobs.front()));
     Notes notes;
     const auto take = [&](size_t frame, const render::TraceInputs& inputs,

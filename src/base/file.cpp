@@ -81,6 +81,16 @@ bool namesStream(const std::string& path) {
     return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
+std::string fileIdentity(const std::string& path) {
+    const std::string target = targetOf(path);
+    struct stat status = {};
+    if (stat(target.c_str(), &status) == 0)
+        return fmt::format("{}:{}", status.st_dev, status.st_ino);
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(target), error);
+    return error ? target : whole.string();
+}
+
 FileInMaking::FileInMaking(std::string path) : path_(std::move(path)), target_(targetOf(path_)) {
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::temp_directory_path(error);

@@ -16,6 +16,10 @@ Result<std::string> readFile(const std::string& path, size_t longest);
 /// standard output, a device, a pipe, or a descriptor of this process such as /dev/stdout.
 bool namesStream(const std::string& path);
 
+/// Returns a text that two paths share if they mean one file: through links, through hard links, and also if there is
+/// no such file yet.
+std::string fileIdentity(const std::string& path);
+
 /// A file written under a temporary name in the folder of its final name; `commit` renames it. Without a commit the
 /// temporary file is removed, and an existing file under the final name does not change. A link is followed, and a file
 /// that is replaced keeps its permissions. For a stream (namesStream) the temporary file is in the system's folder for

@@ -2,6 +2,7 @@
 #include "program.hpp"
 
 #include "base/file.hpp"
+#include "scene/gbuffer_mapping.hpp"
 #include "support/exr_writer.hpp"
 #include "support/must.hpp"
 #include "support/temp_folder.hpp"
@@ -128,6 +129,40 @@ TEST_F(TraceCliTest, SequencesHaveNumbers) {
                 HasSubstr("out.exr: --sequence needs %d or %04d in it"));
     EXPECT_THAT(errorOf({temp_ + "g.%03d.exr", "--camera", camera_, "--sequence", "7-9", "-o", temp_ + "o.%d.exr"}),
                 HasSubstr("g.007.exr: No such file"));
+}
+
+TEST_F(TraceCliTest, NoInputIsReplaced) {
+    test::writeExrFile(file_, gbuffer());
+    const std::string whole = must(readFile(file_, 1 << 20)), camera = must(readFile(camera_, 1 << 20));
+    EXPECT_THAT(errorOfFile({"-o", file_}), HasSubstr("g.exr: this is the file of GBUFFER, which would be replaced"));
+    EXPECT_THAT(errorOfFile({"-o", temp_.path() + "./g.exr"}), HasSubstr("this is the file of GBUFFER"));
+    std::filesystem::create_symlink("g.exr", temp_ + "link.exr");
+    EXPECT_THAT(errorOfFile({"-o", temp_ + "link.exr"}), HasSubstr("link.exr: this is the file of GBUFFER"));
+    EXPECT_THAT(errorOfFile({"--stats", camera_}), HasSubstr("--stats " + camera_ + ": this is the file of --camera"));
+    std::filesystem::copy(file_, temp_ + "c.exr");
+    EXPECT_THAT(errorOfFile({"--color", temp_ + "c.exr", "-o", temp_ + "c.exr"}), HasSubstr("the file of --color"));
+    EXPECT_THAT(errorOfFile({"--env", temp_ + "c.exr", "-o", temp_ + "c.exr"}), HasSubstr("the file of --env"));
+    EXPECT_THAT(errorOfFile({"--probes", temp_ + "c.exr", "-o", temp_ + "c.exr"}), HasSubstr("the file of --probes"));
+    must(writeFile(temp_ + "m.json", std::string(must(scene::mappingPresetText("glint")))));
+    EXPECT_THAT(errorOfFile({"--mapping", temp_ + "m.json", "--stats", temp_ + "m.json"}),
+                HasSubstr("the file of --mapping"));
+    must(writeFile(temp_ + "s.json", "{}"));
+    EXPECT_THAT(errorOfFile({"--settings", temp_ + "s.json", "--stats", temp_ + "s.json"}),
+                HasSubstr("the file of --settings"));
+    EXPECT_THAT(errorOfFile({"-o", temp_ + "new.exr", "--stats", temp_ + "./new.exr"}),
+                HasSubstr("--stats " + (temp_ + "./new.exr") + ": this is the file of -o too"));
+    EXPECT_EQ(must(readFile(file_, 1 << 20)), whole);
+    EXPECT_EQ(must(readFile(camera_, 1 << 20)), camera);
+}
+
+TEST_F(TraceCliTest, NoFrameOfASequenceReplacesAnother) {
+    for (const char* name : {"s1.exr", "s2.exr"})
+        test::writeExrFile(temp_ + name, gbuffer());
+    EXPECT_THAT(errorOf({temp_ + "s%d.exr", "--camera", camera_, "--sequence", "1-2", "-o", temp_ + "s%d.exr"}),
+                HasSubstr("s1.exr: this is the file of GBUFFER"));
+    std::filesystem::create_symlink("s2.exr", temp_ + "o1.exr"); // what the first frame writes, the second reads
+    EXPECT_THAT(errorOf({temp_ + "s%d.exr", "--camera", camera_, "--sequence", "1-2", "-o", temp_ + "o%d.exr"}),
+                HasSubstr("o1.exr: this is the file of GBUFFER"));
 }
 
 TEST_F(TraceCliTest, PrintMappingIsAMappingFile) {
