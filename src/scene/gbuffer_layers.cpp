@@ -63,6 +63,13 @@ public:
                std::ranges::none_of(file_.names(), [](const std::string& name) { return name.find('.') != name.npos; });
     }
 
+    bool hasAll(const ColorSum& sum) const {
+        return std::ranges::all_of(namesIn(sum), [this](const std::string& name) { return hasColor(name); });
+    }
+    bool hasAny(const ColorSum& sum) const {
+        return std::ranges::any_of(namesIn(sum), [this](const std::string& name) { return hasColor(name); });
+    }
+
     void wantScalar(size_t channel, std::vector<float>& plane) {
         readers_.emplace_back([this, channel, &plane] { plane = planeOf(channel); });
         want(channel);
@@ -131,6 +138,19 @@ private:
                 return std::array<size_t, 3>{*a, *b, *c};
         }
         return std::nullopt;
+    }
+
+    static std::vector<std::string> namesIn(const ColorSum& sum) {
+        std::vector<std::string> names;
+        for (const ColorTerm& term : sum) {
+            names.insert(names.end(), term.sum.begin(), term.sum.end());
+            if (!term.times.empty())
+                names.push_back(term.times);
+        }
+        return names;
+    }
+    bool hasColor(const std::string& name) const {
+        return !layersNamed(name).empty() || (name == kRootColor && channels("").has_value());
     }
 
     static bool endsInName(std::string_view full, std::string_view name) {
@@ -291,18 +311,20 @@ private:
     GBufferLayers& layers_;
 };
 
-} // namespace
+/// The file that has all layers of a sum: that of the picture, or else that of the surfaces. Where neither has all, the
+/// one that has some is blamed.
+LayerTable& tableOf(const ColorSum& sum, LayerTable& color, LayerTable& surface) {
+    const bool inColor = !color.isPlainPicture(); // whose channels are the picture alone
+    if (inColor && color.hasAll(sum))
+        return color;
+    if (surface.hasAll(sum))
+        return surface;
+    return inColor && (color.hasAny(sum) || !surface.hasAny(sum)) ? color : surface;
+}
 
-Result<GBufferLayers> readLayers(const ExrChannels& surfaces, const ExrChannels& colors,
-                                 const GBufferMapping& mapping) {
-    if (colors.width() != surfaces.width() || colors.height() != surfaces.height())
-        return invalidInput("{}: has {}x{} pixels, but {} has {}x{}: both must be of one frame", colors.name(),
-                            colors.width(), colors.height(), surfaces.name(), surfaces.width(), surfaces.height());
-    GBufferLayers layers;
-    layers.width = surfaces.width();
-    layers.height = surfaces.height();
+/// Asks for every layer of the mapping.
+Result<void> request(const GBufferMapping& mapping, LayerTable& surface, LayerTable& color, GBufferLayers& layers) {
     LayerRequests requests(mapping, layers);
-    LayerTable surface(surfaces);
     GLINT_CHECK(requests.scalar(surface, "depth", mapping.depth, layers.depth));
     GLINT_CHECK(requests.triple(surface, "position", mapping.position, layers.position));
     GLINT_CHECK(requests.scalar(surface, "coverage", mapping.coverage, layers.coverage));
@@ -313,14 +335,33 @@ Result<GBufferLayers> readLayers(const ExrChannels& surfaces, const ExrChannels&
     GLINT_CHECK(requests.triple(surface, "f0", mapping.f0, layers.f0));
     GLINT_CHECK(requests.triple(surface, "baseColor", mapping.baseColor, layers.baseColor));
     GLINT_CHECK(requests.pair(surface, "motion", mapping.motion, layers.motion));
-    LayerTable color(colors);
-    if (color.isPlainPicture()) {
+    if (color.isPlainPicture())
         GLINT_CHECK(requests.triple(color, "color", std::string(kRootColor), layers.color));
-    } else {
+    else
         GLINT_CHECK(requests.color(color, "color", mapping.color, layers.color));
-        GLINT_CHECK(requests.color(color, "fallbackSpecular", mapping.fallbackSpecular, layers.fallbackSpecular));
-        GLINT_CHECK(requests.color(color, "reference", mapping.reference, layers.reference));
-    }
+    GLINT_CHECK(requests.color(tableOf(mapping.fallbackSpecular, color, surface), "fallbackSpecular",
+                               mapping.fallbackSpecular, layers.fallbackSpecular));
+    return requests.color(tableOf(mapping.reference, color, surface), "reference", mapping.reference, layers.reference);
+}
+
+} // namespace
+
+Result<void> findLayers(const ExrChannels& surfaces, const ExrChannels& colors, const GBufferMapping& mapping) {
+    GBufferLayers layers;
+    LayerTable surface(surfaces), color(colors);
+    return request(mapping, surface, color, layers);
+}
+
+Result<GBufferLayers> readLayers(const ExrChannels& surfaces, const ExrChannels& colors,
+                                 const GBufferMapping& mapping) {
+    if (colors.width() != surfaces.width() || colors.height() != surfaces.height())
+        return invalidInput("{}: has {}x{} pixels, but {} has {}x{}: both must be of one frame", colors.name(),
+                            colors.width(), colors.height(), surfaces.name(), surfaces.width(), surfaces.height());
+    GBufferLayers layers;
+    layers.width = surfaces.width();
+    layers.height = surfaces.height();
+    LayerTable surface(surfaces), color(colors);
+    GLINT_CHECK(request(mapping, surface, color, layers));
     GLINT_CHECK(surface.read());
     GLINT_CHECK(color.read());
     return layers;

@@ -32,10 +32,16 @@ struct GBufferLayers {
     size_t pixels() const { return size_t{width} * height; }
 };
 
-/// `colors`  file of color, fallbackSpecular and reference; may be `surfaces` itself. A file without layers, whose
-///           channels are R, G and B alone, is the lit picture whatever the mapping calls it.
+/// `colors`  file of color, may be `surfaces` itself. A file without layers, whose channels are R, G and B alone, is
+/// the
+///           lit picture whatever the mapping calls it. fallbackSpecular and reference are in `colors`, or else in
+///           `surfaces`
 /// Errors: InvalidInput names the file, the key and the layer: missing, ambiguous, with other channels than its key
 /// needs, or of another size than the rest.
 Result<GBufferLayers> readLayers(const ExrChannels& surfaces, const ExrChannels& colors, const GBufferMapping& mapping);
+
+/// Looks for the layers that readLayers reads, without reading them. Errors: those of readLayers for layers that are
+/// missing or ambiguous, or have other channels.
+Result<void> findLayers(const ExrChannels& surfaces, const ExrChannels& colors, const GBufferMapping& mapping);
 
 } // namespace glint::scene

@@ -130,5 +130,38 @@ TEST(GBufferLayers, ThePictureMayBeAFileOfItsOwn) {
     EXPECT_THAT(layers.error().message, HasSubstr("3x1 pixels, but f.exr has 2x1"));
 }
 
+/// What is left out without a word is counted twice: the host's reflections and ours.
+TEST(GBufferLayers, WhatReflectionsReplaceMayBeInEitherFile) {
+    const ExrChannels file = fileOf(kChannels);
+    const ExrChannels plain = fileOf({{"R", 20}, {"G", 21}, {"B", 22}});
+    GBufferMapping names = mapping();
+    names.fallbackSpecular = {{"D", {"C"}}};
+    names.reference = {{"", {"D"}}};
+    const glm::vec3 c(8, 9, 10), d(2, 3, 4);
+    const GBufferLayers beside = must(readLayers(file, plain, names));
+    EXPECT_EQ(beside.color[0], glm::vec3(20, 21, 22));
+    EXPECT_EQ(beside.fallbackSpecular[0], d * c);
+    EXPECT_EQ(beside.reference[0], d);
+
+    // The picture's own file goes first; each sum is taken from one file.
+    const ExrChannels lit = fileOf({{"C.R", 1}, {"C.G", 1}, {"C.B", 1}, {"D.R", 5}, {"D.G", 5}, {"D.B", 5}});
+    EXPECT_EQ(must(readLayers(file, lit, names)).reference[0], glm::vec3(5));
+    const ExrChannels colorAlone = fileOf({{"C.R", 1}, {"C.G", 1}, {"C.B", 1}});
+    EXPECT_EQ(must(readLayers(file, colorAlone, names)).reference[0], d);
+    EXPECT_EQ(must(readLayers(file, colorAlone, names)).fallbackSpecular[0], d * c);
+}
+
+TEST(GBufferLayers, WhatReflectionsReplaceIsMissedWhereNoFileHasIt) {
+    const ExrChannels file = fileOf(kChannels);
+    const ExrChannels plain = fileOf({{"R", 20}, {"G", 21}, {"B", 22}});
+    GBufferMapping names = mapping();
+    names.fallbackSpecular = {{"", {"Gloss"}}};
+    const auto layers = readLayers(file, plain, names);
+    ASSERT_FALSE(layers.ok());
+    EXPECT_THAT(layers.error().message, HasSubstr("f.exr: fallbackSpecular: no layer is called Gloss"));
+    names.optional = {"fallbackSpecular"};
+    EXPECT_THAT(must(readLayers(file, plain, names)).notes, ElementsAre(HasSubstr("no layer is called Gloss")));
+}
+
 } // namespace
 } // namespace glint::scene
