@@ -25,16 +25,17 @@ Result<MappedLayers> readWith(scene::GBufferMapping mapping, const scene::ExrCha
     return MappedLayers{std::move(mapping), std::move(layers)};
 }
 
-/// Reads with the preset whose required layers the file has.
+/// Reads with the preset whose required layers the file has. What is wrong with the layers themselves is an error of
+/// the file: another preset would not read them better.
 Result<MappedLayers> readWithFittingPreset(const scene::ExrChannels& surfaces, const scene::ExrChannels& colors,
                                            bool motion) {
     std::string misses;
     for (const std::string_view name : scene::mappingPresets()) {
         GLINT_TRY(mapping, scene::readMapping(std::string(name)));
-        Result<MappedLayers> mapped = readWith(std::move(mapping), surfaces, colors, motion);
-        if (mapped)
-            return mapped;
-        misses = mapped.error().message;
+        const Result<void> found = scene::findLayers(surfaces, colors, mapping);
+        if (found)
+            return readWith(std::move(mapping), surfaces, colors, motion);
+        misses = found.error().message;
     }
     std::vector<std::string> names;
     for (const std::string_view name : scene::mappingPresets())

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace glint::cli {
@@ -89,6 +90,24 @@ TEST_F(TraceCliTest, FilesOfOtherKinds) {
     const std::string whole = must(readFile(file_, 1 << 20));
     must(writeFile(file_, whole.substr(0, whole.size() / 2)));
     EXPECT_THAT(errorOfFile(), HasSubstr("g.exr: OpenEXR: "));
+}
+
+/// Layers that are there but cannot be read are no sign of another preset.
+TEST_F(TraceCliTest, DamagedFilesAreNotTakenForThoseOfAnotherMapping) {
+    test::ExrPart part = {"", 64, 256, {}};
+    float value = 0;
+    for (const char* name : {"depth.Z", "normal.X", "normal.Y", "normal.Z", "roughness.Y", "reflectivity.R",
+                             "reflectivity.G", "reflectivity.B", "scene.R", "scene.G", "scene.B"}) {
+        std::vector<float>& plane = part.planes.emplace_back(name, std::vector<float>(size_t{64} * 256)).second;
+        for (float& pixel : plane)
+            pixel = value = std::fmod(value * 1.7f + 0.31f, 1.0f); // hardly compressed
+    }
+    test::writeExrFile(file_, part);
+    const std::string whole = must(readFile(file_, 1 << 22));
+    must(writeFile(file_, whole.substr(0, whole.size() * 3 / 4)));
+    const std::string declared = errorOfFile({"--mapping", "glint"}), fitting = errorOfFile();
+    EXPECT_THAT(fitting, HasSubstr("truncated"));
+    EXPECT_EQ(fitting, declared);
 }
 
 TEST_F(TraceCliTest, MissingLayersAreNamed) {
