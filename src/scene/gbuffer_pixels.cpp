@@ -20,13 +20,31 @@ glm::vec3 fraction(const glm::vec3& value, float fallback) {
     return {fraction(value.x, fallback), fraction(value.y, fallback), fraction(value.z, fallback)};
 }
 
+/// Fractions that exceed their range by rounding or filtering alone are no mistake.
+bool isFraction(float value) {
+    constexpr float kTolerance = 0.001f;
+    return value >= -kTolerance && value <= 1 + kTolerance;
+}
+bool isFraction(const glm::vec3& value) {
+    return isFraction(value.x) && isFraction(value.y) && isFraction(value.z);
+}
+
+bool isRadiance(float value) {
+    return value >= 0 && value <= kMaxRadiance;
+}
+bool isRadiance(const glm::vec3& color) {
+    return isRadiance(color.x) && isRadiance(color.y) && isRadiance(color.z);
+}
+
 bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+constexpr float kLargestIor = 100;
+
 /// Reflectance at normal incidence (Fresnel's equations) of an interface to air.
 float dielectricF0(float ior) {
-    const float n = std::isfinite(ior) ? std::clamp(ior, 1.0f, 100.0f) : 1.5f;
+    const float n = std::isfinite(ior) ? std::clamp(ior, 1.0f, kLargestIor) : 1.5f;
     const float root = (n - 1) / (n + 1);
     return root * root;
 }
@@ -57,6 +75,17 @@ public:
         note(pixels, badDepths_, "depth that is no number");
         note(pixels, badNormals_, "surface without a finite normal");
         note(pixels, badColors_, "colour that is negative or no number, which becomes 0");
+        note(pixels, brightColors_, "colour above 65504, which becomes 65504");
+        note(pixels, badFallbacks_,
+             "fallbackSpecular that is not from 0 to 65504: limited to that, no number becomes 0");
+        note(pixels, badReferences_, "reference that is not from 0 to 65504: limited to that, no number becomes 0");
+        note(pixels, badRoughness_,
+             mapping_.smoothness ? "smoothness that is not from 0 to 1: limited to that, no number becomes 0"
+                                 : "roughness that is not from 0 to 1: limited to that, no number becomes 1");
+        note(pixels, badF0_, "f0 that is not from 0 to 1: limited to that, no number becomes 0");
+        note(pixels, badMetallic_, "metallic that is not from 0 to 1: limited to that, no number becomes 0");
+        note(pixels, badBaseColors_, "baseColor that is not from 0 to 1: limited to that, no number becomes 0");
+        note(pixels, badIors_, "ior that is not from 1 to 100: limited to that, no number becomes 1.5");
         return pixels;
     }
 
@@ -71,12 +100,14 @@ private:
         const uint32_t row = mapping_.meaning.rowsFromBottom ? layers_.height - 1 - y : y;
         const size_t from = size_t{row} * layers_.width + x;
         const glm::vec3& color = layers_.color[from];
-        badColors_ += !(color.x >= 0 && color.y >= 0 && color.z >= 0);
+        const bool bad = !(color.x >= 0 && color.y >= 0 && color.z >= 0);
+        badColors_ += bad;
+        brightColors_ += !bad && !isRadiance(color);
         pixels.litRadiance[to] = finiteRadiance(color);
         if (!pixels.fallbackSpecular.empty())
-            pixels.fallbackSpecular[to] = finiteRadiance(layers_.fallbackSpecular[from]);
+            pixels.fallbackSpecular[to] = countedRadiance(layers_.fallbackSpecular[from], badFallbacks_);
         if (!pixels.reference.empty())
-            pixels.reference[to] = finiteRadiance(layers_.reference[from]);
+            pixels.reference[to] = countedRadiance(layers_.reference[from], badReferences_);
 
         if (!pixels.motionUV.empty())
             pixels.motionUV[to] = lens_.motionUV(mapping_, layers_.motion[from]);
@@ -91,7 +122,8 @@ private:
         ++pixels.surfaces;
         pixels.viewZ[to] = viewZ;
         pixels.normalWS[to] = normalWS;
-        pixels.baseColor[to] = layers_.baseColor.empty() ? glm::vec3(1) : fraction(layers_.baseColor[from], 0);
+        pixels.baseColor[to] =
+            layers_.baseColor.empty() ? glm::vec3(1) : counted(layers_.baseColor[from], 0.0f, badBaseColors_);
         pixels.material[to] = glm::vec4(f0(from, pixels.baseColor[to]), roughness(from));
     }
 
@@ -117,20 +149,32 @@ private:
         return viewZ > 0 && viewZ < kFarthest ? viewZ : 0;
     }
 
-    float roughness(size_t from) const {
+    static glm::vec3 countedRadiance(const glm::vec3& stored, uint64_t& bad) {
+        bad += !isRadiance(stored);
+        return finiteRadiance(stored);
+    }
+
+    template <class Value>
+    static Value counted(const Value& stored, float fallback, uint64_t& bad) {
+        bad += !isFraction(stored);
+        return fraction(stored, fallback);
+    }
+
+    float roughness(size_t from) {
         const float stored = layers_.roughness.empty() ? mapping_.roughness.constant : layers_.roughness[from];
-        const float value = fraction(stored, mapping_.smoothness ? 0.0f : 1.0f);
+        const float value = counted(stored, mapping_.smoothness ? 0.0f : 1.0f, badRoughness_);
         return mapping_.smoothness ? 1 - value : value;
     }
 
     /// glTF 2.0, B.2: metals reflect their base colour, dielectrics what their index of refraction says.
-    glm::vec3 f0(size_t from, const glm::vec3& baseColor) const {
+    glm::vec3 f0(size_t from, const glm::vec3& baseColor) {
         if (!layers_.f0.empty())
-            return fraction(layers_.f0[from], 0);
+            return counted(layers_.f0[from], 0.0f, badF0_);
         const float ior =
             layers_.ior.empty() ? mapping_.ior.layer.empty() ? mapping_.ior.constant : 1.5f : layers_.ior[from];
         const float metallic =
-            layers_.metallic.empty() ? mapping_.metallic.constant : fraction(layers_.metallic[from], 0);
+            layers_.metallic.empty() ? mapping_.metallic.constant : counted(layers_.metallic[from], 0.0f, badMetallic_);
+        badIors_ += metallic < 1 && !(ior >= 1 && ior <= kLargestIor); // metals have none
         return glm::mix(glm::vec3(dielectricF0(ior)), baseColor, metallic);
     }
 
@@ -139,7 +183,9 @@ private:
     PixelLens lens_;
     uint64_t badDepths_ = 0;
     uint64_t badNormals_ = 0;
-    uint64_t badColors_ = 0;
+    uint64_t badColors_ = 0, brightColors_ = 0;
+    uint64_t badFallbacks_ = 0, badReferences_ = 0;
+    uint64_t badRoughness_ = 0, badF0_ = 0, badMetallic_ = 0, badBaseColors_ = 0, badIors_ = 0;
 };
 
 } // namespace

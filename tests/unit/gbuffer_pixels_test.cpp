@@ -207,6 +207,39 @@ TEST(GBufferPixels, WhatIsNoNumberIsBackgroundAndCounted) {
                                                    HasSubstr("1 of 48 pixels have a colour")));
 }
 
+TEST(GBufferPixels, MaterialsThatAreNoSuchValuesAreCounted) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    GBufferLayers stored = layers();
+    for (std::vector<float>* plane : {&stored.roughness, &stored.metallic})
+        plane->assign(stored.pixels(), 0.5f);
+    stored.ior.assign(stored.pixels(), 1.5f);
+    stored.baseColor.assign(stored.pixels(), glm::vec3(1.0005f)); // rounding
+    for (std::vector<glm::vec3>* plane : {&stored.fallbackSpecular, &stored.reference})
+        plane->assign(stored.pixels(), glm::vec3(1));
+    EXPECT_THAT(must(decodeLayers(stored, mapping(), camera(), "f")).notes, testing::IsEmpty());
+    stored.roughness[0] = kNaN;
+    stored.roughness[1] = 1e30f;
+    stored.metallic[2] = infinity;
+    stored.metallic[3] = 1;
+    stored.ior[3] = 0; // of a metal, which has none
+    stored.ior[4] = 0;
+    stored.baseColor[5] = {0, kNaN, 0};
+    stored.color[6] = glm::vec3(infinity);
+    stored.fallbackSpecular[7] = glm::vec3(1e30f);
+    stored.reference[8] = {0, 0, kNaN};
+    const GBufferPixels pixels = must(decodeLayers(stored, mapping(), camera(), "f"));
+    EXPECT_EQ(pixels.material[0].a, 1);
+    EXPECT_EQ(pixels.fallbackSpecular[7], glm::vec3(65504));
+    EXPECT_THAT(pixels.notes,
+                testing::ElementsAre(HasSubstr("1 of 48 pixels have a colour above 65504"),
+                                     HasSubstr("1 of 48 pixels have a fallbackSpecular that is not from 0 to 65504"),
+                                     HasSubstr("1 of 48 pixels have a reference that is not from 0 to 65504"),
+                                     HasSubstr("2 of 48 pixels have a roughness that is not from 0 to 1"),
+                                     HasSubstr("1 of 48 pixels have a metallic that is not from 0 to 1"),
+                                     HasSubstr("1 of 48 pixels have a baseColor that is not from 0 to 1"),
+                                     HasSubstr("1 of 48 pixels have a ior that is not from 1 to 100")));
+}
+
 TEST(GBufferPixels, AnImageWithoutSurfacesIsAnError) {
     GBufferLayers stored = layers();
     stored.depth.assign(stored.pixels(), kNaN);
