@@ -4,6 +4,7 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "file_roles.hpp"
+#include "render/settled_frames.hpp"
 #include "render/trace_job.hpp"
 #include "render_options.hpp"
 #include "render_output.hpp"
@@ -38,6 +39,16 @@ void addOnce(std::vector<std::string>& names, std::string_view name) {
         names.emplace_back(name);
 }
 
+/// True if the user asked for rays by --set or a settings file, and not only for a preset that has them.
+Result<bool> namesRays(const render::SettingsRequest& request, const Settings& settings) {
+    if (!settings.rays.enabled)
+        return false;
+    if (std::ranges::any_of(request.assignments, [](const std::string& one) { return one.starts_with("rays."); }))
+        return true;
+    GLINT_TRY(preset, render::loadSettings({{}, request.preset, {}, {}}));
+    return !preset.reflections.rays.enabled;
+}
+
 Result<render::TraceJob> makeTraceJob(const TraceOptions& options) {
     if (options.picture.scene.empty())
         return invalidArgument("GBUFFER is required: an OpenEXR file");
@@ -46,6 +57,12 @@ Result<render::TraceJob> makeTraceJob(const TraceOptions& options) {
     render::TraceJob job;
     GLINT_TRY(picture, makeRenderJob(options.picture));
     job.picture = std::move(picture);
+    Settings& settings = job.picture.settings.reflections;
+    GLINT_TRY(asks, namesRays(options.picture.settings, settings));
+    job.asksForRays = asks;
+    settings.rays.enabled = false; // presets have them, a G-buffer has no triangles
+    if (!options.picture.frames)
+        job.picture.frames = render::settledFrames(settings);
     job.color = options.color;
     job.mapping = options.mapping;
     GLINT_TRY(kind, pictureKind(options.picture.output));

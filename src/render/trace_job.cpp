@@ -100,6 +100,9 @@ Result<TraceInputs> loadTraceInputs(const TraceJob& job, const scene::Camera* pr
     for (const std::string& finding : inputs.health.findings)
         inputs.frame->notes.push_back(fmt::format("{}: {}", surfaces.name(), finding));
     inputs.frame->notes.insert(inputs.frame->notes.end(), pixels->notes.begin(), pixels->notes.end());
+    if (job.asksForRays)
+        inputs.frame->notes.emplace_back("a G-buffer has no triangles: rays take no part, whatever the settings of "
+                                         "rays say");
     if (!picture.environment.empty())
         GLINT_CHECK(loadEnvironment(picture.environment, *inputs.frame));
     if (!picture.probes.empty()) {

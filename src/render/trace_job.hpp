@@ -21,8 +21,9 @@ struct TraceJob {
     /// `scene` is the G-buffer's file, `camera` a camera file. Size, time, materials and planar mirrors have no
     /// meaning. `environment`: empty is none. `probes`: a file of glint bake, or empty.
     RenderJob picture;
-    std::string color;   ///< file of the lit picture; empty: the G-buffer's file
-    std::string mapping; ///< a preset or a file (scene/gbuffer_mapping.hpp); empty: the preset that fits the file
+    std::string color;        ///< file of the lit picture; empty: the G-buffer's file
+    bool asksForRays = false; ///< the user named rays, of which a note says that a G-buffer has none
+    std::string mapping;      ///< a preset or a file (scene/gbuffer_mapping.hpp); empty: the preset that fits the file
 };
 
 /// What the files of a job contain, decoded.
