@@ -10,6 +10,8 @@ namespace {
 gpu::Image* hostImage(const std::string& name, HostFrame& host) {
     if (name == "albedo")
         return &host.gbuffer().albedo;
+    if (name == "fallbackSpecular")
+        return &host.gbuffer().fallbackSpecular;
     return name == "motion" ? &host.gbuffer().motion : nullptr;
 }
 
@@ -56,7 +58,10 @@ Result<void> FrameViews::show(const std::string& name, HostFrame& host, Reflecti
         if (name == "composite" || name == "scene") {
             host.display(frame, name == "composite" ? composite_ : scene_, target);
         } else if (gpu::Image* const drawn = hostImage(name, host)) {
-            viewPass_.draw(frame, *drawn, info->kind, target);
+            if (info->kind == ViewKind::Radiance)
+                host.display(frame, *drawn, target);
+            else
+                viewPass_.draw(frame, *drawn, info->kind, target);
         } else if (const auto recorded = reflections.recordView(commands, name); !recorded) {
             done = recorded.error();
             return;
@@ -95,6 +100,8 @@ Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, 
     if (gpu::Image* const drawn = hostImage(name, host)) {
         GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, *drawn));
         view.rgba = std::move(rgba);
+        if (info->kind == ViewKind::Radiance && display)
+            GLINT_CHECK(displayInto(view, host, *drawn));
         return view;
     }
     Result<HostImage> recorded = HostImage{};

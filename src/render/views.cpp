@@ -26,6 +26,7 @@ constexpr std::array kViews = {
     ViewInfo{"normal", ViewKind::Direction, "XYZ", "world-space normal"},
     ViewInfo{"depth", ViewKind::Distance, "Z", "metres along the view axis"},
     ViewInfo{"albedo", ViewKind::Fraction, "RGB", "base colour"},
+    ViewInfo{"fallbackSpecular", ViewKind::Radiance, "RGB", "the part of the scene that reflections replace"},
     ViewInfo{"roughness", ViewKind::Fraction, "Y", "perceptual roughness"},
     ViewInfo{"reflectivity", ViewKind::Fraction, "RGB", "F0"},
     ViewInfo{"motion", ViewKind::Motion, "XYZ",

@@ -41,7 +41,7 @@ constexpr MappingPreset kPresets[] = {{"blender", R"({
 }
 )"},
                                       {"glint", R"({
-  "description": "glint render -o x.exr --view scene,depth,normal,roughness,reflectivity,albedo",
+  "description": "glint render -o x.exr --view scene,fallbackSpecular,depth,normal,roughness,reflectivity,albedo",
   "axes": "yUp",
   "depth": {"layer": "depth.Z", "is": "viewZ"},
   "normal": {"layer": "normal", "space": "world"},
@@ -49,7 +49,8 @@ constexpr MappingPreset kPresets[] = {{"blender", R"({
   "f0": "reflectivity",
   "baseColor": "albedo",
   "color": "scene",
-  "optional": ["baseColor"]
+  "fallbackSpecular": "fallbackSpecular",
+  "optional": ["baseColor", "fallbackSpecular"]
 }
 )"}};
 

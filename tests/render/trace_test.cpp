@@ -11,6 +11,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 
 namespace glint::test {
 namespace {
@@ -19,12 +20,12 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr const char* kViews[] = {"composite", "scene", "depth", "normal", "roughness", "reflectivity", "albedo"};
+constexpr const char* kViews[] = {"composite", "scene",     "fallbackSpecular", "depth",
+                                  "normal",    "roughness", "reflectivity",     "albedo"};
 
 class TraceTest : public GpuTest {
 protected:
-    /// No environment: the renderer's fallback specular, which the file lacks, is 0. Highlights stay in hits, as a file
-    /// does not separate them, and it has no back faces.
+    /// Highlights stay in hits, as a file does not separate them, and it has no back faces.
     static render::RenderJob drawnJob(const std::string& scene, const std::string& camera = "") {
         render::RenderJob job;
         job.scene = scene;
@@ -45,8 +46,9 @@ protected:
     }
 
     /// Draws a frame of our renderer and writes its G-buffer and camera.
-    void write(const std::string& scene, const std::string& camera = "") {
-        const render::RenderJob job = drawnJob(scene, camera);
+    void write(const std::string& scene, const std::string& camera = "", const std::string& environment = "none") {
+        render::RenderJob job = drawnJob(scene, camera);
+        job.environment = environment;
         drawn_ = must(render::runJob(gpu(), job));
         writeFiles(must(render::loadJobInputs(job)).camera, gbuffer_, camera_);
     }
@@ -121,6 +123,27 @@ TEST_F(TraceTest, AFileGivesTheReflectionsOfTheFrameThatWroteIt) {
         EXPECT_GT(reflective, 1000u) << scene;
         EXPECT_LT(double(differing(composite, expected)), 0.02 * double(reflective)) << scene;
     }
+}
+
+/// The environment is in the lit picture already: what reflections replace comes off it.
+TEST_F(TraceTest, AnEnvironmentIsReflectedOnce) {
+    write("builtin:exact", "", "sky");
+    render::TraceJob job = traceJob();
+    job.picture.environment = "sky";
+    const std::vector<float>& expected = drawnView("composite");
+    const std::vector<float>& fallback = drawnView("fallbackSpecular");
+    size_t reflective = 0;
+    for (size_t i = 0; i < fallback.size(); i += 4)
+        reflective += fallback[i + 2] > 0.05f;
+    EXPECT_GT(reflective, 1000u);
+    const render::TraceInputs inputs = must(render::loadTraceInputs(job));
+    EXPECT_LT(double(differing(trace(job, inputs).views.front().rgba, expected)), 0.02 * double(reflective));
+    job.mapping = temp_ + "without.json";
+    std::string text(must(scene::mappingPresetText("glint")));
+    const std::string line = R"("fallbackSpecular": "fallbackSpecular",)";
+    must(writeFile(job.mapping, text.erase(text.find(line), line.size())));
+    const render::TraceInputs without = must(render::loadTraceInputs(job));
+    EXPECT_GT(double(differing(trace(job, without).views.front().rgba, expected)), 0.5 * double(reflective));
 }
 
 TEST_F(TraceTest, WithoutSourcesThePictureIsThatOfTheFile) {
