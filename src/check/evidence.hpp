@@ -19,6 +19,7 @@ struct Advice {
     std::string_view unitLength;
     std::string_view facing;
     std::string_view range;
+    std::string_view otherCamera = {};
 };
 
 /// Samples of a G-buffer whose stored depth may be that of a surface. View space is Glint's: right-handed, +Y up, the

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -30,12 +31,19 @@ Agreement agreement(const glm::mat3& rotation, std::span<const glm::vec3> from, 
     GLINT_ASSERT(from.size() == to.size(), "{} and {} directions", from.size(), to.size());
     constexpr float kScaleDegrees = 3;
     Agreement result;
+    std::vector<float> angles;
     for (size_t i = 0; i < from.size(); ++i) {
         if (from[i] == glm::vec3(0) || to[i] == glm::vec3(0))
             continue;
         const float degrees = degreesBetween(rotation * from[i], to[i]);
         result.score += 1 / (1 + (degrees / kScaleDegrees) * (degrees / kScaleDegrees));
         result.share += degrees < kAgreeDegrees;
+        angles.push_back(degrees);
+    }
+    if (!angles.empty()) {
+        const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+        std::nth_element(angles.begin(), middle, angles.end());
+        result.middleDegrees = *middle;
     }
     if (!from.empty()) {
         result.score /= static_cast<double>(from.size());

@@ -11,8 +11,9 @@ namespace glint::check {
 constexpr float kAgreeDegrees = 10;
 
 struct Agreement {
-    double score = 0; ///< [0, 1], counts near directions more than far ones
-    double share = 0; ///< of all pairs: those that agree
+    double score = 0;        ///< [0, 1], counts near directions more than far ones
+    double share = 0;        ///< of all pairs: those that agree
+    float middleDegrees = 0; ///< half of the pairs without zero vectors differ by less
 };
 
 /// Compares `rotation` * from[i] with to[i], unit vectors; a pair with a zero vector agrees under no rotation.

@@ -55,13 +55,14 @@ struct Hypothesis {
     size_t reading = 0;
     double score = 0;
     double agree = 0; ///< share of samples
+    float middleDegrees = 0;
 };
 
 /// Prefers what is declared among equals.
 Hypothesis judge(const Evidence& evidence, size_t reading, const std::vector<glm::vec3>& depthNormals) {
     constexpr double kCostOfChange = 0.01;
     const Agreement found = agreement(evidence.worldToView(reading), givenNormalsWS(evidence, reading), depthNormals);
-    return {reading, found.score - kCostOfChange * evidence.changes(reading), found.share};
+    return {reading, found.score - kCostOfChange * evidence.changes(reading), found.share, found.middleDegrees};
 }
 
 /// `declared`: of reading 0. Readings that share positions share the normals of their depth.
@@ -92,22 +93,36 @@ Turn bestTurn(const Evidence& evidence) {
     return {glm::degrees(std::acos(glm::clamp(cosine, -1.0f, 1.0f))), fit.agreement};
 }
 
-Finding explain(const Evidence& evidence, const Hypothesis& declared, const Hypothesis& best) {
-    constexpr double kGood = 0.3;
+constexpr double kGood = 0.3; ///< share of pixels from which a meaning explains the image
+
+/// What contradicts the declarations. Without a reading that explains the image better, the declared one stays: what
+/// the other rules find under a reading that nothing speaks for would be a second, wrong finding.
+Comparison explain(const Evidence& evidence, const Hypothesis& declared, const Hypothesis& best,
+                   const std::function<OtherCamera()>& bestCamera) {
+    const auto with = [&](size_t reading, Finding finding) {
+        return Comparison{declared.agree, reading, std::move(finding)};
+    };
     const Turn turn = bestTurn(evidence);
+    const OtherCamera camera = bestCamera ? bestCamera() : OtherCamera();
+    if (camera.fit.share >= kGood && camera.fit.score > best.score + kClearly && camera.fit.score > turn.fit.score)
+        return with(0, fmt::format("depth and normals agree with {} (half of the pixels within {:.1f} degrees, {:.1f} "
+                                   "as declared): {}",
+                                   camera.name, camera.fit.middleDegrees, declared.middleDegrees,
+                                   evidence.advice().otherCamera));
     if (turn.fit.share >= kGood && turn.degrees > kAgreeDegrees && turn.fit.score > best.score + kClearly)
-        return fmt::format("depth and normals agree with a camera that is turned by {:.0f} degrees ({} of pixels, {} "
-                           "as declared): {}",
-                           turn.degrees, percent(turn.fit.share), percent(declared.agree),
-                           evidence.advice().turnedCamera);
+        return with(0, fmt::format("depth and normals agree with a camera that is turned by {:.0f} degrees ({} of "
+                                   "pixels, {} as declared): {}",
+                                   turn.degrees, percent(turn.fit.share), percent(declared.agree),
+                                   evidence.advice().turnedCamera));
     if (best.reading != 0 && best.agree >= kGood && best.score > declared.score + kClearly)
-        return fmt::format("depth and normals agree with {} ({} of pixels, {} as declared)",
-                           evidence.differences(best.reading), percent(best.agree), percent(declared.agree));
+        return with(best.reading,
+                    fmt::format("depth and normals agree with {} ({} of pixels, {} as declared)",
+                                evidence.differences(best.reading), percent(best.agree), percent(declared.agree)));
     if (declared.agree < kGood)
-        return fmt::format("the normals of only {} of pixels agree with depth and camera, and no other meaning agrees "
-                           "better: {}",
-                           percent(declared.agree), evidence.advice().nothingAgrees);
-    return {};
+        return with(0, fmt::format("the normals of only {} of pixels agree with depth and camera, and no other meaning "
+                                   "agrees better: {}",
+                                   percent(declared.agree), evidence.advice().nothingAgrees));
+    return with(0, {});
 }
 
 /// The share of surfaces that stand still if stored motion has this unit.
@@ -143,12 +158,15 @@ float median(std::span<float> values) {
     return *middle;
 }
 
-Comparison compareNormals(const Evidence& evidence) {
+Agreement agreementAsDeclared(const Evidence& evidence) {
+    return agreement(evidence.worldToView(0), givenNormalsWS(evidence, 0), depthNormalsVS(evidence, 0));
+}
+
+Comparison compareNormals(const Evidence& evidence, const std::function<OtherCamera()>& bestCamera) {
     const Hypothesis declared = judge(evidence, 0, depthNormalsVS(evidence, 0));
     if (declared.score + kClearly >= 1) // nothing can be clearly better
         return {declared.agree, 0, {}};
-    const Hypothesis best = bestReading(evidence, declared);
-    return {declared.agree, best.reading, explain(evidence, declared, best)};
+    return explain(evidence, declared, bestReading(evidence, declared), bestCamera);
 }
 
 Finding findOddLengths(const Evidence& evidence, size_t reading) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "check/evidence.hpp"
+#include "check/normal_agreement.hpp"
 
 #include <functional>
 #include <optional>
@@ -17,14 +18,24 @@ using Finding = std::optional<std::string>; ///< one line; absent: nothing contr
 
 struct Comparison {
     double agree = 0; ///< share of samples whose normal is within 10 degrees of depth's, as declared
-    size_t best = 0;  ///< reading that agrees best; the declared one among equals
+    size_t best = 0;  ///< reading that the finding names; without one the declared reading
     Finding finding;
 };
 
-/// Compares normals with depth. Requires kFewestSamples. Finds nothing in an image without a flat or smooth surface,
-/// and cannot tell readings apart that are equal in this image (view and world normals of a camera that is not
-/// rotated).
-Comparison compareNormals(const Evidence& evidence);
+/// A camera that projects in another way than the declared one, and how well normals agree with depth under it.
+struct OtherCamera {
+    std::string name; ///< "an orthographic camera"
+    Agreement fit;
+};
+
+/// How well the normals agree with depth under the declared reading.
+Agreement agreementAsDeclared(const Evidence& evidence);
+
+/// Compares normals with depth. `bestCamera` is asked where the declarations leave something to explain: for the best
+/// of the cameras that are not among the readings. Requires kFewestSamples. Finds nothing in an image without a flat or
+/// smooth surface, and cannot tell readings apart that are equal in this image (view and world normals of a camera that
+/// is not rotated).
+Comparison compareNormals(const Evidence& evidence, const std::function<OtherCamera()>& bestCamera = {});
 
 /// Means over samples, and filtered edges, have shorter normals; more than some of them mean another encoding.
 Finding findOddLengths(const Evidence& evidence, size_t reading);

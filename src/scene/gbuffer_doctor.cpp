@@ -24,11 +24,13 @@ const char* yesNo(bool value) {
 /// The layers, under every meaning that a mapping can declare.
 class LayerEvidence : public check::Evidence {
 public:
-    LayerEvidence(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera)
+    /// `samples`  so many are wanted
+    LayerEvidence(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera,
+                  uint64_t samples = kWantedSamples)
         : layers_(layers), mapping_(mapping), lens_(camera, layers.width, layers.height), meanings_(meanings()) {
         const uint64_t pixels = std::max<uint64_t>(layers.pixels(), 1);
         const auto stride =
-            static_cast<uint32_t>(std::max(1.0, std::floor(std::sqrt(double(pixels) / double(kWantedSamples)))));
+            static_cast<uint32_t>(std::max(1.0, std::floor(std::sqrt(double(pixels) / double(samples)))));
         for (uint32_t y = 1; y + 1 < layers.height; y += stride)
             for (uint32_t x = 1; x + 1 < layers.width; x += stride)
                 if (mayShowSurface(x, y))
@@ -40,7 +42,9 @@ public:
         return {"check the camera (fovY, position, target) and the names of the layers",
                 "check the camera's position and target",
                 "the file needs one sample at each pixel's centre, without a filter",
-                "the file needs normals that are turned to the camera", "correct \"metres\" or the camera"};
+                "the file needs normals that are turned to the camera",
+                "correct \"metres\" or the camera",
+                "correct the camera file"};
     }
     size_t readings() const override { return meanings_.size(); }
     int changes(size_t reading) const override { return changes(meanings_[reading]); }
@@ -213,6 +217,84 @@ private:
     std::vector<Sample> samples_;
 };
 
+/// Looks for the camera under which normals agree best with depth: of another field of view, or orthographic and not
+/// perspective. Its place and direction are the declared ones.
+class CameraSearch {
+public:
+    CameraSearch(const GBufferLayers& layers, const GBufferMapping& mapping, const Camera& camera, float middleZ)
+        : layers_(layers), mapping_(mapping), camera_(camera), middleZ_(middleZ) {}
+
+    check::OtherCamera best() const {
+        constexpr int kRefinements = 2;
+        Trial best;
+        for (const bool orthographic : {false, true})
+            best = bestOf({orthographic, 1, -1}, kFirstStep, 6, best);
+        float step = kFirstStep;
+        for (int refinement = 0; refinement < kRefinements; ++refinement) {
+            step = std::sqrt(std::sqrt(step));
+            best = bestOf(best, step, 3, best);
+        }
+        const Camera found = cameraOf(best);
+        return {nameOf(found), check::agreementAsDeclared(LayerEvidence(layers_, mapping_, found))};
+    }
+
+private:
+    static constexpr float kFirstStep = 1.2f; ///< the searched sizes are 1/3 to 3 times the declared one
+
+    struct Trial {
+        bool orthographic = false;
+        float scale = 1; ///< of what the image shows at middleZ_, to the declared camera's
+        double score = -1;
+    };
+
+    Trial bestOf(const Trial& around, float step, int steps, Trial best) const {
+        constexpr uint64_t kFewSamples = kWantedSamples / 4; // the best one is compared again with all
+        for (int i = -steps; i <= steps; ++i) {
+            Trial trial = {around.orthographic, around.scale * std::pow(step, static_cast<float>(i)), 0};
+            const LayerEvidence evidence(layers_, mapping_, cameraOf(trial), kFewSamples);
+            trial.score = check::agreementAsDeclared(evidence).score;
+            if (trial.score > best.score)
+                best = trial;
+        }
+        return best;
+    }
+
+    Camera cameraOf(const Trial& trial) const {
+        const float halfHeight =
+            (camera_.orthographic ? camera_.orthoHeight / 2 : middleZ_ * std::tan(camera_.fovY / 2)) * trial.scale;
+        Camera camera = camera_;
+        camera.orthographic = trial.orthographic;
+        camera.orthoHeight = 2 * halfHeight;
+        camera.fovY = 2 * std::atan(halfHeight / middleZ_);
+        return camera;
+    }
+
+    std::string nameOf(const Camera& found) const {
+        const auto size = [](const Camera& camera) {
+            return camera.orthographic ? fmt::format("orthoHeight {:.3g}", camera.orthoHeight)
+                                       : fmt::format("fovY {:.3g}", glm::degrees(camera.fovY));
+        };
+        const char* const kind = found.orthographic == camera_.orthographic ? "a camera"
+                                 : found.orthographic                       ? "an orthographic camera"
+                                                                            : "a perspective camera";
+        return fmt::format("{} of about {}, not {} as declared", kind, size(found), size(camera_));
+    }
+
+    const GBufferLayers& layers_;
+    const GBufferMapping& mapping_;
+    const Camera& camera_;
+    float middleZ_; ///< half of the surfaces are nearer
+};
+
+/// Returns 0 if no sample shows a surface.
+float middleDepth(const LayerEvidence& evidence) {
+    std::vector<float> depths;
+    for (size_t sample = 0; sample < evidence.samples(); ++sample)
+        if (const float z = -evidence.positionVS(0, sample, 0, 0).z; z > 0)
+            depths.push_back(z);
+    return depths.empty() ? 0 : check::median(depths);
+}
+
 std::string nameOf(const check::MotionUnit& unit) {
     return fmt::format("motion.unit {} and motion.scale [{}, {}]", unit.pixels ? "pixels" : "uv", unit.scale.x,
                        unit.scale.y);
@@ -231,7 +313,11 @@ GBufferHealth examine(const GBufferLayers& layers, const GBufferMapping& mapping
         if (finding)
             health.findings.push_back(*finding);
     };
-    const check::Comparison compared = check::compareNormals(evidence);
+    const float middleZ = middleDepth(evidence);
+    const auto bestCamera = [&] {
+        return middleZ > 0 ? CameraSearch(layers, mapping, camera, middleZ).best() : check::OtherCamera();
+    };
+    const check::Comparison compared = check::compareNormals(evidence, bestCamera);
     health.normalsAgree = compared.agree;
     add(compared.finding);
     add(check::findOddLengths(evidence, compared.best));

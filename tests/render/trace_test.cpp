@@ -269,6 +269,32 @@ const Mistake kMistakes[] = {
                                        glm::vec3(c.viewToWorld[3] - c.viewToWorld[2] + 0.8f * c.viewToWorld[0]));
      },
      "agree with a camera that is turned by"},
+    {"a field of view that is too wide", [](Layers&, Mapping&, Camera& c) { c.fovY *= 1.2f; },
+     "depth and normals agree with a camera of about fovY "},
+    {"a field of view that is much too wide", [](Layers&, Mapping&, Camera& c) { c.fovY *= 1.75f; },
+     "depth and normals agree with a camera of about fovY "},
+    {"a perspective picture declared orthographic",
+     [](Layers&, Mapping&, Camera& c) {
+         c.orthographic = true;
+         c.orthoHeight = 6;
+     },
+     "depth and normals agree with a perspective camera of about fovY "},
+    {"an orthographic picture declared perspective",
+     [](Layers& l, Mapping&, Camera& c) {
+         // A room around the camera, seen without perspective: its floor, walls and ceiling come nearer row by row.
+         constexpr float kHeight = 6, kSlope = 0.7f;
+         for (uint32_t i = 0; i < l.depth.size(); ++i) {
+             const float x = (float(i % l.width) + 0.5f) / float(l.width) - 0.5f;
+             const float y = 0.5f - (float(i / l.width) + 0.5f) / float(l.height);
+             const bool wall = std::abs(x) > std::abs(y);
+             const float out = (wall ? std::abs(x) * float(l.width) / float(l.height) : std::abs(y)) * kHeight;
+             l.depth[i] = 8 - out / kSlope;
+             const glm::vec3 normalVS =
+                 glm::normalize(wall ? glm::vec3(x > 0 ? -1 : 1, 0, kSlope) : glm::vec3(0, y > 0 ? -1 : 1, kSlope));
+             l.normal[i] = glm::mat3(c.viewToWorld) * normalVS;
+         }
+     },
+     "depth and normals agree with an orthographic camera of about orthoHeight "},
 };
 
 /// The camera is turned and pitched: with one that looks along -Z, view and world normals are the same.
@@ -290,6 +316,49 @@ TEST_F(TraceTest, EveryWrongDeclarationIsNamed) {
         // One mistake is one difference: nothing that is declared right is blamed.
         EXPECT_THAT(health.findings.front(), Not(HasSubstr("as declared and"))) << mistake.name;
     }
+}
+
+/// Bumps are no camera: nothing is said of a picture full of them. A wrong camera is named where they are not stronger
+/// than its error.
+TEST_F(TraceTest, NormalMapsDoNotHideTheCamera) {
+    write("builtin:hall", "metals");
+    const Camera camera = must(scene::readCameraFile(camera_));
+    const scene::ExrChannels file = must(scene::ExrChannels::open(gbuffer_));
+    const Mapping mapping = must(scene::readMapping("glint"));
+    const Layers layers = must(scene::readLayers(file, file, mapping));
+    std::mt19937 random(1);
+    for (const float degrees : {2.0f, 4.0f, 8.0f}) {
+        std::normal_distribution<float> bump(0, std::tan(glm::radians(degrees)));
+        Layers mapped = layers;
+        for (glm::vec3& normal : mapped.normal)
+            if (normal != glm::vec3(0))
+                normal = glm::normalize(normal + glm::vec3(bump(random), bump(random), bump(random)));
+        EXPECT_THAT(scene::examine(mapped, mapping, camera).findings, IsEmpty()) << degrees;
+        Camera wide = camera;
+        wide.fovY *= 1.5f;
+        if (degrees > 4)
+            continue;
+        EXPECT_THAT(scene::examine(mapped, mapping, wide).findings,
+                    testing::Contains(HasSubstr("agree with a camera of about fovY")))
+            << degrees;
+    }
+}
+
+/// Where no meaning explains the normals, the other declarations are not blamed for those of another layer.
+TEST_F(TraceTest, AWrongLayerIsTheOnlyFinding) {
+    write("builtin:hall", "metals");
+    const Camera camera = must(scene::readCameraFile(camera_));
+    const scene::ExrChannels file = must(scene::ExrChannels::open(gbuffer_));
+    Mapping mapping = must(scene::readMapping("glint"));
+    mapping.normal = "albedo";
+    Layers layers = must(scene::readLayers(file, file, mapping));
+    const scene::PixelLens lens(camera, layers.width, layers.height);
+    for (uint32_t i = 0; i < layers.pixels(); ++i)
+        layers.position.emplace_back(
+            camera.viewToWorld * glm::vec4(lens.positionVS(i % layers.width, i / layers.width, layers.depth[i]), 1));
+    EXPECT_THAT(
+        scene::examine(layers, mapping, camera).findings,
+        testing::ElementsAre(HasSubstr("no other meaning agrees better"), HasSubstr("do not have unit length")));
 }
 
 TEST_F(TraceTest, PositionsMustProjectToTheirPixels) {
