@@ -3,6 +3,8 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "input_files.hpp"
+#include "program_identity.hpp"
 #include "render_options.hpp"
 #include "tune/generation.hpp"
 #include "tune_output.hpp"
@@ -116,6 +118,18 @@ Result<render::ProgramSettings> settingsOf(const TuneOptions& options, const std
     return job->settings;
 }
 
+/// The program, and a hash of each file that the scenes are made of.
+Result<std::string> tuneIdentity(const std::vector<render::RenderJob>& jobs) {
+    std::string text = programIdentity();
+    InputFiles files;
+    for (const render::RenderJob& job : jobs) {
+        GLINT_TRY(hashes, files.of(job));
+        for (const auto& [file, hash] : hashes)
+            text += fmt::format("\n{} {}", hash, file);
+    }
+    return text;
+}
+
 Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     GLINT_CHECK(checkCounts(options));
     tune::TunePlan plan;
@@ -159,6 +173,10 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     plan.search.seed = options.scene.seed;
     plan.startName = options.start;
     plan.stateFile = options.resume;
+    if (!plan.stateFile.empty()) {
+        GLINT_TRY(identity, tuneIdentity(plan.evaluation.jobs));
+        plan.identity = std::move(identity);
+    }
     if (options.seconds > 0)
         plan.seconds = options.seconds;
     return plan;

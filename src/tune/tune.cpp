@@ -325,7 +325,7 @@ private:
 
 /// Everything that an evaluation depends on besides the settings of the candidate.
 std::string requestText(const gpu::Context& context, const TunePlan& plan) {
-    std::string text = fmt::format("{} {}\n", context.info().name, context.info().driver);
+    std::string text = fmt::format("{} {}\n{}\n", context.info().name, context.info().driver, plan.identity);
     for (const render::RenderJob& job : plan.evaluation.jobs)
         text += fmt::format("{} camera {} env {} materials {} probes {} planar {} size {}x{} seed {}\n", job.scene,
                             job.camera, job.environment, job.materials, job.probes, static_cast<int>(job.planar),

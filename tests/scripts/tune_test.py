@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""tune_test.py FOLDER RUN PROGRAM: small searches by the program, their files and their exit codes."""
+import base64
+import json
+import shutil
+import struct
+import subprocess
+import sys
+from pathlib import Path
+
+
+def expect(what: str, true: bool, seen: object = "") -> None:
+    if not true:
+        sys.exit(f"failed: {what}: {seen}")
+
+
+def write_scene(path: Path, roughness: float) -> None:
+    """A square that reflects, as one glTF file."""
+    corners = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)]
+    data = b"".join(struct.pack("<3f", *corner) for corner in corners) + struct.pack("<3f", 0, 0, 1) * 4
+    data += struct.pack("<6H", 0, 1, 2, 0, 2, 3)
+    path.write_text(json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": roughness}}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                      {"bufferView": 1, "componentType": 5126, "count": 4, "type": "VEC3"},
+                      {"bufferView": 2, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+                        {"buffer": 0, "byteOffset": 96, "byteLength": 12}],
+        "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," + base64.b64encode(data).decode()}],
+    }))
+
+
+class Tune:
+    def __init__(self, folder: Path, run: str, program: str):
+        self.folder, self.program = folder, [run, program]
+
+    def run(self, *arguments: str, status: int = 0) -> subprocess.CompletedProcess:
+        small = ["--size", "64x36", "--generations", "0", "--population", "8", "--presets", "none", "--reference-frames", "1",
+                 "--cost", "counted"]
+        ended = subprocess.run([*self.program, "tune", *arguments, *small], cwd=self.folder, capture_output=True, text=True,
+                               timeout=280)
+        expect(f"tune {' '.join(arguments)} ends with {status}", ended.returncode == status, ended.stdout + ended.stderr)
+        return ended
+
+
+def test_resume(tune: Tune) -> None:
+    """A state file goes with the contents of the scene's file, not with its name."""
+    scene = tune.folder / "scene.gltf"
+    search = ["scene.gltf", "--budget", "1", "--vary", "hiz.minLevel", "--resume", "state.json"]
+    write_scene(scene, 0.1)
+    first = tune.run(*search)
+    state = (tune.folder / "state.json").read_bytes()
+    expect("the same search goes on", tune.run(*search).stdout == first.stdout)
+    write_scene(scene, 0.3)
+    refused = tune.run(*search, status=2).stderr
+    expect("another scene under the same name is refused", "state.json: the state of a search with other scenes, contents of files"
+           in refused and refused.count("\n") == 1, refused)
+    expect("the state file stays", (tune.folder / "state.json").read_bytes() == state)
+    write_scene(scene, 0.1)
+    tune.run(*search)
+
+
+if __name__ == "__main__":
+    folder, run, program = (Path(word).resolve() for word in sys.argv[1:4])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    tune = Tune(folder, str(run), str(program))
+    test_resume(tune)
