@@ -203,7 +203,9 @@ Result<void> tuneScenes(const TuneOptions& options) {
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());
-    const TuneNames names = {options.scenes, options.start, options.scene.seed};
+    const render::ProgramSettings& start = plan.evaluation.jobs.front().settings;
+    GLINT_TRY(preset, render::loadSettings({{}, start.preset, {}, {}}));
+    const TuneNames names = {options.scenes, options.start, options.scene.seed, start, std::move(preset)};
     const std::string text = options.json == "-" ? tuneJson(result, names) : tuneText(result, names);
     std::fwrite(text.data(), 1, text.size(), stdout);
     if (!options.json.empty() && options.json != "-")

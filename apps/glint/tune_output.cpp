@@ -34,6 +34,16 @@ TuneJson differencesJson(const Settings& from, const Settings& settings) {
     return json;
 }
 
+/// What of the start its preset does not say: the renderer's settings too.
+TuneJson startJson(const TuneNames& names) {
+    TuneJson json = differencesJson(names.preset.reflections, names.settings.reflections);
+    for (const SettingInfo& info : render::renderSettingsTable())
+        if (const double value = settingValue(info, &names.settings.render);
+            value != settingValue(info, &names.preset.render))
+            json[info.key] = valueJson(info, value);
+    return json;
+}
+
 TuneJson figuresJson(const tune::Figures& figures) {
     return {{"cost", finite(figures.cost)}, {"error", finite(figures.error)}};
 }
@@ -109,6 +119,8 @@ std::string tuneJson(const tune::TuneResult& result, const TuneNames& names) {
         {"generations", result.generations},
         {"tried", result.tried},
         {"start", names.start},
+        {"startPreset", names.settings.preset},
+        {"startSettings", startJson(names)},
         {"cost", {{"unit", unitOf(result)}, {"counted", result.counted}}},
         {"metric", result.metric == tune::ErrorMetric::Flip ? "flip" : "relativeMSE"},
     };

@@ -39,9 +39,11 @@ class Tune:
     def run(self, *arguments: str, status: int = 0) -> subprocess.CompletedProcess:
         small = ["--size", "64x36", "--generations", "0", "--population", "8", "--presets", "none", "--reference-frames", "1",
                  "--cost", "counted"]
-        ended = subprocess.run([*self.program, "tune", *arguments, *small], cwd=self.folder, capture_output=True, text=True,
-                               timeout=280)
-        expect(f"tune {' '.join(arguments)} ends with {status}", ended.returncode == status, ended.stdout + ended.stderr)
+        return self.call("tune", *arguments, *small, status=status)
+
+    def call(self, *arguments: str, status: int = 0) -> subprocess.CompletedProcess:
+        ended = subprocess.run([*self.program, *arguments], cwd=self.folder, capture_output=True, text=True, timeout=280)
+        expect(f"glint {' '.join(arguments)} ends with {status}", ended.returncode == status, ended.stdout + ended.stderr)
         return ended
 
 
@@ -62,9 +64,27 @@ def test_resume(tune: Tune) -> None:
     tune.run(*search)
 
 
+def test_start(tune: Tune) -> None:
+    """What the page says of a point draws the picture of the settings that were found."""
+    tune.run("builtin:exact", "--budget", "0.9", "--vary", "screen.thicknessMode,hiz.minLevel", "--start", "fast+screen.step=3",
+             "--set", "fade.border=none", "--json", "curve.json", "-o", "tuned.json")
+    tune.call("report", "builtin:exact", "--size", "64x36", "--config", "fast", "--reference", "none", "--frames", "1",
+              "--motion-frames", "0", "--curve", "curve.json", "-o", "page.html", "--json", "page.json")
+    curve = json.loads((tune.folder / "page.json").read_text())["curve"]
+    point = next(point for point in curve["points"] if point["chosen"])
+    expect("settings of --set and --start are there", {"fade.border=none", "screen.step=3"} <= set(point["assignments"]), point)
+    picture = ["render", "builtin:exact", "--size", "64x36"]
+    tune.call(*picture, "-o", "page.png", "--preset", curve["preset"],
+              *(word for text in point["assignments"] for word in ("--set", text)))
+    tune.call(*picture, "-o", "tuned.png", "--settings", "tuned.json")
+    expect("the command draws the settings found", (tune.folder / "page.png").read_bytes()
+           == (tune.folder / "tuned.png").read_bytes())
+
+
 if __name__ == "__main__":
     folder, run, program = (Path(word).resolve() for word in sys.argv[1:4])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     tune = Tune(folder, str(run), str(program))
     test_resume(tune)
+    test_start(tune)
