@@ -167,7 +167,8 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     plan.search.vary = options.vary;
     plan.search.motion = std::ranges::any_of(plan.evaluation.paths,
                                              [](scene::CameraMove move) { return move != scene::CameraMove::Still; });
-    GLINT_CHECK(tune::SearchSpace::create(plan.search.start, plan.search.vary, plan.search.motion));
+    plan.search.probes = !options.scene.probes.empty();
+    GLINT_CHECK(tune::SearchSpace::create(plan.search.start, plan.search.vary, plan.search.motion, plan.search.probes));
     plan.search.population = static_cast<uint32_t>(options.population);
     plan.search.generations = static_cast<uint32_t>(options.generations);
     plan.search.seed = options.scene.seed;
@@ -210,7 +211,9 @@ Result<void> tuneScenes(const TuneOptions& options) {
     std::fwrite(text.data(), 1, text.size(), stdout);
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(writeFile(options.json, tuneJson(result, names)));
-    return options.output.empty() ? Result<void>() : writeFile(options.output, tunedSettings(result, names));
+    if (!options.output.empty())
+        GLINT_CHECK(writeFile(options.output, tunedSettings(result, names)));
+    return result.met ? Result<void>() : missedTarget(result);
 }
 
 void addTargetOptions(CLI::App& command, TuneOptions& options) {
@@ -252,7 +255,8 @@ void addSearchOptions(CLI::App& command, TuneOptions& options) {
 void addTuneCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<TuneOptions>();
     options->scene.size = "320x180";
-    CLI::App* const command = program.add_subcommand("tune", "Search the settings that suit scenes and a budget");
+    CLI::App* const command =
+        program.add_subcommand("tune", "Search the settings that suit scenes and a budget; returns 1 if none meet it");
     command->add_option("SCENE", options->scenes, sceneHelp())->required();
     addTargetOptions(*command, *options);
     addSearchOptions(*command, *options);

@@ -107,6 +107,13 @@ std::string tuneText(const tune::TuneResult& result, const TuneNames& names) {
     return text;
 }
 
+Error missedTarget(const tune::TuneResult& result) {
+    return makeError(ErrorCode::Unsupported,
+                     "nothing that was tried meets the target, {}; the best that was found has "
+                     "cost {:.2f} and error {:.5f}; relax the target, or give more --generations",
+                     targetText(result), result.choice.search.figures.cost, result.choice.search.figures.error);
+}
+
 std::string tuneJson(const tune::TuneResult& result, const TuneNames& names) {
     const Settings& start = result.presets.front().settings;
     TuneJson json = {

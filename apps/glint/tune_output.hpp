@@ -21,6 +21,9 @@ struct TuneNames {
 /// Returns text for the terminal: the curve, the presets, the choice and what mattered.
 std::string tuneText(const tune::TuneResult& result, const TuneNames& names);
 
+/// The error where the choice does not meet the target.
+Error missedTarget(const tune::TuneResult& result);
+
 /// {"glint", "device", "driver", "scenes", "size": [w, h], "seed", "generations", "tried", "start",
 ///  "startPreset", "startSettings": {key: value}, "cost": {"unit": "floors"|"ms", "counted"}, "metric":
 ///  "flip"|"relativeMSE", "target": {"cost"|"error"}, "met", "heldUp", "points": [{"settings": {key: value}, "cost",

@@ -81,6 +81,19 @@ def test_start(tune: Tune) -> None:
            == (tune.folder / "tuned.png").read_bytes())
 
 
+def test_missed_target(tune: Tune) -> None:
+    """The best that was found is written, and the exit code says that it is not what was asked for."""
+    ended = tune.run("builtin:exact", "--max-error", "1e-9", "--vary", "screen.march", "-o", "missed.json", "--json", "missed_curve.json",
+                     status=1)
+    expect("one line says so", ended.stderr.count("glint: error: nothing that was tried meets the target, error at most") == 1
+           and ended.stderr.endswith("--generations\n"), ended.stderr)
+    curve = json.loads((tune.folder / "missed_curve.json").read_text())
+    expect("the curve is written", curve["met"] is False, curve)
+    expect("and the settings", "description" in json.loads((tune.folder / "missed.json").read_text()))
+    tried = [point["settings"].get("screen.march") for point in curve["points"]]
+    expect("without probes no proxy is tried", tried and "proxy" not in tried and curve["tried"] == 3, curve)
+
+
 if __name__ == "__main__":
     folder, run, program = (Path(word).resolve() for word in sys.argv[1:4])
     shutil.rmtree(folder, ignore_errors=True)
@@ -88,3 +101,4 @@ if __name__ == "__main__":
     tune = Tune(folder, str(run), str(program))
     test_resume(tune)
     test_start(tune)
+    test_missed_target(tune)
