@@ -131,6 +131,14 @@ def test_page(folder: Path, run: str, program: str) -> None:
     curve, choice = read_page(folder / "loose.html")["curve"], json.loads((folder / "tuned.json").read_text())["choice"]
     expect("the choice is a point of the curve", [(point["cost"], point["error"]) for point in curve["points"] if point["chosen"]]
            == [(choice["cost"], choice["error"])], curve["points"])
+    unlike = glint(run, program, folder, *report, "--env", "none", "-o", "unlike.html", "--against", "old.json")
+    expect("a report measured with other options ends with 2", unlike.returncode == 2 and unlike.stderr.count("\n") == 1
+           and "no --env (now --env none)" in unlike.stderr and not (folder / "unlike.html").exists(), unlike.stderr)
+    gone = [word for i, word in enumerate(report) if "babylon+screen.step=8" not in report[i:i + 2]]
+    lost = glint(run, program, folder, *gone, "-o", "lost.html", "--against", "old.json", "--threshold", "25",
+                 "--time-threshold", "1e6")
+    expect("a config that is gone ends with 1", lost.returncode == 1 and "no longer measured; the first: " in lost.stderr
+           and "babylon+screen.step=8" in lost.stderr and lost.stderr.count("\n") == 1, lost.stderr)
     (folder / "broken.json").write_text("{")
     broken = glint(run, program, folder, *report, "-o", "broken.html", "--against", "broken.json")
     expect("a broken file ends with 2", broken.returncode == 2 and broken.stderr.count("\n") == 1, broken.stderr)
