@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace glint::cli {
@@ -69,10 +70,26 @@ Result<void> addAssignments(const Place& place, const std::string& prefix, int d
     return {};
 }
 
-Result<CurveJson> readPoint(const Place& place) {
+/// Those of the start that the point's do not replace, then the point's.
+CurveJson joined(const CurveJson& start, const CurveJson& own) {
+    const auto keyOf = [](const CurveJson& assignment) {
+        const auto& text = assignment.get_ref<const std::string&>();
+        return text.substr(0, text.find('='));
+    };
+    CurveJson all = CurveJson::array();
+    for (const CurveJson& assignment : start)
+        if (std::ranges::none_of(own, [&](const CurveJson& other) { return keyOf(other) == keyOf(assignment); }))
+            all.push_back(assignment);
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+/// `start`  assignments that make the start of its preset
+Result<CurveJson> readPoint(const Place& place, const CurveJson& start) {
     CurveJson point;
-    point["assignments"] = CurveJson::array();
-    GLINT_CHECK(addAssignments(place.at("settings"), "", 1, point["assignments"]));
+    CurveJson own = CurveJson::array();
+    GLINT_CHECK(addAssignments(place.at("settings"), "", 1, own));
+    point["assignments"] = joined(start, own);
     GLINT_TRY(cost, positive(place.at("cost")));
     GLINT_TRY(error, positive(place.at("error")));
     point["cost"] = cost;
@@ -121,12 +138,18 @@ Result<CurveJson> checkedCurve(const Place& file) {
     curve["size"] = std::move(size);
     GLINT_TRY(start, text(file.at("start")));
     curve["start"] = start;
+    const Place preset = file.at("startPreset");
+    GLINT_TRY(presetName, preset.json.is_null() ? Result<std::string>(start) : text(preset));
+    curve["preset"] = presetName;
+    CurveJson startAssignments = CurveJson::array();
+    if (const Place settings = file.at("startSettings"); !settings.json.is_null())
+        GLINT_CHECK(addAssignments(settings, "", 1, startAssignments));
     GLINT_TRY(unit, text(file.at("cost").at("unit")));
     curve["unit"] = unit;
     curve["points"] = CurveJson::array();
     GLINT_TRY(points, listSize(file.at("points"), 1));
     for (size_t i = 0; i < points; ++i) {
-        GLINT_TRY(point, readPoint(file.at("points").at(i)));
+        GLINT_TRY(point, readPoint(file.at("points").at(i), startAssignments));
         if (i > 0 && point["cost"].get<double>() < curve["points"].back()["cost"].get<double>())
             return invalidInput("points[{}].cost is below the one before: points are ordered by cost", i);
         curve["points"].push_back(std::move(point));

@@ -48,6 +48,9 @@ struct ReportChanges {
 
 struct Report {
     std::string command;
+    /// What the figures depend on besides scenes and configs: the option's name and its value as the user wrote it,
+    /// {"--reference": "reference", "--env": ""}. null: unknown.
+    nlohmann::ordered_json options;
     std::vector<ReportScene> scenes; ///< at least one
     nlohmann::ordered_json curve;    ///< readCurve; null: none
     std::optional<ReportChanges> changes;

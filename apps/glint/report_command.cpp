@@ -138,6 +138,30 @@ Result<ScenePlan> makePlan(const ReportOptions& options, const std::string& name
     return plan;
 }
 
+/// What the figures depend on besides scenes, sizes that these say, and configs. Seeds and timed frames only change the
+/// noise, which is known.
+nlohmann::ordered_json watchedOptions(const ReportOptions& options) {
+    const RenderOptions& scene = options.scene;
+    nlohmann::ordered_json json = {{"--camera", scene.camera},
+                                   {"--env", scene.environment},
+                                   {"--materials", scene.materials},
+                                   {"--probes", scene.probes},
+                                   {"--planar", scene.planar},
+                                   {"--time", fmt::format("{}", scene.time)},
+                                   {"--size", scene.size},
+                                   {"--set", joinText(scene.settings.assignments, " ")},
+                                   {"--reference", options.reference}};
+    if (hasReference(options))
+        json["--reference-frames"] = std::to_string(options.referenceFrames);
+    json["--motion-frames"] = std::to_string(options.motionFrames);
+    if (options.motionFrames > 0) {
+        json["--path"] = options.path;
+        json["--motion-size"] = options.motionSize;
+        json["--motion-samples"] = std::to_string(options.motionSamples);
+    }
+    return json;
+}
+
 void showStep(const std::string& step) {
     if (isatty(fileno(stderr)))
         fmt::print(stderr, "measuring {}\n", printable(step));
@@ -199,16 +223,24 @@ Result<ReportScene> measureScene(gpu::Context& context, const ReportOptions& opt
     return scene;
 }
 
-/// The threshold was passed: for scripts, an error.
+/// A threshold was passed, or figures are gone, which may have become worse: for scripts, an error.
 Result<void> checkChanges(const ReportChanges& changes) {
     const auto fails = [&](const measure::FigureChange& change) { return changes.fails(change); };
-    const auto first = std::ranges::find_if(changes.figures.changes, fails);
-    if (first == changes.figures.changes.end())
+    std::vector<std::string> reasons;
+    if (const auto count = std::ranges::count_if(changes.figures.changes, fails); count > 0) {
+        const auto first = std::ranges::find_if(changes.figures.changes, fails);
+        reasons.push_back(fmt::format("{} worse than in {} by more than the threshold; the first: {}, {}: {}",
+                                      count == 1 ? std::string("1 figure is") : fmt::format("{} figures are", count),
+                                      changes.file, first->now.scene, first->now.config, first->now.name));
+    }
+    if (const std::vector<measure::Figure>& gone = changes.figures.removed; !gone.empty())
+        reasons.push_back(fmt::format(
+            "{} of {} no longer measured; the first: {}, {}: {}",
+            gone.size() == 1 ? std::string("1 figure") : fmt::format("{} figures", gone.size()),
+            changes.file + (gone.size() == 1 ? " is" : " are"), gone[0].scene, gone[0].config, gone[0].name));
+    if (reasons.empty())
         return {};
-    const auto count = std::ranges::count_if(changes.figures.changes, fails);
-    return makeError(ErrorCode::Unsupported, "{} worse than in {} by more than the threshold; the first: {}, {}: {}",
-                     count == 1 ? std::string("1 figure is") : fmt::format("{} figures are", count),
-                     printable(changes.file), first->now.scene, first->now.config, first->now.name);
+    return makeError(ErrorCode::Unsupported, "{}", printable(joinText(reasons, "; "), 1000));
 }
 
 Result<void> makeReport(const ReportOptions& options) {
@@ -222,6 +254,7 @@ Result<void> makeReport(const ReportOptions& options) {
     }
     Report report;
     report.command = options.command;
+    report.options = watchedOptions(options);
     if (!options.curve.empty()) {
         GLINT_TRY(curve, readCurve(options.curve));
         report.curve = std::move(curve);
@@ -229,6 +262,7 @@ Result<void> makeReport(const ReportOptions& options) {
     std::optional<EarlierReport> earlier;
     if (!options.against.empty()) {
         GLINT_TRY(read, readEarlierReport(options.against));
+        GLINT_CHECK(checkSameOptions(read, report.options));
         earlier = std::move(read);
     }
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
@@ -289,7 +323,8 @@ void addReportCommand(CLI::App& program, Command& chosen) {
     command->add_option("--curve", options->curve,
                         "Curve of cost against error, to be drawn: the file of glint tune --json");
     command->add_option("--against", options->against,
-                        "JSON of an earlier report: says what is better, worse or noise; fails past the threshold");
+                        "JSON of an earlier report: says what is better, worse or noise; fails past the threshold, "
+                        "and where figures are gone");
     command->add_option("--threshold", options->threshold, "Percent, or percentage points of shares, for --against")
         ->capture_default_str();
     command->add_option("--time-threshold", options->timeThreshold, "The same for times")->capture_default_str();

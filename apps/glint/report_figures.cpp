@@ -166,6 +166,23 @@ std::string textAt(const ReportValues& json, std::initializer_list<const char*> 
     return at->is_string() ? at->get<std::string>() : std::string();
 }
 
+/// Options of an earlier report: texts by their names.
+Result<ReportValues> readOptions(const ReportValues& json) {
+    const auto options = json.find("options");
+    if (options == json.end())
+        return invalidInput("it does not say with which options it was measured, as an earlier version wrote it; make "
+                            "it again");
+    if (!options->is_object() ||
+        !std::ranges::all_of(*options, [](const ReportValues& value) { return value.is_string(); }))
+        return invalidInput("options is no object of texts");
+    return *options;
+}
+
+/// "--env sky", "no --env"
+std::string optionText(const std::string& name, const std::string& value) {
+    return value.empty() ? "no " + name : name + " " + value;
+}
+
 std::string changeText(const measure::FigureChange& change) {
     const bool points = change.now.kind == FigureKind::Share || change.now.kind == FigureKind::Wrong;
     if (std::isinf(change.worse))
@@ -237,8 +254,31 @@ Result<EarlierReport> readEarlierReport(const std::string& file) {
     auto figures = readFigures(list == json.end() ? ReportValues() : *list);
     if (!figures)
         return invalidInput("--against {}: {}", printable(file), figures.error().message);
-    return EarlierReport{file, textAt(json, {"glint"}), textAt(json, {"device", "name"}),
-                         textAt(json, {"device", "driver"}), std::move(figures).value()};
+    auto options = readOptions(json);
+    if (!options)
+        return invalidInput("--against {}: {}", printable(file), options.error().message);
+    return EarlierReport{file,
+                         textAt(json, {"glint"}),
+                         textAt(json, {"device", "name"}),
+                         textAt(json, {"device", "driver"}),
+                         std::move(options).value(),
+                         std::move(figures).value()};
+}
+
+Result<void> checkSameOptions(const EarlierReport& earlier, const ReportValues& options) {
+    ReportValues all = options;
+    all.update(earlier.options);
+    std::vector<std::string> differing;
+    for (const auto& [name, unused] : all.items()) {
+        const std::string before = textAt(earlier.options, {name.c_str()}), now = textAt(options, {name.c_str()});
+        if (before != now)
+            differing.push_back(fmt::format("{} (now {})", optionText(name, before), optionText(name, now)));
+    }
+    if (differing.empty())
+        return {};
+    return invalidInput("--against {}: it was measured with {}, so its figures are no measure for these; repeat its "
+                        "options, or make it again",
+                        printable(earlier.file), printable(joinText(differing, ", "), 1000));
 }
 
 Result<ReportChanges> changesSince(const EarlierReport& earlier, const std::vector<ReportScene>& scenes) {

@@ -22,12 +22,16 @@ struct EarlierReport {
     std::string glint; ///< version
     std::string device;
     std::string driver;
+    nlohmann::ordered_json options; ///< Report::options, all of them texts
     std::vector<measure::Figure> figures;
 };
 
 /// Reads what `glint report --json` wrote. Errors: NotFound, Io; InvalidInput if it is no report of this format; all
 /// name `--against` and the file.
 Result<EarlierReport> readEarlierReport(const std::string& file);
+
+/// Errors: InvalidInput names the options that differ, which make figures incomparable.
+Result<void> checkSameOptions(const EarlierReport& earlier, const nlohmann::ordered_json& options);
 
 /// Compares the figures of `scenes` with earlier ones; the thresholds remain to be set. Errors: InvalidInput if they
 /// have none in common.

@@ -68,6 +68,8 @@ PageJson reportJson(const Report& report) {
     json["format"] = kReportFormat;
     json["glint"] = fmt::format("{}.{}.{}", GLINT_VERSION_MAJOR, GLINT_VERSION_MINOR, GLINT_VERSION_PATCH);
     json["command"] = report.command;
+    if (!report.options.is_null())
+        json["options"] = report.options;
     json["machine"] = machineJson();
     json["device"] = {{"name", first.device}, {"driver", first.driver}, {"software", first.software}};
     json["clock"] = clockWords(first.software);

@@ -7,7 +7,7 @@ namespace glint::cli {
 
 constexpr std::string_view kReportFormat = "glint report 1";
 
-/// {"format", "glint", "command", "machine": machineJson, "device", "clock",
+/// {"format", "glint", "command", "options": Report::options, "machine": machineJson, "device", "clock",
 ///  "legends": {"outcome", "source", "hits": [{"name", "color", "meaning"}]},
 ///  "scenes": [comparisonJson and "title", "pictures": {name: picture}; in "configs" also "command", "seeds", "flip"
 ///  and

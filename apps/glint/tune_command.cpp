@@ -3,6 +3,8 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "input_files.hpp"
+#include "program_identity.hpp"
 #include "render_options.hpp"
 #include "tune/generation.hpp"
 #include "tune_output.hpp"
@@ -116,6 +118,18 @@ Result<render::ProgramSettings> settingsOf(const TuneOptions& options, const std
     return job->settings;
 }
 
+/// The program, and a hash of each file that the scenes are made of.
+Result<std::string> tuneIdentity(const std::vector<render::RenderJob>& jobs) {
+    std::string text = programIdentity();
+    InputFiles files;
+    for (const render::RenderJob& job : jobs) {
+        GLINT_TRY(hashes, files.of(job));
+        for (const auto& [file, hash] : hashes)
+            text += fmt::format("\n{} {}", hash, file);
+    }
+    return text;
+}
+
 Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     GLINT_CHECK(checkCounts(options));
     tune::TunePlan plan;
@@ -153,12 +167,17 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     plan.search.vary = options.vary;
     plan.search.motion = std::ranges::any_of(plan.evaluation.paths,
                                              [](scene::CameraMove move) { return move != scene::CameraMove::Still; });
-    GLINT_CHECK(tune::SearchSpace::create(plan.search.start, plan.search.vary, plan.search.motion));
+    plan.search.probes = !options.scene.probes.empty();
+    GLINT_CHECK(tune::SearchSpace::create(plan.search.start, plan.search.vary, plan.search.motion, plan.search.probes));
     plan.search.population = static_cast<uint32_t>(options.population);
     plan.search.generations = static_cast<uint32_t>(options.generations);
     plan.search.seed = options.scene.seed;
     plan.startName = options.start;
     plan.stateFile = options.resume;
+    if (!plan.stateFile.empty()) {
+        GLINT_TRY(identity, tuneIdentity(plan.evaluation.jobs));
+        plan.identity = std::move(identity);
+    }
     if (options.seconds > 0)
         plan.seconds = options.seconds;
     return plan;
@@ -185,12 +204,16 @@ Result<void> tuneScenes(const TuneOptions& options) {
     if (!context->validationMessages().empty())
         return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
                          context->validationMessages().size(), context->validationMessages().front());
-    const TuneNames names = {options.scenes, options.start, options.scene.seed};
+    const render::ProgramSettings& start = plan.evaluation.jobs.front().settings;
+    GLINT_TRY(preset, render::loadSettings({{}, start.preset, {}, {}}));
+    const TuneNames names = {options.scenes, options.start, options.scene.seed, start, std::move(preset)};
     const std::string text = options.json == "-" ? tuneJson(result, names) : tuneText(result, names);
     std::fwrite(text.data(), 1, text.size(), stdout);
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(writeFile(options.json, tuneJson(result, names)));
-    return options.output.empty() ? Result<void>() : writeFile(options.output, tunedSettings(result, names));
+    if (!options.output.empty())
+        GLINT_CHECK(writeFile(options.output, tunedSettings(result, names)));
+    return result.met ? Result<void>() : missedTarget(result);
 }
 
 void addTargetOptions(CLI::App& command, TuneOptions& options) {
@@ -232,7 +255,8 @@ void addSearchOptions(CLI::App& command, TuneOptions& options) {
 void addTuneCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<TuneOptions>();
     options->scene.size = "320x180";
-    CLI::App* const command = program.add_subcommand("tune", "Search the settings that suit scenes and a budget");
+    CLI::App* const command =
+        program.add_subcommand("tune", "Search the settings that suit scenes and a budget; returns 1 if none meet it");
     command->add_option("SCENE", options->scenes, sceneHelp())->required();
     addTargetOptions(*command, *options);
     addSearchOptions(*command, *options);

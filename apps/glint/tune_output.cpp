@@ -34,6 +34,16 @@ TuneJson differencesJson(const Settings& from, const Settings& settings) {
     return json;
 }
 
+/// What of the start its preset does not say: the renderer's settings too.
+TuneJson startJson(const TuneNames& names) {
+    TuneJson json = differencesJson(names.preset.reflections, names.settings.reflections);
+    for (const SettingInfo& info : render::renderSettingsTable())
+        if (const double value = settingValue(info, &names.settings.render);
+            value != settingValue(info, &names.preset.render))
+            json[info.key] = valueJson(info, value);
+    return json;
+}
+
 TuneJson figuresJson(const tune::Figures& figures) {
     return {{"cost", finite(figures.cost)}, {"error", finite(figures.error)}};
 }
@@ -97,6 +107,13 @@ std::string tuneText(const tune::TuneResult& result, const TuneNames& names) {
     return text;
 }
 
+Error missedTarget(const tune::TuneResult& result) {
+    return makeError(ErrorCode::Unsupported,
+                     "nothing that was tried meets the target, {}; the best that was found has "
+                     "cost {:.2f} and error {:.5f}; relax the target, or give more --generations",
+                     targetText(result), result.choice.search.figures.cost, result.choice.search.figures.error);
+}
+
 std::string tuneJson(const tune::TuneResult& result, const TuneNames& names) {
     const Settings& start = result.presets.front().settings;
     TuneJson json = {
@@ -109,6 +126,8 @@ std::string tuneJson(const tune::TuneResult& result, const TuneNames& names) {
         {"generations", result.generations},
         {"tried", result.tried},
         {"start", names.start},
+        {"startPreset", names.settings.preset},
+        {"startSettings", startJson(names)},
         {"cost", {{"unit", unitOf(result)}, {"counted", result.counted}}},
         {"metric", result.metric == tune::ErrorMetric::Flip ? "flip" : "relativeMSE"},
     };

@@ -1,6 +1,7 @@
 // Formats the result of a search as text, as JSON and as a settings file.
 #pragma once
 
+#include "render/program_settings.hpp"
 #include "tune/tune.hpp"
 
 #include <string>
@@ -13,18 +14,25 @@ struct TuneNames {
     std::vector<std::string> scenes;
     std::string start;
     uint32_t seed = 0;
+    render::ProgramSettings settings = {}; ///< the start's, with those of the renderer
+    render::ProgramSettings preset = {};   ///< those of its preset alone
 };
 
 /// Returns text for the terminal: the curve, the presets, the choice and what mattered.
 std::string tuneText(const tune::TuneResult& result, const TuneNames& names);
 
+/// The error where the choice does not meet the target.
+Error missedTarget(const tune::TuneResult& result);
+
 /// {"glint", "device", "driver", "scenes", "size": [w, h], "seed", "generations", "tried", "start",
-///  "cost": {"unit": "floors"|"ms", "counted"}, "metric": "flip"|"relativeMSE", "target": {"cost"|"error"}, "met",
-///  "heldUp", "points": [{"settings": {key: value}, "cost", "error", "held": {"cost", "error"}, "preset", "chosen",
+///  "startPreset", "startSettings": {key: value}, "cost": {"unit": "floors"|"ms", "counted"}, "metric":
+///  "flip"|"relativeMSE", "target": {"cost"|"error"}, "met", "heldUp", "points": [{"settings": {key: value}, "cost",
+///  "error", "held": {"cost", "error"}, "preset", "chosen",
 ///    "measured": {"floors", "ms"}, "views": [{"view", "cost", "error"}]}],
 ///  "choice": as a point, "presets": [{"name", "cost", "error", "held", "measured"}],
 ///  "sensitivities": [{"setting", "value", "start", "error", "cost"}], "withoutEffect": [keys]}
-/// Points are ordered by cost, and none is dominated. "settings" has what differs from the start.
+/// Points are ordered by cost, and none is dominated. "settings" has what differs from the start, and
+/// "startSettings" what of the start differs from its preset.
 std::string tuneJson(const tune::TuneResult& result, const TuneNames& names);
 
 /// Returns a settings file for `--settings`: what differs from the default preset, so that it stands alone.

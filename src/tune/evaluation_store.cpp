@@ -81,8 +81,8 @@ Result<void> EvaluationStore::load(const std::string& path) {
         return invalidInput("{}: no state of glint tune; give --resume another file", printable(path));
     }
     if (request != request_)
-        return invalidInput("{}: the state of a search with other scenes, sizes or settings; repeat its options, or "
-                            "give --resume another file",
+        return invalidInput("{}: the state of a search with other scenes, contents of files, sizes or settings, or by "
+                            "another build of glint; repeat that search, or give --resume another file",
                             printable(path));
     evaluations_ = std::move(evaluations);
     timings_ = std::move(timings);

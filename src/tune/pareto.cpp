@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -22,6 +23,15 @@ std::vector<size_t> paretoFront(std::span<const Figures> points) {
         if (front.empty() || points[i].error < points[front.back()].error)
             front.push_back(i);
     return front;
+}
+
+std::vector<size_t> paretoFrontThrough(std::span<const Figures> points, size_t chosen) {
+    std::vector<Figures> others(points.begin(), points.end());
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < others.size(); ++i)
+        if (i != chosen && (points[i] == points[chosen] || dominates(points[i], points[chosen])))
+            others[i] = {kInfinite, kInfinite};
+    return paretoFront(others);
 }
 
 bool meets(const Figures& figures, const Target& target) {

@@ -23,6 +23,10 @@ bool dominates(const Figures& a, const Figures& b);
 /// figure that is not finite are never among them.
 std::vector<size_t> paretoFront(std::span<const Figures> points);
 
+/// The same, through the point `chosen`: points at least as good as it in both figures are left out, so it is one of
+/// the indices.
+std::vector<size_t> paretoFrontThrough(std::span<const Figures> points, size_t chosen);
+
 /// What the user asked for: exactly one is set.
 struct Target {
     std::optional<double> mostCost;

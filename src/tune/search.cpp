@@ -67,7 +67,7 @@ private:
         std::vector<double> values;
         if (d.isWhole()) {
             for (int choice = 0; choice < d.choices(); ++choice)
-                if (choice != static_cast<int>(d.start))
+                if (choice != static_cast<int>(d.start) && !space_.isLeftOut(dimension, choice))
                     values.push_back(choice);
             return values;
         }
@@ -263,7 +263,7 @@ private:
 } // namespace
 
 Result<SearchOutcome> searchSettings(const SearchPlan& plan, const SearchHooks& hooks) {
-    GLINT_TRY(space, SearchSpace::create(plan.start, plan.vary, plan.motion));
+    GLINT_TRY(space, SearchSpace::create(plan.start, plan.vary, plan.motion, plan.probes));
     return Searcher(plan, hooks, std::move(space)).run();
 }
 

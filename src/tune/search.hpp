@@ -22,6 +22,7 @@ struct SearchPlan {
     std::vector<NamedSettings> presets; ///< tried too, as they are; the search also starts from them
     std::vector<std::string> vary;      ///< as SearchSpace::create
     bool motion = false;                ///< as SearchSpace::create
+    bool probes = true;                 ///< as SearchSpace::create
     uint32_t population = 24;           ///< at least kLeastPopulation, a multiple of kPopulationStep
     uint32_t generations = 20;
     uint32_t seed = 0;

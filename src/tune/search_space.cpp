@@ -26,6 +26,11 @@ bool holds(const SettingSearch::Condition& condition, const Settings& settings) 
     return std::ranges::find(condition.values, settingText(*other, value)) != condition.values.end();
 }
 
+/// A proxy is the volume of a probe: without probes every ray of this march ends infinitely far away.
+bool needsProbes(const SettingInfo& info, double value) {
+    return info.key == "screen.march" && settingText(info, value) == "proxy";
+}
+
 void assign(Settings& settings, const SettingInfo& info, double value) {
     const SettingAssignment assignment{&info, &settings, value, false, std::nullopt};
     assignSettings({&assignment, 1});
@@ -126,10 +131,12 @@ std::vector<std::string> differences(const Settings& start, const Settings& sett
     return result;
 }
 
-Result<SearchSpace> SearchSpace::create(const Settings& start, std::span<const std::string> vary, bool motion) {
+Result<SearchSpace> SearchSpace::create(const Settings& start, std::span<const std::string> vary, bool motion,
+                                        bool probes) {
     GLINT_CHECK(checkNames(vary));
     SearchSpace space;
     space.start_ = start;
+    space.probes_ = probes;
     for (const bool whole : {false, true}) {
         for (const SettingInfo& info : settingsTable()) {
             const bool wanted =
@@ -151,6 +158,11 @@ Candidate SearchSpace::start() const {
     for (const Dimension& dimension : dimensions_)
         candidate.push_back(dimension.start);
     return candidate;
+}
+
+bool SearchSpace::isLeftOut(size_t dimension, double value) const {
+    const Dimension& d = dimensions_[dimension];
+    return !probes_ && value != d.start && needsProbes(*d.info, value);
 }
 
 size_t SearchSpace::wholeGenes() const {
@@ -204,7 +216,7 @@ Candidate SearchSpace::canonical(const Candidate& candidate) const {
     const Settings asked = settings(candidate);
     Candidate result = candidate;
     for (size_t i = 0; i < size(); ++i)
-        if (!hasEffect(*dimensions_[i].info, asked))
+        if (isLeftOut(i, candidate[i]) || !hasEffect(*dimensions_[i].info, asked))
             result[i] = dimensions_[i].start;
     return result;
 }

@@ -32,13 +32,17 @@ public:
     /// `start`  the settings that the search starts from
     /// `vary`   keys ("hiz.minLevel") and groups ("hiz") to vary; empty: all that the table can vary
     /// `motion` whether something moves in what is measured: others leave out settings that matter only then
+    /// `probes` whether the scenes have probes: without them, choices that need probes are left out
     /// Errors: InvalidArgument names the entry of `vary` that is no key or group, or that no search varies.
-    static Result<SearchSpace> create(const Settings& start, std::span<const std::string> vary, bool motion);
+    static Result<SearchSpace> create(const Settings& start, std::span<const std::string> vary, bool motion,
+                                      bool probes = true);
 
     size_t size() const { return dimensions_.size(); }
     const Dimension& operator[](size_t i) const { return dimensions_[i]; }
     const Settings& startSettings() const { return start_; }
     Candidate start() const;
+    /// True if a value of a dimension is never tried: the scenes lack what it needs, and the start has another.
+    bool isLeftOut(size_t dimension, double value) const;
 
     /// The number of trailing genes that are whole numbers: choices and switches come last.
     size_t wholeGenes() const;
@@ -55,13 +59,14 @@ public:
     Settings settings(const Candidate& candidate) const;
     /// True if the setting of this dimension has an effect.
     bool acts(size_t dimension, const Candidate& candidate) const;
-    /// Gives the start's value to settings without effect.
+    /// Gives the start's value to settings without effect and to values that are left out.
     Candidate canonical(const Candidate& candidate) const;
     /// No longer varies these dimensions.
     void drop(const std::vector<size_t>& dimensions);
 
 private:
     Settings start_;
+    bool probes_ = true;
     std::vector<Dimension> dimensions_; ///< with a scale first, then choices and switches
 };
 

@@ -131,26 +131,33 @@ private:
         working("leaving out what gains nothing");
         GLINT_TRY(search, evaluate(choice_, ViewSet::Search, kInfinite));
         GLINT_TRY(held, evaluate(choice_, ViewSet::Held, kInfinite));
-        for (const SettingInfo* info : changed(choice_)) {
-            if (settingValue(*info, &choice_) == settingValue(*info, &plan_.search.start))
-                continue; // went with one before
-            const Settings simpler = reverted(choice_, *info);
-            GLINT_TRY(without, tryOne(simpler));
-            if (!gainsNothing(search.figures, without.figures))
-                continue;
-            GLINT_TRY(heldWithout, evaluate(simpler, ViewSet::Held, kInfinite));
-            if (gainsNothing(held.figures, heldWithout.figures) &&
-                (!result_.met || meets(without.figures, result_.target)) &&
-                (!result_.held || holdsUp(heldWithout.figures, heldStart_, result_.target)))
+        // Again after each change: a setting may gain nothing only once another one is back.
+        for (bool simplified = true; simplified;) {
+            simplified = false;
+            for (const SettingInfo* info : changed(choice_)) {
+                if (settingValue(*info, &choice_) == settingValue(*info, &plan_.search.start))
+                    continue; // went with one before
+                const Settings simpler = reverted(choice_, *info);
+                GLINT_TRY(without, tryOne(simpler));
+                if (!gainsNothing(search.figures, without.figures) || isBeaten(without.figures))
+                    continue;
+                GLINT_TRY(heldWithout, evaluate(simpler, ViewSet::Held, kInfinite));
+                if (!gainsNothing(held.figures, heldWithout.figures) ||
+                    (result_.met && !meets(without.figures, result_.target)) ||
+                    (result_.held && !holdsUp(heldWithout.figures, heldStart_, result_.target)))
+                    continue;
                 choice_ = simpler;
+                simplified = true;
+            }
         }
-        // What is better by next to nothing, and differs in more, leaves the curve to the choice.
-        GLINT_TRY(chosen, evaluate(choice_, ViewSet::Search, kInfinite));
-        std::erase_if(tried_, [&](const Tried& each) {
-            return dominates(each.evaluation.figures, chosen.figures) &&
-                   gainsNothing(each.evaluation.figures, chosen.figures);
-        });
         return {};
+    }
+
+    /// True if something that was tried is better by more than next to nothing.
+    bool isBeaten(const Figures& figures) const {
+        return std::ranges::any_of(tried_, [&](const Tried& each) {
+            return dominates(each.evaluation.figures, figures) && !gainsNothing(each.evaluation.figures, figures);
+        });
     }
 
     static bool gainsNothing(const Figures& with, const Figures& without) {
@@ -173,10 +180,14 @@ private:
         return {};
     }
 
-    /// The curve of all that was tried, with the figures that only its points get.
+    /// The curve of all that was tried, with the figures that only its points get. The choice is one of them: what
+    /// beats it does so by next to nothing and differs in more, or did not hold up on the views held back.
     Result<void> makeCurve() {
         const std::vector<Figures> figures = figuresOf(tried_);
-        const std::vector<size_t> front = thinned(paretoFront(figures), figures);
+        const auto found =
+            std::ranges::find_if(tried_, [this](const Tried& each) { return isSame(each.settings, choice_); });
+        const auto chosen = static_cast<size_t>(found - tried_.begin());
+        const std::vector<size_t> front = thinned(paretoFrontThrough(figures, chosen), figures);
         for (const size_t i : front) {
             working(fmt::format("measuring the curve, {} of {}", result_.points.size() + 1, front.size()));
             GLINT_TRY(point, makePoint(tried_[i].settings));
@@ -325,7 +336,7 @@ private:
 
 /// Everything that an evaluation depends on besides the settings of the candidate.
 std::string requestText(const gpu::Context& context, const TunePlan& plan) {
-    std::string text = fmt::format("{} {}\n", context.info().name, context.info().driver);
+    std::string text = fmt::format("{} {}\n{}\n", context.info().name, context.info().driver, plan.identity);
     for (const render::RenderJob& job : plan.evaluation.jobs)
         text += fmt::format("{} camera {} env {} materials {} probes {} planar {} size {}x{} seed {}\n", job.scene,
                             job.camera, job.environment, job.materials, job.probes, static_cast<int>(job.planar),

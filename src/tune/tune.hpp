@@ -24,6 +24,8 @@ struct TunePlan {
     SearchPlan search;
     TuneTarget target;
     std::string startName;
+    /// Which program searches, and what the scenes' files contain, as text: a state file of others is refused.
+    std::string identity;
     std::string stateFile;         ///< read if it exists, and written again and again; empty: none
     double secondsPerSave = 10;    ///< writing takes milliseconds, an evaluation up to a minute
     std::optional<double> seconds; ///< no generation begins later

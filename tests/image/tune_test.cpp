@@ -86,6 +86,12 @@ TEST(Tune, AnInterruptedSearchEndsAsOneThatWasNot) {
         EXPECT_LT(json["points"][i - 1]["cost"], json["points"][i]["cost"]);
         EXPECT_GT(json["points"][i - 1]["error"], json["points"][i]["error"]);
     }
+    size_t chosen = 0;
+    for (const Json& point : json["points"]) {
+        chosen += point["chosen"].get<bool>() ? 1 : 0;
+        EXPECT_EQ(point["chosen"], point["settings"] == json["choice"]["settings"]);
+    }
+    EXPECT_EQ(chosen, 1u) << "the choice is a point of the curve";
     // Of the search's views: the budget. Of those held back: nothing is worse than the start.
     ASSERT_TRUE(whole.met);
     const Json start = json["presets"][0], choice = json["choice"];

@@ -119,9 +119,26 @@ def test_page(folder: Path, run: str, program: str) -> None:
     expect("the figure is named", re.search(r"worse +builtin:exact 160x90, fast: hits.recall.all .* -20.00 points: more than",
                                             worse.stdout) is not None, worse.stdout)
     expect("the page is written all the same", read_page(folder / "against.html")["changes"]["changes"])
-    loose = glint(run, program, folder, *report, "-o", "loose.html", "--against", "old.json", "--threshold", "25",
+    # With a curve that a search made: its choice is nearly equal to another point.
+    tuned = glint(run, program, folder, "tune", "builtin:exact", "--size", "160x90", "--budget", "0.5", "--cost", "counted",
+                  "--vary", "screen,fade.border,denoise.enabled", "--generations", "0", "--population", "8", "--presets", "none",
+                  "--reference-frames", "1", "--json", "tuned.json")
+    expect("a curve is found", tuned.returncode == 0, tuned.stderr)
+    with_choice = ["tuned.json" if word == "curve.json" else word for word in report]
+    loose = glint(run, program, folder, *with_choice, "-o", "loose.html", "--against", "old.json", "--threshold", "25",
                   "--time-threshold", "1e6")
     expect("below the threshold it ends with 0", loose.returncode == 0, loose.stdout + loose.stderr)
+    curve, choice = read_page(folder / "loose.html")["curve"], json.loads((folder / "tuned.json").read_text())["choice"]
+    expect("the choice is a point of the curve", [(point["cost"], point["error"]) for point in curve["points"] if point["chosen"]]
+           == [(choice["cost"], choice["error"])], curve["points"])
+    unlike = glint(run, program, folder, *report, "--env", "none", "-o", "unlike.html", "--against", "old.json")
+    expect("a report measured with other options ends with 2", unlike.returncode == 2 and unlike.stderr.count("\n") == 1
+           and "no --env (now --env none)" in unlike.stderr and not (folder / "unlike.html").exists(), unlike.stderr)
+    gone = [word for i, word in enumerate(report) if "babylon+screen.step=8" not in report[i:i + 2]]
+    lost = glint(run, program, folder, *gone, "-o", "lost.html", "--against", "old.json", "--threshold", "25",
+                 "--time-threshold", "1e6")
+    expect("a config that is gone ends with 1", lost.returncode == 1 and "no longer measured; the first: " in lost.stderr
+           and "babylon+screen.step=8" in lost.stderr and lost.stderr.count("\n") == 1, lost.stderr)
     (folder / "broken.json").write_text("{")
     broken = glint(run, program, folder, *report, "-o", "broken.html", "--against", "broken.json")
     expect("a broken file ends with 2", broken.returncode == 2 and broken.stderr.count("\n") == 1, broken.stderr)
@@ -264,6 +281,9 @@ def test_browser(folder: Path) -> None:
             test_curve(page)
             test_motion(page)
             test_choice(page)
+        page.open(folder / "loose.html", 1280, 900)
+        shown = page.value("document.querySelector('.detail h4').textContent")
+        expect("a curve opens on the search's choice", shown.endswith(", chosen"), shown)
         page.open(folder / "compare.html", 1280, 900)
         expect("a comparison is a page, too", page.value("document.querySelectorAll('h2').length") >= 5)
         messages = page.messages()

@@ -58,6 +58,19 @@ TEST_F(CurveFileTest, SettingsBecomeAssignments) {
     EXPECT_EQ(curve["sensitivities"][0]["error"], -0.1);
 }
 
+TEST_F(CurveFileTest, ThePointsAreMadeOfThePresetOfTheStart) {
+    const CurveFile curve = test::must(read([](CurveFile& json) {
+        json["start"] = "balanced+screen.step=2";
+        json["startPreset"] = "balanced";
+        json["startSettings"] = {{"screen.step", 2}, {"fade.border", "none"}};
+    }));
+    EXPECT_EQ(curve["start"], "balanced+screen.step=2");
+    EXPECT_EQ(curve["preset"], "balanced");
+    EXPECT_EQ(curve["points"][0]["assignments"],
+              (CurveFile{"fade.border=none", "screen.step=4", "screen.smooth=true"}));
+    EXPECT_EQ(curve["points"][1]["assignments"], (CurveFile{"screen.step=2", "fade.border=none", "screen.march=hiz"}));
+}
+
 TEST_F(CurveFileTest, WhatMayBeLeftOutMay) {
     const CurveFile curve = test::must(read([](CurveFile& json) {
         json.erase("presets");
@@ -67,6 +80,7 @@ TEST_F(CurveFileTest, WhatMayBeLeftOutMay) {
     }));
     EXPECT_TRUE(curve["points"][0]["heldError"].is_null());
     EXPECT_TRUE(curve["presets"].empty());
+    EXPECT_EQ(curve["preset"], "balanced");
     EXPECT_EQ(curve["device"], "another");
 }
 
@@ -95,6 +109,8 @@ TEST_F(CurveFileTest, BadValuesAreOneLine) {
          },
          "size is no [width, height]"},
         {[](CurveFile& json) { json["cost"] = "floors"; }, "cost.unit is no text"},
+        {[](CurveFile& json) { json["startPreset"] = 7; }, "startPreset is no text"},
+        {[](CurveFile& json) { json["startSettings"] = "all"; }, "startSettings is no object of settings"},
         {[](CurveFile& json) { json["presets"][0].erase("name"); }, "presets[0].name is no text"},
         {[](CurveFile& json) { json["sensitivities"] = "none"; }, "sensitivities is no list"},
     };

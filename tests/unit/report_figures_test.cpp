@@ -23,6 +23,7 @@ class AgainstTest : public testing::Test {
 protected:
     Result<ReportChanges> against(double errorNow, const std::function<void(nlohmann::ordered_json&)>& change = {}) {
         Report earlier;
+        earlier.options = options_;
         earlier.scenes.push_back(test::madeUpScene("scene"));
         nlohmann::ordered_json json = reportJson(earlier);
         if (change)
@@ -47,6 +48,7 @@ protected:
     }
 
     const test::TempFolder folder_;
+    const nlohmann::ordered_json options_ = {{"--env", "sky"}, {"--reference-frames", "1"}, {"--planar", "none"}};
 };
 
 TEST_F(AgainstTest, TheSameIsTheSame) {
@@ -95,6 +97,22 @@ TEST_F(AgainstTest, ARecallThatFellFails) {
     }));
 }
 
+TEST_F(AgainstTest, UnlikeReportsAreNotCompared) {
+    ASSERT_TRUE(against(0.5));
+    const EarlierReport earlier = test::must(readEarlierReport(folder_ + "old.json"));
+    EXPECT_TRUE(checkSameOptions(earlier, options_));
+    const Result<void> differs = checkSameOptions(
+        earlier, {{"--env", ""}, {"--reference-frames", "4"}, {"--planar", "none"}, {"--motion-size", "9x9"}});
+    ASSERT_FALSE(differs);
+    EXPECT_EQ(differs.error().code, ErrorCode::InvalidInput);
+    const std::string& message = differs.error().message;
+    for (const std::string_view part :
+         {"old.json: it was measured with", "--env sky (now no --env)",
+          "--reference-frames 1 (now --reference-frames 4)", "no --motion-size (now --motion-size 9x9)"})
+        EXPECT_NE(message.find(part), message.npos) << message;
+    EXPECT_EQ(message.find("--planar"), message.npos) << message;
+}
+
 TEST_F(AgainstTest, BadFilesAreOneLine) {
     using Json = nlohmann::ordered_json;
     const auto message = [](const Result<ReportChanges>& changes) {
@@ -106,6 +124,8 @@ TEST_F(AgainstTest, BadFilesAreOneLine) {
     const std::pair<std::function<void(Json&)>, std::string_view> cases[] = {
         {[](Json& json) { json.erase("figures"); }, "figures is no list"},
         {[](Json& json) { json["figures"] = 7; }, "figures is no list"},
+        {[](Json& json) { json.erase("options"); }, "it does not say with which options it was measured"},
+        {[](Json& json) { json["options"]["--env"] = 7; }, "options is no object of texts"},
         {[](Json& json) { json["figures"][2] = 7; }, "figure 2 is no object"},
         {[](Json& json) { json["figures"][1].erase("name"); }, "figure 1: name is no text"},
         {[](Json& json) { json["figures"][1]["value"] = "5"; }, "figure 1: value is no number"},

@@ -63,5 +63,14 @@ TEST(TunePareto, APointHoldsUpIfItIsNotWorseThanTheStartOrTheTarget) {
     EXPECT_FALSE(holdsUp({11, 0.5}, start, {.mostCost = {}, .mostError = 2}));
 }
 
+TEST(TunePareto, TheCurveGoesThroughTheChoice) {
+    // The fourth is next to the second, and a little worse in both; the fifth equals it.
+    const std::vector<Figures> points = {{1, 4}, {2, 2}, {4, 1}, {2.001, 2.001}, {2.001, 2.001}};
+    EXPECT_EQ(paretoFront(points), (std::vector<size_t>{0, 1, 2}));
+    EXPECT_EQ(paretoFrontThrough(points, 3), (std::vector<size_t>{0, 3, 2}));
+    EXPECT_EQ(paretoFrontThrough(points, 4), (std::vector<size_t>{0, 4, 2}));
+    EXPECT_EQ(paretoFrontThrough(points, 1), (std::vector<size_t>{0, 1, 2}));
+}
+
 } // namespace
 } // namespace glint::tune

@@ -126,6 +126,19 @@ TEST(TuneSearchSpace, ValuesHaveThreeDigits) {
     EXPECT_EQ(space.decode({0.41152263})[0], double(0.123f));
 }
 
+TEST(TuneSearchSpace, WithoutProbesNoProxyIsTried) {
+    const std::vector<std::string> march = {"screen.march"};
+    const Settings proxy = with({{"screen.march", "proxy"}});
+    const double value = settingValue(infoOf("screen.march"), &proxy);
+    EXPECT_EQ(must(SearchSpace::create(Settings(), march, false, true)).decode({value})[0], value);
+    const SearchSpace without = must(SearchSpace::create(Settings(), march, false, false));
+    EXPECT_TRUE(without.isLeftOut(0, value));
+    EXPECT_EQ(without.decode({value}), without.start());
+    EXPECT_FALSE(without.isLeftOut(0, without.start()[0]));
+    // A start that has it keeps it.
+    EXPECT_EQ(must(SearchSpace::create(proxy, march, false, false)).decode({value})[0], value);
+}
+
 TEST(TuneSearchSpace, WhatMattersInMotionOnlyIsVariedInMotionOnly) {
     const auto varies = [](const SearchSpace& space, std::string_view key) {
         for (size_t i = 0; i < space.size(); ++i)

@@ -61,7 +61,7 @@ function curveSection(curve) {
       + "with the mouse, or with Tab and the arrow keys."),
     chart, detail,
     h("details", {}, h("summary", {}, "All points as a table"),
-      table("Points", ["point", `cost, ${unit}`, "error", "error on scenes held back", "settings"], rows),
+      table("Points", ["point", `cost, ${unit}`, "error", "error on views held back", "settings"], rows),
       curve.presets.length ? table("Presets", ["preset", "cost", "error"],
         curve.presets.map(preset => [preset.name, digits(preset.cost), digits(preset.error)])) : null,
       curve.sensitivities.length ? table("Sensitivities: change of error and cost with a setting", ["setting", "error", "cost"],
@@ -70,9 +70,9 @@ function curveSection(curve) {
 
 function curvePoint(curve, index, unit) {
   const point = curve.points[index];
-  const command = [`--preset ${curve.start}`, ...point.assignments.map(text => `--set ${text}`)].join(" \\\n  ");
+  const command = [`--preset ${curve.preset}`, ...point.assignments.map(text => `--set ${text}`)].join(" \\\n  ");
   return [h("h4", {}, `Point ${index + 1} of ${curve.points.length}${point.preset ? `: preset ${point.preset}` : ""}${point.chosen ? ", chosen" : ""}`),
     h("dl", {}, h("dt", {}, `cost, ${unit}`), h("dd", {}, digits(point.cost)), h("dt", {}, "error"), h("dd", {}, digits(point.error)),
-      point.heldError === null ? [] : [h("dt", {}, "error on scenes held back"), h("dd", {}, digits(point.heldError))]),
+      point.heldError === null ? [] : [h("dt", {}, "error on views held back"), h("dd", {}, digits(point.heldError))]),
     h("pre", {tabindex: 0, role: "region", "aria-label": "Settings of the point"}, command)];
 }

@@ -20,6 +20,18 @@ function frontOf(rows, cost, error) {
   return sorted.filter(row => meanOf(row, error) < least && (least = meanOf(row, error), true));
 }
 
+/** Where letters stand, across: those that would cover each other side by side, towards the middle. */
+function apart(points, middle) {
+  const reach = 15, step = 20; // of a mark 19 wide
+  const placed = [];
+  for (const [x, y] of points) {
+    let at = x;
+    while (placed.some(other => Math.hypot(other.at - at, other.y - y) < reach)) at += x > middle ? -step : step;
+    placed.push({at, y});
+  }
+  return placed.map(place => place.at);
+}
+
 function scatterChart(rows, cost, error) {
   const shown = rows.filter(row => meanOf(row, cost) > 0 && meanOf(row, error) > 0);
   const left = 64, right = chartWidth() - 24, top = 18, bottom = 330;
@@ -28,11 +40,17 @@ function scatterChart(rows, cost, error) {
   if (!across || !up) return h("p", {class: "dim"}, `${errors[error]}: no row has both a cost and an error above 0.`);
   const x = row => left + across.at(meanOf(row, cost)) * (right - left), y = row => bottom - up.at(meanOf(row, error)) * (bottom - top);
   const front = frontOf(shown, cost, error);
-  const marks = shown.map(row => {
+  const places = rows.length <= mostLetters ? apart(shown.map(row => [x(row), y(row)]), (left + right) / 2) : [];
+  const marks = shown.map((row, i) => {
     const index = rows.indexOf(row);
+    const others = shown.filter(other => other !== row && Math.hypot(x(other) - x(row), y(other) - y(row)) < 1).length;
     const words = `${row.config}: ${costs[cost]} ${digits(meanOf(row, cost))}, ${errors[error]} ${digits(meanOf(row, error))}`
-      + (front.includes(row) ? ", on the front" : "");
-    if (rows.length <= mostLetters) return letterMark(x(row), y(row), index, words);
+      + (front.includes(row) ? ", on the front" : "") + (others ? `, at the place of ${others} more` : "");
+    if (rows.length <= mostLetters) {
+      const mark = letterMark(places[i], y(row), index, words);
+      if (places[i] !== x(row)) mark.prepend(svg("line", {x1: x(row), x2: places[i], y1: y(row), y2: y(row), class: "axis"}));
+      return mark;
+    }
     const circle = svg("circle", {cx: x(row), cy: y(row), r: 4, class: "gap"});
     circle.style.fill = seriesColor(front.includes(row) ? 0 : 5);
     return svg("g", {role: "img", "aria-label": words}, svg("title", {}, words), circle);
@@ -76,7 +94,8 @@ function sweepSection(rows) {
   const select = h("select", {onchange: event => show(event.target.value)},
     choices.map(name => h("option", {value: name}, errors[name])));
   return [h("div", {class: "bar"}, labelled("Error", select)),
-    h("p", {class: "dim"}, "The line joins the front: settings that no others beat in both cost and error."), content];
+    h("p", {class: "dim"}, "The line joins the front: settings that no others beat in both cost and error. "
+      + "Letters that would cover each other stand side by side; a line leads to their place."), content];
 }
 
 function showSweep(data) {
