@@ -209,7 +209,7 @@
         "",                                                                                                            \
         "switch; if denoise.enabled=true; motion")                                                                     \
     SETTING(Antilag, antilag, Antilag::Gradient, "", "",                                                               \
-        "What shortens the average where light changes: nothing, the difference between a short and the long average, or rays of the last frame traced again (needs a RayScene; without one: the difference)", \
+        "What shortens the average where light changes: nothing, the difference between a short and the long average, or the last frame's rays followed again: through the RayScene or, without one, to places of the picture", \
         "",                                                                                                            \
         "choice; if denoise.enabled=true; motion; cost +")                                                             \
     SETTING(int, fastFrames, 6, "[1, 30]", "",                                                                         \

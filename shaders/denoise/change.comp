@@ -10,7 +10,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform sampler2D change; // of a tile: how much radiance changed; the larger radiance
+layout(set = 0, binding = 1) uniform sampler2D change; // of a tile: denoise/sentinels.comp
 layout(set = 0, binding = 2) uniform sampler2D metaBefore; // frames; luminance: mean, mean square; nearness
 layout(set = 0, binding = 3) uniform sampler2D fastBefore; // luminance: mean over few frames
 /// Share of the light that changed, [0, 1]; how surely the long mean lags behind the short one, [0, 1]; the short mean as
@@ -23,15 +23,19 @@ float changeAround(ivec2 tile) {
     // Those that the frame wrote; without sentinels a black texel.
     ivec2 size = min(textureSize(change, 0),
                      (ivec2(frame.constants.size) + int(kSentinelTile) - 1) / int(kSentinelTile));
-    vec2 sum = vec2(0.0);
+    vec3 sum = vec3(0.0);
     for (int y = -kReach; y <= kReach; ++y) {
         for (int x = -kReach; x <= kReach; ++x) {
             ivec2 at = tile + ivec2(x, y);
             if (all(greaterThanEqual(at, ivec2(0))) && all(lessThan(at, size)))
-                sum += exp(-0.25 * float(x * x + y * y)) * texelFetch(change, at, 0).rg;
+                sum += exp(-0.25 * float(x * x + y * y)) * texelFetch(change, at, 0).rgb;
         }
     }
-    return sum.y > 0.0 ? min(sum.x / sum.y, 1.0) : 0.0;
+    if (sum.x <= 0.0)
+        return 0.0;
+    // Light that changes goes one way. A picture with noise, or whose details lie between other pixels now, goes both.
+    float oneWay = smoothstep(0.5, 0.8, abs(sum.z) / sum.x);
+    return min(sum.x / sum.y, 1.0) * oneWay;
 }
 
 /// Compares both means over a region. Noise cancels there and so does the picture, which is in both; a change of light

@@ -1,9 +1,6 @@
-// Finds where reflected light changes. Each tile of pixels starts one sentinel a frame: a path whose radiance is kept, and
-// which the next frame follows once more, from the same start with the same random numbers, in its own scene. What
-// differs is change and not noise. Schied, Peters and Dachsbacher 2018, "Gradient Estimation for Real-Time Adaptive
-// Temporal Filtering". A sentinel that saw a change becomes the tile's witness, which later frames follow as well: a
-// small light that is off is found by no new path, but the paths that saw it go out see it come back.
-// docs/techniques/rough.md.
+// Finds where reflected light changes (denoise/sentinel.glsl), by paths through the host's triangles. Each tile of pixels
+// starts one sentinel a frame: a path whose radiance is kept, and which the next frame follows once more, from the same
+// start with the same random numbers, in its own scene. docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -15,6 +12,7 @@
 
 #define GLINT_RAYS_TABLE_LIGHT
 #include "denoise/lobe_history.glsl"
+#include "denoise/sentinel.glsl"
 #include "lib/octahedral.glsl"
 #include "rays/path.glsl"
 
@@ -27,8 +25,9 @@ layout(set = 0, binding = 7) uniform usampler2D sentinelRayBefore;  // loadSenti
 layout(set = 0, binding = 8) uniform usampler2D sentinelPathBefore;
 layout(set = 0, binding = 9, rgba32ui) uniform writeonly uimage2D sentinelRay;
 layout(set = 0, binding = 11, rgba32ui) uniform writeonly uimage2D sentinelPath;
-/// Of the previous frame's tiles: how much radiance changed, and the larger of the two radiances. 0, 0: unknown.
-layout(set = 0, binding = 12, rg16f) uniform writeonly image2D change;
+/// Of the previous frame's tiles: how much radiance changed, the larger of the two radiances, the change once more (paths
+/// have no noise for its sign to tell from change). 0: unknown.
+layout(set = 0, binding = 12, rgba16f) uniform writeonly image2D change;
 
 /// A path's start, in the precision that it is kept in, and its radiance.
 struct Sentinel {
@@ -36,30 +35,18 @@ struct Sentinel {
     uvec4 path; // radiance and the lobe's perceptual roughness, halves; the cone's width and spread, halves; state
 };
 
-// The state of a sentinel: whether it exists, whether what it hit moved, frames since it saw a change, number of its
-// random sequence.
-const uint kExists = 1u << 31;
+// The state holds, besides: whether what it hit moved; the number of its random sequence.
 const uint kMoves = 1u << 30;
-const uint kAgeShift = 16u;
-const uint kLongestAge = 255u;
 const uint kSequence = 0xffffu;
 
 const Sentinel kNoSentinel = Sentinel(uvec4(0u), uvec4(0u));
-
-// Slots of a tile in the images, side by side.
-const int kFresh = 0;
-const int kWitness = 1;
 
 bool exists(Sentinel sentinel) {
     return (sentinel.path.w & kExists) != 0u;
 }
 
-uint ageOf(Sentinel sentinel) {
-    return (sentinel.path.w >> kAgeShift) & kLongestAge;
-}
-
 Sentinel aged(Sentinel sentinel, uint age) {
-    sentinel.path.w = (sentinel.path.w & (kExists | kMoves | kSequence)) | (age << kAgeShift);
+    sentinel.path.w = withAge(sentinel.path.w, age);
     return sentinel;
 }
 
@@ -131,11 +118,10 @@ bool wantsSentinel(ivec2 px) {
            !isMirror(here.perceptualRoughness);
 }
 
-/// The pixel of the tile that starts its sentinel: every other time the brightest, so that a light that goes out is not
-/// missed. x < 0: none.
+/// The pixel of the tile that starts its sentinel. x < 0: none.
 ivec2 startPixel(ivec2 tile) {
     ivec2 corner = tile * int(kSentinelTile);
-    bool brightest = ((uint(tile.x + tile.y) + frame.constants.frameIndex) & 1u) == 0u;
+    bool brightest = takesBrightest(tile, frame.constants.frameIndex);
     uint first = uint(hashNoise(uvec2(tile), frame.constants.frameIndex, frame.constants.seed).z *
                       float(kSentinelTile * kSentinelTile));
     ivec2 found = ivec2(-1);
@@ -173,6 +159,7 @@ Sentinel startSentinel(ivec2 tile) {
     return made;
 }
 
+/// How much radiance changed; the larger of the two radiances.
 vec2 changeBetween(vec3 then, vec3 now) {
     return vec2(maxComponent(abs(now - then)), max(maxComponent(now), maxComponent(then)));
 }
@@ -181,7 +168,6 @@ void main() {
     ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(tile * int(kSentinelTile), ivec2(frame.constants.size))))
         return;
-    const float kChanged = 0.1; // of its radiance: what makes a witness
     vec2 sum = vec2(0.0);
     Sentinel witness = kNoSentinel;
     for (int i = 0; i < 3; ++i) { // a loop, so that the program holds one copy of all that follows a path
@@ -199,17 +185,15 @@ void main() {
         } else if (exists(sentinel)) {
             bool counts = !seesMotion(then, sentinel);
             vec2 apart = changeBetween(radianceOf(then), radianceOf(sentinel));
-            // A witness is no random sample: the older, the rarer what it saw is among those that start here. (One over
-            // its age would be that share, but then small lights come back late: docs/measurements/motion.md.)
+            uint age = ageOf(sentinel.path.w);
             if (counts)
-                sum += i == 0 ? apart * inversesqrt(float(1u + ageOf(sentinel))) : apart;
-            bool changed = counts && apart.x > kChanged * apart.y;
-            if (changed)
+                sum += i == 0 ? apart * weightOfWitness(age) : apart;
+            if (counts && isChange(apart))
                 witness = aged(sentinel, 0u);
-            else if (i == 0 && ageOf(sentinel) < kLongestAge)
-                witness = aged(sentinel, ageOf(sentinel) + 1u);
+            else if (i == 0 && age < kLongestAge)
+                witness = aged(sentinel, age + 1u);
         }
     }
     keep(witness, tile, kWitness);
-    imageStore(change, tile, vec4(sum, 0.0, 0.0));
+    imageStore(change, tile, vec4(sum, sum.x, 0.0));
 }

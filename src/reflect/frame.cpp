@@ -270,7 +270,7 @@ gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
                                hierarchy_->raysComeFirst(),
                                {}};
     if (followsSentinels())
-        lobes.followSentinels = [this](gpu::Frame& f, const SentinelImages& images) {
+        lobes.followPaths = [this](gpu::Frame& f, const SentinelImages& images) {
             raysSource_->recordSentinels(f, inputs(), prepared(), images);
         };
     return lobeDenoise_->record(frame, lobes);

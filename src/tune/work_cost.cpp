@@ -52,6 +52,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"rays/reflect_lights", Unit::SceneRays, 530},
     UnitCost{"rays/sentinels", Unit::Rough, 100},
     UnitCost{"denoise/gather", Unit::Pixels, 1.75},
+    UnitCost{"denoise/sentinels", Unit::Pixels, 0.3},
     UnitCost{"denoise/change", Unit::Pixels, 0.2},
     UnitCost{"denoise/reuse", Unit::Pixels, 1.25},
     UnitCost{"denoise/reuse", Unit::Reused, 0.7},

@@ -25,8 +25,8 @@ protected:
     Settings denoised(Antilag antilag) const {
         Settings settings = plainSettings();
         settings.denoise.fastFrames = fastFrames_;
-        settings.screen.enabled = false;
-        settings.rays.enabled = true;
+        settings.screen.enabled = screenAlone_;
+        settings.rays.enabled = !screenAlone_;
         settings.denoise.enabled = true;
         settings.denoise.antilag = antilag;
         settings.reflect.maxRoughness = settings.reflect.roughnessFadeStart = 1;
@@ -42,14 +42,15 @@ protected:
         SurfaceScene scene = scene_;
         SurfaceScene::World world = scene.build(gpu(), library(), RayBackend::Bvh);
         Reflections made = reflections(kWidth, kHeight, denoised(antilag));
-        must(made.setRays(world.rays, world.surfaces));
+        if (!screenAlone_)
+            must(made.setRays(world.rays, world.surfaces));
         std::vector<double> means;
         for (uint32_t frame = 0; frame < frames; ++frame) {
             SyntheticCamera camera = {.position = {step * frame, 1, 4}, .target = {step * frame, 0.3, 0}};
-            const SyntheticGBuffer host =
-                SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene_), camera, kWidth, kHeight);
-            must(made.setInputs(host.gbuffer));
             scene.materials.back() = panel(frame);
+            const SyntheticGBuffer host = SyntheticGBuffer::render(
+                gpu(), SurfaceScene::seenBy(screenAlone_ ? scene : scene_), camera, kWidth, kHeight);
+            must(made.setInputs(host.gbuffer));
             must(world.surfaces.setMaterials(scene.materials));
             run([&](VkCommandBuffer commands) {
                 world.rays.record(commands);
@@ -88,6 +89,7 @@ protected:
 
     SurfaceMaterial lit_ = emitting(glm::vec3(2));
     int fastFrames_ = 6;
+    bool screenAlone_ = false; ///< no rays: the panel shows in the host's picture
     SurfaceScene scene_;
     std::vector<Picture> pictures_; ///< of the last play
     std::vector<double> givenUp_;   ///< of its frames: share of the history, in the mean over all pixels
@@ -147,6 +149,29 @@ TEST_F(AntilagTest, constantLightIsNotForgotten) {
         for (size_t i = 0; i < off.size(); ++i)
             for (size_t k = 0; k < off[i].composite.size(); ++k)
                 ASSERT_NEAR(pictures_[i].composite[k], off[i].composite[k], most) << i << ", step " << step;
+    }
+}
+
+/// Without rays sentinels look at places of the host's picture.
+TEST_F(AntilagTest, thePictureTellsOfLightThatGoesOutAndComesOn) {
+    screenAlone_ = true;
+    EXPECT_LT(reaction(Antilag::Off, false).back(), 0.5);
+    for (const bool on : {false, true}) {
+        const std::vector<double> shares = reaction(Antilag::Gradient, on);
+        EXPECT_GT(shares[6], 0.9) << (on ? "on" : "off");
+        EXPECT_LT(shares[6], 1.1) << (on ? "on" : "off");
+    }
+}
+
+TEST_F(AntilagTest, aStillPictureIsNotForgotten) {
+    screenAlone_ = true;
+    for (const double step : {0.0, 0.02}) {
+        const auto same = [&](uint32_t) { return lit_; };
+        play(Antilag::Off, same, 12, 0, step);
+        const std::vector<Picture> off = std::move(pictures_);
+        play(Antilag::Gradient, same, 12, 0, step);
+        for (size_t i = 0; i < off.size(); ++i)
+            EXPECT_EQ(pictures_[i].composite, off[i].composite) << i << ", step " << step;
     }
 }
 

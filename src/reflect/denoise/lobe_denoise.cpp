@@ -19,6 +19,7 @@ constexpr size_t kSentinelRay = 4;
 constexpr size_t kSentinelPath = 5;
 constexpr size_t kRates = 6;
 constexpr size_t kSpeed = 7;
+constexpr size_t kSentinelPlace = 8;
 
 uint32_t tiles(uint32_t pixels, uint32_t across) {
     return (pixels + across - 1) / across;
@@ -46,6 +47,7 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     };
     GLINT_CHECK(pass(denoise->gather_, "denoise/gather", sizeof(uint32_t)));
     GLINT_CHECK(pass(denoise->reuse_, "denoise/reuse", 0));
+    GLINT_CHECK(pass(denoise->sentinels_, "denoise/sentinels", 0));
     GLINT_CHECK(pass(denoise->change_, "denoise/change", 0));
     GLINT_CHECK(pass(denoise->accumulate_, "denoise/accumulate", 0));
     GLINT_CHECK(pass(denoise->filter_, "denoise/filter", 0));
@@ -57,33 +59,35 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMeta_, {"glint/reusedMeta", VK_FORMAT_R16G16_SFLOAT, w, h}));
     const uint32_t tilesX = tiles(w, shared::kSentinelTile);
     const uint32_t tilesY = tiles(h, shared::kSentinelTile);
-    GLINT_CHECK(
-        makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", VK_FORMAT_R16G16_SFLOAT, tilesX, tilesY}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->hitMotion_, {"glint/hitMotion", VK_FORMAT_R32_UINT, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMotion_, {"glint/reusedMotion", kHalf, w, h}));
-    GLINT_CHECK(denoise->makeHistory(false));
+    GLINT_CHECK(denoise->makeHistory(false, false));
     return denoise;
 }
 
-/// Sentinels are rays through the host's triangles.
-Result<void> LobeDenoise::makeHistory(bool sentinels) {
+Result<void> LobeDenoise::makeHistory(bool places, bool paths) {
     const uint32_t w = stages_.width();
     const uint32_t h = stages_.height();
     const uint32_t tilesX = tiles(w, shared::kSentinelTile);
     const uint32_t tilesY = tiles(h, shared::kSentinelTile);
-    const glm::uvec2 rays = sentinels ? glm::uvec2(2 * tilesX, tilesY) : glm::uvec2(1);
-    std::array<StageImage, 8> images;
+    const auto sentinels = [&](const char* name, bool has) {
+        return StageImage{name, VK_FORMAT_R32G32B32A32_UINT, has ? 2 * tilesX : 1, has ? tilesY : 1};
+    };
+    std::array<StageImage, 9> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
     images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, w, h};
-    images[kSentinelRay] = {"glint/sentinelRay", VK_FORMAT_R32G32B32A32_UINT, rays.x, rays.y};
-    images[kSentinelPath] = {"glint/sentinelPath", VK_FORMAT_R32G32B32A32_UINT, rays.x, rays.y};
+    images[kSentinelRay] = sentinels("glint/sentinelRay", paths);
+    images[kSentinelPath] = sentinels("glint/sentinelPath", paths);
+    images[kSentinelPlace] = sentinels("glint/sentinelPlace", places);
     images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
     images[kSpeed] = {"glint/meanSpeed", VK_FORMAT_R16_SFLOAT, w, h};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
     GLINT_CHECK(history_.make(images, true));
-    hasSentinels_ = sentinels;
+    hasPlaces_ = places;
+    hasPaths_ = paths;
     return {};
 }
 
@@ -94,7 +98,9 @@ Result<void> LobeDenoise::make(const Settings& settings) {
         GLINT_CHECK(makeImage(stages_.gpu, reused_, {"glint/reused", kHalf, w, h}));
     if (stages_.desc.views)
         GLINT_CHECK(makeImage(stages_.gpu, answer_, {"glint/lobeAnswer", kHalf, w, h}));
-    return settings.rays.enabled && !hasSentinels_ ? makeHistory(true) : Result<void>();
+    const bool places = hasPlaces_ || (settings.screen.enabled && settings.denoise.antilag == Antilag::Gradient);
+    const bool paths = hasPaths_ || settings.rays.enabled;
+    return places != hasPlaces_ || paths != hasPaths_ ? makeHistory(places, paths) : Result<void>();
 }
 
 /// True if the neighbours' rays are gathered in the image of the screen's answer, which only gather reads. Views show
@@ -104,18 +110,22 @@ bool LobeDenoise::reusesTarget(const Settings& settings) const {
            settings.screen.targetFormat != TargetFormat::Rgba8;
 }
 
-void LobeDenoise::begin(gpu::Frame& frame, bool followsSentinels) {
-    if (followsSentinels != followsSentinels_)
+void LobeDenoise::begin(gpu::Frame& frame, bool followsPaths) {
+    const Settings& settings = stages_.settings();
+    Sentinels followed = followsPaths ? Sentinels::Paths : Sentinels::None;
+    if (!followsPaths && settings.denoise.antilag == Antilag::Gradient && settings.screen.enabled)
+        followed = Sentinels::Places;
+    if (followed != followed_)
         history_.reset(HistoryReset::Asked); // a history without sentinels holds what older frames left there
-    followsSentinels_ = followsSentinels;
-    history_.begin(frame, denoises(stages_.settings()));
+    followed_ = followed;
+    history_.begin(frame, denoises(settings));
     recorded_ = false;
 }
 
 /// True if the means tell of changed light. With sentinels they add nothing: those are never later.
 bool LobeDenoise::comparesMeans() const {
     const Antilag antilag = stages_.settings().denoise.antilag;
-    return antilag == Antilag::Mean || (antilag == Antilag::Gradient && !followsSentinels_);
+    return antilag == Antilag::Mean || (antilag == Antilag::Gradient && followed_ == Sentinels::None);
 }
 
 shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
@@ -178,16 +188,37 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .dispatch(stages_.extent.x, stages_.extent.y);
 }
 
+void LobeDenoise::lookAtPlaces(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+    gpu::Image& black = inputs.frame.standIns.black;
+    Inputs& host = inputs.frame.host;
+    frame.pass(sentinels_)
+        .read("frame", inputs.frame.constants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("litRadiance", host.litRadiance, kTexels)
+        .read("motion", host.motion ? host.motion : black, kTexels)
+        .read("screenAnswer", inputs.screenAnswer ? *inputs.screenAnswer : black)
+        .read("screenRecord", inputs.screenRecord)
+        .read("sentinelBefore", history_.before(kSentinelPlace))
+        .write("sentinel", history_.now(kSentinelPlace))
+        .write("change", sentinelChange_)
+        .dispatch(sentinelChange_.width(), sentinelChange_.height());
+}
+
 /// Returns what has changed since the previous frame, by tiles; black where nothing is to be found.
 gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+    gpu::Image& black = inputs.frame.standIns.black;
     if (stages_.settings().denoise.antilag == Antilag::Off)
-        return inputs.frame.standIns.black;
-    if (inputs.followSentinels)
-        inputs.followSentinels(frame, {history_.before(kSentinelRay), history_.before(kSentinelPath),
-                                       history_.now(kSentinelRay), history_.now(kSentinelPath), sentinelChange_});
+        return black;
+    const bool places = followed_ == Sentinels::Places || frame.rehearsing();
+    if (inputs.followPaths)
+        inputs.followPaths(frame, {history_.before(kSentinelRay), history_.before(kSentinelPath),
+                                   history_.now(kSentinelRay), history_.now(kSentinelPath), sentinelChange_});
+    if (places)
+        lookAtPlaces(frame, inputs);
     frame.pass(change_)
         .read("frame", inputs.frame.constants)
-        .read("change", inputs.followSentinels ? sentinelChange_ : inputs.frame.standIns.black, kTexels)
+        .read("change", inputs.followPaths || places ? sentinelChange_ : black, kTexels)
         .read("metaBefore", history_.before(kMeta), kTexels)
         .read("fastBefore", history_.before(kFast), kTexels)
         .write("changed", changed_)

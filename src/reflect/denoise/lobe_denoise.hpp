@@ -19,8 +19,8 @@ struct LobeDenoiseInputs {
     gpu::Image* raysAnswer; ///< null: the source takes no part
     gpu::Image& raysRecord;
     bool raysFirst;
-    /// Records the pass that follows the sentinels (denoise.antilag gradient); empty: there are none.
-    std::function<void(gpu::Frame& frame, const SentinelImages& images)> followSentinels;
+    /// Records the pass whose sentinels are paths (denoise.antilag gradient); empty: there are none.
+    std::function<void(gpu::Frame& frame, const SentinelImages& images)> followPaths;
 };
 
 /// What the last frame's denoising decided, for views.
@@ -40,8 +40,8 @@ public:
     /// Creates the images that these settings need for the first time. Errors: OutOfMemory.
     Result<void> make(const Settings& settings);
 
-    /// Begins a frame, before its constants are resolved. `followsSentinels`: it will be given sentinels.
-    void begin(gpu::Frame& frame, bool followsSentinels);
+    /// Begins a frame, before its constants are resolved. `followsPaths`: it will be given LobeDenoiseInputs's.
+    void begin(gpu::Frame& frame, bool followsPaths);
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { history_.reset(reason); }
     /// `seconds`: since the previous frame.
@@ -61,16 +61,25 @@ public:
     void end(gpu::Frame& frame) { history_.end(frame, recorded_ ? HistoryReset::None : HistoryReset::NotLight); }
 
 private:
+    /// What tells of changed light besides the means (shaders/denoise/sentinel.glsl).
+    enum class Sentinels : uint8_t {
+        None,
+        Places, ///< of the host's picture
+        Paths,  ///< through the host's triangles
+    };
+
     explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
-    Result<void> makeHistory(bool sentinels);
+    Result<void> makeHistory(bool places, bool paths);
     bool reusesTarget(const Settings& settings) const;
     bool comparesMeans() const;
     void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
     gpu::Image& findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    void lookAtPlaces(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
 
     StageContext& stages_;
     gpu::Pipeline gather_;
     gpu::Pipeline reuse_;
+    gpu::Pipeline sentinels_;
     gpu::Pipeline change_;
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
@@ -81,14 +90,15 @@ private:
     gpu::Image reusedMeta_;             ///< RG16F: denoise/reuse.comp
     gpu::Image hitMotion_;              ///< R32UI: lib/packed_motion.glsl
     gpu::Image reusedMotion_;           ///< RGBA16F: denoise/reuse.comp
-    gpu::Image sentinelChange_;         ///< RG16F, a texel for each tile: rays/sentinels_main.glsl
+    gpu::Image sentinelChange_;         ///< RGBA16F, a texel for each tile: denoise/sentinels.comp
     gpu::Image changed_;                ///< RGBA16F, a texel for each tile: denoise/change.comp
     gpu::Image answer_;                 ///< RGBA16F: radiance, weight; with views, which also show noisy_
     gpu::Image* shownChange_ = nullptr; ///< changed_, or black: what the last frame read
     History history_;
-    bool hasSentinels_ = false;     ///< history_ has room for them
-    bool recorded_ = false;         ///< in this frame
-    bool followsSentinels_ = false; ///< in this frame
+    bool hasPlaces_ = false; ///< history_ has room for such sentinels
+    bool hasPaths_ = false;
+    bool recorded_ = false;                ///< in this frame
+    Sentinels followed_ = Sentinels::None; ///< in this frame
 };
 
 } // namespace glint::reflect
