@@ -63,11 +63,10 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->hitMotion_, {"glint/hitMotion", VK_FORMAT_R32_UINT, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMotion_, {"glint/reusedMotion", kHalf, w, h}));
-    GLINT_CHECK(denoise->makeHistory(false, false));
     return denoise;
 }
 
-Result<void> LobeDenoise::makeHistory(bool places, bool paths) {
+Result<void> LobeDenoise::makeHistory(const Kept& kept) {
     const uint32_t w = stages_.width();
     const uint32_t h = stages_.height();
     const uint32_t tilesX = tiles(w, shared::kSentinelTile);
@@ -78,16 +77,15 @@ Result<void> LobeDenoise::makeHistory(bool places, bool paths) {
     std::array<StageImage, 9> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
-    images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, w, h};
-    images[kSentinelRay] = sentinels("glint/sentinelRay", paths);
-    images[kSentinelPath] = sentinels("glint/sentinelPath", paths);
-    images[kSentinelPlace] = sentinels("glint/sentinelPlace", places);
+    images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, kept.fastMean ? w : 1, kept.fastMean ? h : 1};
+    images[kSentinelRay] = sentinels("glint/sentinelRay", kept.paths);
+    images[kSentinelPath] = sentinels("glint/sentinelPath", kept.paths);
+    images[kSentinelPlace] = sentinels("glint/sentinelPlace", kept.places);
     images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
     images[kSpeed] = {"glint/meanSpeed", VK_FORMAT_R16_SFLOAT, w, h};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
     GLINT_CHECK(history_.make(images, true));
-    hasPlaces_ = places;
-    hasPaths_ = paths;
+    kept_ = kept;
     return {};
 }
 
@@ -98,9 +96,13 @@ Result<void> LobeDenoise::make(const Settings& settings) {
         GLINT_CHECK(makeImage(stages_.gpu, reused_, {"glint/reused", kHalf, w, h}));
     if (stages_.desc.views)
         GLINT_CHECK(makeImage(stages_.gpu, answer_, {"glint/lobeAnswer", kHalf, w, h}));
-    const bool places = hasPlaces_ || (settings.screen.enabled && settings.denoise.antilag == Antilag::Gradient);
-    const bool paths = hasPaths_ || settings.rays.enabled;
-    return places != hasPlaces_ || paths != hasPaths_ ? makeHistory(places, paths) : Result<void>();
+    const Antilag antilag = settings.denoise.antilag;
+    const bool screen = settings.screen.enabled;
+    Kept kept = kept_.value_or(Kept());
+    kept.fastMean |= antilag == Antilag::Mean || (antilag == Antilag::Gradient && !screen);
+    kept.places |= antilag == Antilag::Gradient && screen;
+    kept.paths |= settings.rays.enabled;
+    return kept_ != kept ? makeHistory(kept) : Result<void>();
 }
 
 /// True if the neighbours' rays are gathered in the image of the screen's answer, which only gather reads. Views show

@@ -68,8 +68,16 @@ private:
         Paths,  ///< through the host's triangles
     };
 
+    /// What the history has room for, besides what every denoised frame keeps: all that settings so far needed.
+    struct Kept {
+        bool fastMean = false; ///< the mean over few frames
+        bool places = false;   ///< sentinels of either kind
+        bool paths = false;
+        bool operator==(const Kept&) const = default;
+    };
+
     explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
-    Result<void> makeHistory(bool places, bool paths);
+    Result<void> makeHistory(const Kept& kept);
     bool reusesTarget(const Settings& settings) const;
     bool comparesMeans() const;
     void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
@@ -95,8 +103,7 @@ private:
     gpu::Image answer_;                 ///< RGBA16F: radiance, weight; with views, which also show noisy_
     gpu::Image* shownChange_ = nullptr; ///< changed_, or black: what the last frame read
     History history_;
-    bool hasPlaces_ = false; ///< history_ has room for such sentinels
-    bool hasPaths_ = false;
+    std::optional<Kept> kept_;             ///< empty until `make`
     bool recorded_ = false;                ///< in this frame
     Sentinels followed_ = Sentinels::None; ///< in this frame
 };
