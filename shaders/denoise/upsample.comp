@@ -145,7 +145,7 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
 vec4 answerAt(Place here, vec2 hitPX, float weight) {
     uint lookups = 0u; // only rays count lookups
     vec3 hitVS = placeOf(floorToInt(hitPX)).positionVS;
-    vec3 radiance = hitRadiance(hitPX, here.positionVS, hitVS, lookups);
+    vec3 radiance = hitRadiance(hitPX, false, here.positionVS, hitVS, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
         radiance = scaledToOne(radiance);
     return vec4(radiance, 1.0) * weight;

@@ -17,6 +17,7 @@ layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // the previous frame'
 layout(set = 0, binding = 8) uniform sampler2D motion;    // lib/previous_place.glsl
 
 #include "lib/previous_place.glsl"
+#include "trace/one_surface.glsl"
 
 /// A surface was at its previous place, within this fraction of its distance and a quarter of a pixel. Where motion does
 /// not tell its depth, that is known roughly.
@@ -74,15 +75,16 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     return total > 0.0;
 }
 
-/// True if pixels of the hit's surface look larger from the ray's start than from the eye; single texels would then
-/// show as stairs. On the ray, a pixel of the mirror spans what a pixel spans at the distance of the whole path. A
-/// pixel at the hit is as wide as its own distance makes it, stretched by the surface's tilt to the eye and
-/// foreshortened by its tilt to the ray. Holds for a flat mirror: a concave one may magnify more.
-bool isMagnified(vec3 hitVS, vec3 normalVS, vec3 originVS) {
+/// How much larger the pixels of the hit's surface look from the ray's start than from the eye. On the ray, a pixel of the
+/// mirror spans what a pixel spans at the distance of the whole path. A pixel at the hit is as wide as its own distance
+/// makes it, stretched by the surface's tilt to the eye and foreshortened by its tilt to the ray. Holds for a flat mirror:
+/// a concave one may magnify more.
+float magnification(vec3 hitVS, vec3 normalVS, vec3 originVS) {
     vec3 directionVS = normalize(hitVS - originVS);
     float wayOfMirror = length(originVS) + distance(originVS, hitVS);
     float growth = isOrthographic(frame.constants) ? 1.0 : wayOfMirror / length(hitVS); // of a pixel, along the way
-    return abs(dot(normalVS, directionVS)) > growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
+    float toEye = abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
+    return abs(dot(normalVS, directionVS)) / max(growth * toEye, 1e-6);
 }
 
 /// Radiance of the hit at `px` that the ray may take. The highlights of smooth surfaces are where the eye sees them and
@@ -111,7 +113,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     return nearest;
 #else
     vec3 normalVS = met.normalVS;
-    if (!isMagnified(hitVS, normalVS, originVS))
+    if (magnification(hitVS, normalVS, originVS) <= 1.0) // else single texels show as stairs
         return nearest;
     float z = texelFetch(metViewZ, at, 0).r;
     ++lookups;
@@ -133,7 +135,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
         float texelZ = texelFetch(metViewZ, texel, 0).r;
         ++lookups;
         vec2 uv = (vec2(texel) + 0.5) * frame.constants.invSize;
-        bool same = texelZ < kBackgroundZ &&
+        bool same = texelZ < kBackgroundZ && showsOneSurface(texel) &&
                     abs(dot(normalVS, viewPosition(frame.constants, uv, texelZ) - texelVS)) <= offPlane &&
                     dot(normalVS, unpackSurface(texelFetch(metSurface, texel, 0).xy).normalVS) > kLike;
         if (same)
@@ -143,10 +145,20 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
 #endif
 }
 
+/// Must the hit's colour be that of its surface alone, where the pixel shows the mean of several? A mirror shows it pixel by
+/// pixel. The rays of a wide lobe share what they meet, so to them the mean is as good, but for rims: they see more of a rim
+/// than the eye, and what it shares its few pixels with would look as wide.
+bool needsOneSurface(ivec2 px, bool wideLobe, vec3 originVS, vec3 hitVS) {
+    const float kRim = 2.0;
+    return !wideLobe || magnification(hitVS, shownPoint(px).normalVS, originVS) > kRim;
+}
+
 /// Linear, finite radiance of the surface that the frame shows at `px`, for a ray from `originVS` to `hitVS`. `lookups`
 /// grows by the number of depth samples read from this frame.
-vec3 hitRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
+vec3 hitRadiance(vec2 px, bool wideLobe, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 radiance;
+    if (!showsOneSurface(floorToInt(px)) && needsOneSurface(floorToInt(px), wideLobe, originVS, hitVS))
+        px = placeOfColor(px);
     if (hasHistory(frame.constants) && previousRadiance(floorToInt(px), radiance))
         return radiance;
     return currentRadiance(px, originVS, hitVS, lookups);

@@ -132,8 +132,11 @@ void main() {
         return; // the answer of the march among the frame's surfaces remains
     if (hit) {
         float VoR = dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS);
-        if (!kAmongTransparents)
-            answer.rgb = hitRadiance(end.hitPX, ray.originVS, ray.originVS + ray.directionVS * record.hitDistance, end.lookups);
+        if (!kAmongTransparents) {
+            bool wideLobe = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
+            vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
+            answer.rgb = hitRadiance(end.hitPX, wideLobe, ray.originVS, hitVS, end.lookups);
+        }
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }
     if (kAmongTransparents && end.outcome == kOutcomeSide)

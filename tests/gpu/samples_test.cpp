@@ -184,6 +184,51 @@ TEST_F(SamplesTest, edgesAreTheMixOfTheirSurfaces) {
                 }
 }
 
+/// The picture's light is the mean of a pixel's surfaces, but a ray meets one of them.
+TEST_F(SamplesTest, reflectionsShowOneSurfaceOfAnEdge) {
+    constexpr float kWall = 0.1f, kPanel = 4;
+    const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
+        std::optional<SyntheticSurface> nearest;
+        const auto offer = [&](double distance, const glm::dvec3& normalWS, float f0, float radiance) {
+            if (distance > 0 && (!nearest || distance < nearest->distance)) {
+                nearest.emplace();
+                nearest->distance = distance;
+                nearest->normalWS = normalWS;
+                nearest->f0 = glm::vec3(f0);
+                nearest->radiance = glm::vec3(radiance);
+            }
+        };
+        offer(-origin.y / direction.y, {0, 1, 0}, 1, 0);
+        offer((-3 - origin.z) / direction.z, {0, 0, 1}, 0, kWall);
+        const double toPanel = (-2 - origin.z) / direction.z;
+        const glm::dvec3 at = origin + direction * toPanel;
+        if (std::abs(at.x + 0.3 * at.y) < 0.7 && at.y < 1.1) // its sides lean, so that they cross pixels everywhere
+            offer(toPanel, {0, 0, 1}, 0, kPanel);
+        return nearest;
+    };
+    const SyntheticCamera camera = {.position = {0, 1, 3}, .target = {0, 0.5, -1}};
+    const auto fine = seen(scene, camera, kWidth * 4, kHeight * 4);
+    const Host host = makeHost(camera, [&](uint32_t x, uint32_t y, uint32_t s) {
+        const glm::uvec2 at = glm::uvec2(x, y) * 4u + kSampleQuarters[s];
+        return fine[size_t{at.y} * kWidth * 4 + at.x];
+    });
+    Settings settings = plainSettings();
+    settings.denoise.enabled = false;
+    Reflections made = reflections(kWidth, kHeight, settings);
+    must(made.setInputs(host.gbuffer));
+    const Picture picture = trace(made, camera.view(kWidth, kHeight));
+    const std::vector<float> colors = view(made, "color");
+    uint32_t panels = 0, walls = 0, mixes = 0;
+    for (uint32_t i = 0; i < picture.pixels(); ++i)
+        if (picture.hit(i)) {
+            const float shown = colors[size_t{i} * 4];
+            ++(shown < 1.1f * kWall ? walls : shown > 0.9f * kPanel ? panels : mixes);
+        }
+    EXPECT_GT(panels, 40u);
+    EXPECT_GT(walls, 40u);
+    EXPECT_EQ(mixes, 0u);
+}
+
 TEST_F(SamplesTest, thinThingsKeepTheirReflection) {
     // A wire of one sample a pixel before the background: it has no neighbour of its surface, and still reflects by its
     // coverage.

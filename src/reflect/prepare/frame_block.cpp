@@ -46,6 +46,7 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::Setti
     flag(static_cast<bool>(images.fallbackSpecular), shared::kInputFallback);
     flag(static_cast<bool>(images.material), shared::kInputMaterial);
     flag(host.resolvesMaterial(), shared::kInputResolved);
+    flag(host.hasManySamples(), shared::kInputSamples);
     flag(static_cast<bool>(images.motion), shared::kInputMotion);
     flag(host.gbuffer.occlusion.scale != 0 || host.gbuffer.occlusion.bias != 1, shared::kInputOcclusion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);

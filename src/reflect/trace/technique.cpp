@@ -34,6 +34,7 @@ gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs) {
     return pass.read("litRadiance", host.litRadiance, kTexels)
         .read("metViewZ", inputs.met.viewZ)
         .read("metSurface", inputs.met.surface)
+        .read("hitMaterial", inputs.prepared.material, kTexels)
         .read("prevColor", inputs.previous ? inputs.previous->color : black, kTexels)
         .read("prevViewZ", inputs.previous ? inputs.previous->viewZ : black, kTexels)
         .read("motion", host.motion ? host.motion : black, kTexels);
