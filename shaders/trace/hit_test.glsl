@@ -122,10 +122,13 @@ bool isEdgeOn(vec3 normalVS, vec3 surfaceVS) {
 
 /// Does the surface that pixel `px` shows edge-on end before its plane comes to `metZ`? It does where the next pixel, on
 /// the side where the plane goes away from the eye, shows something far behind that does not lie on the plane: beyond
-/// the rim of something round. A floor goes on there, however flat it is seen.
+/// the rim of something round. A floor goes on there, however flat it is seen. So steep a plane comes near many depths:
+/// what lies on it has its normal, too.
 bool endsAsRim(ivec2 px, vec3 normalVS, vec3 surfaceVS, float metZ, inout uint lookups) {
     const float kStep = 0.05; // of nearness, as prepare/pyramid takes it for an edge
     vec2 slope = nearnessSlope(frame.constants, surfaceVS, normalVS);
+    if (dot(normalVS, viewDirection(frame.constants, surfaceVS)) > 0.0)
+        slope = -slope; // interpolated normals of rims turn away from the eye a little
     bool overX = abs(slope.x) > abs(slope.y);
     ivec2 next = px - (overX ? ivec2(sign(slope.x), 0) : ivec2(0, sign(slope.y)));
     float here = nearnessOf(frame.constants, -surfaceVS.z);
@@ -137,7 +140,8 @@ bool endsAsRim(ivec2 px, vec3 normalVS, vec3 surfaceVS, float metZ, inout uint l
     float nextZ = texelFetch(metViewZ, next, 0).r;
     ++lookups;
     float shown = nearnessOf(frame.constants, nextZ);
-    bool onPlane = nextZ < kBackgroundZ && abs(shown - (here - away)) <= edge;
+    bool onPlane = nextZ < kBackgroundZ && abs(shown - (here - away)) <= edge &&
+                   dot(normalAt(vec2(next)), normalVS) > kOwnNormal;
     return shown < here - edge && !onPlane;
 }
 
