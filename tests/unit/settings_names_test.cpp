@@ -162,12 +162,67 @@ TEST(SettingsNames, AnAliasWithABadValueChangesNothing) {
 
 TEST(SettingsNames, MisspeltNamesGetTheNearestRightOne) {
     EXPECT_EQ(errorOf("screen.stpe", "1"), "unknown setting 'screen.stpe'; did you mean 'screen.step'?");
-    EXPECT_EQ(errorOf("maxDistanse", "1"), "unknown setting 'maxDistanse'; did you mean 'maxDistance'?");
+    EXPECT_EQ(errorOf("maxDistanse", "1"), "unknown setting 'maxDistanse'; did you mean 'screen.maxDistance'?");
     EXPECT_EQ(errorOf("SCREEN.MAXSTEPS", "1"), "unknown setting 'SCREEN.MAXSTEPS'; did you mean 'screen.maxSteps'?");
     EXPECT_EQ(errorOf("babilon:thickness", "1"),
               "unknown setting 'babilon:thickness'; did you mean 'babylon:thickness'?");
     EXPECT_EQ(errorOf("zzzzzzzzzzzz", "1"), "unknown setting 'zzzzzzzzzzzz'; `glint settings` lists them all");
     EXPECT_EQ(errorOf("", "1"), "unknown setting ''; `glint settings` lists them all");
+}
+
+/// What stands after "did you mean".
+std::string suggestionFor(std::string_view name) {
+    const std::string error = errorOf(name, "1");
+    const size_t at = error.find("did you mean ");
+    return at == error.npos ? "" : error.substr(at + 13);
+}
+
+TEST(SettingsNames, AKeyWithoutItsGroupGetsIt) {
+    EXPECT_EQ(suggestionFor("thicknessMode"), "'screen.thicknessMode'?");
+    EXPECT_EQ(suggestionFor("maxdistance"), "'screen.maxDistance'?");
+    EXPECT_EQ(suggestionFor("backFaceDownsample"), "'screen.backfaceDownsample'?");
+    EXPECT_EQ(suggestionFor("pixelspacing"), "'adaptive.pixelSpacing'?");
+    EXPECT_EQ(suggestionFor("transmittanceRed"), "'refraction.transmittanceRed'?");
+    EXPECT_EQ(suggestionFor("thickness_mode"), "'screen.thicknessMode'?");
+    EXPECT_EQ(suggestionFor("colourSource"), "'screen.colorSource'?");
+    EXPECT_EQ(suggestionFor("maxRoughness"), "'reflect.maxRoughness', 'rays.maxRoughness' or 'planar.maxRoughness'?");
+    EXPECT_EQ(suggestionFor("thicknes"), "'screen.thickness' or 'refraction.thickness'?");
+    EXPECT_EQ(suggestionFor("denoise"), "'denoise.enabled'?");
+    EXPECT_EQ(suggestionFor("rays"), "'rays.enabled' or 'order.rays'?");
+    EXPECT_EQ(suggestionFor("enable"), "'screen.enabled', 'denoise.enabled', 'rays.enabled', 'planar.enabled', "
+                                       "'probes.enabled', 'sky.enabled' or 'refraction.enabled'?");
+}
+
+TEST(SettingsNames, AMisspeltGroupKeepsItsSetting) {
+    EXPECT_EQ(suggestionFor("denoise.enable"), "'denoise.enabled'?");
+    EXPECT_EQ(suggestionFor("rays.enable"), "'rays.enabled'?");
+    EXPECT_EQ(suggestionFor("rayss.enabled"), "'rays.enabled'?");
+    EXPECT_EQ(suggestionFor("screne.enabled"), "'screen.enabled'?");
+    EXPECT_EQ(suggestionFor("ray.samples"), "'rays.samples'?");
+    EXPECT_EQ(suggestionFor("adaptive.step"), "'adaptive.steps'?");
+    EXPECT_EQ(suggestionFor("screen.maxIterations"), "'hiz.maxIterations'?");
+    EXPECT_EQ(suggestionFor("screen.maxRoughness"),
+              "'reflect.maxRoughness', 'rays.maxRoughness' or 'planar.maxRoughness'?");
+    EXPECT_EQ(suggestionFor("hdrp:maxDistance"), "'screen.maxDistance'?");
+}
+
+TEST(SettingsNames, OtherSystemsNamesAreSuggestedWhereNoKeyIsAsNear) {
+    EXPECT_EQ(suggestionFor("screenWeightDistanse"), "'hdrp:screenWeightDistance'?");
+    EXPECT_EQ(suggestionFor("refraction.screenWeightDistance"), "'hdrp:refraction:screenWeightDistance'?");
+    EXPECT_EQ(suggestionFor("max_bounces"), "'ray-query:MAX_BOUNCES'?");
+    EXPECT_EQ(suggestionFor("hdrp:transmittanceColour"), "'hdrp:transmittanceColor'?");
+    EXPECT_EQ(suggestionFor("unity:minSmoothness"), "'hdrp:minSmoothness'?");
+    EXPECT_EQ(suggestionFor("reflectivityTreshold"),
+              "'babylon:reflectivityThreshold' or 'compute-ssr:reflectivityThreshold'?");
+}
+
+TEST(SettingsNames, WithoutANearNameThoseThatContainItAreSuggested) {
+    EXPECT_EQ(suggestionFor("stepsize"), "'screen.step', 'adaptive.steps', 'planar.steps' or 'probes.steps'?");
+    EXPECT_EQ(suggestionFor("absorption"), "'refraction.absorptionDistance'?");
+    EXPECT_EQ(suggestionFor("a"), "");
+    EXPECT_EQ(suggestionFor("."), "");
+    EXPECT_EQ(suggestionFor(":"), "");
+    EXPECT_EQ(suggestionFor("screen."), "'screen.enabled'?");
 }
 
 TEST(SettingsNames, WrongTypesSayWhatIsExpected) {

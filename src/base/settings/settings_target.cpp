@@ -1,5 +1,6 @@
 #include "base/settings/settings_target.hpp"
 
+#include "base/settings/setting_suggestion.hpp"
 #include "base/text.hpp"
 
 #include <algorithm>
@@ -53,19 +54,11 @@ Error unknownName(SettingsTargets targets, std::string_view name) {
         return invalidArgument("{}: a picture is no setting; --env FILE says which, and sky.enabled whether rays that "
                                "miss show it",
                                name);
-    std::vector<std::string> names;
-    for (const SettingsTarget& target : targets) {
-        for (const SettingInfo& info : target.table) {
-            names.push_back(info.key);
-            for (const SettingAlias& alias : info.aliases) {
-                names.push_back(alias.name);
-                names.push_back(fullName(alias));
-            }
-        }
-    }
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    if (const std::string_view nearest = likelyMeant(name, views); !nearest.empty())
-        return invalidArgument("unknown setting '{}'; did you mean '{}'?", printable(name), nearest);
+    std::vector<std::string> meant = likelySettings(targets, name);
+    for (std::string& suggestion : meant)
+        suggestion = "'" + suggestion + "'";
+    if (!meant.empty())
+        return invalidArgument("unknown setting '{}'; did you mean {}?", printable(name), listText(meant, " or "));
     return invalidArgument("unknown setting '{}'; `glint settings` lists them all", printable(name));
 }
 
