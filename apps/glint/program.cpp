@@ -10,6 +10,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <sstream>
 
 namespace glint::cli {
 namespace {
@@ -44,6 +45,13 @@ std::string unknownCommand(const CLI::App& program, int argc, const char* const*
     return fmt::format("unknown command '{}'; there are {}", printable(argv[1]), listText(names, " and "));
 }
 
+/// Ends with an error if standard output did not take everything, as on a full disk.
+int endOutput() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        return fail(kFailed, fmt::format("standard output: {}", std::strerror(errno)));
+    return kDone;
+}
+
 int run(int argc, const char* const* argv, const render::RenderFunction& render, const AddCommand& view) {
     CLI::App program("Reflections for any Vulkan renderer: renders scenes with them and measures the result.", "glint");
     program.set_version_flag(
@@ -72,15 +80,17 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     try {
         program.parse(argc, argv);
     } catch (const CLI::Success& help) {
-        return program.exit(help); // prints the requested help
+        std::ostringstream text;
+        program.exit(help, text, text); // writes the requested help
+        const std::string written = text.str();
+        std::fwrite(written.data(), 1, written.size(), stdout);
+        return endOutput();
     } catch (const CLI::ParseError& error) {
         return fail(kBadInput, fmt::format("{} (try glint --help)", error.what()));
     }
     if (auto done = chosen(); !done)
         return fail(exitCodeOf(done.error().code), done.error().message);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) // detects a full disk under redirected output
-        return fail(kFailed, fmt::format("standard output: {}", std::strerror(errno)));
-    return kDone;
+    return endOutput();
 }
 
 } // namespace

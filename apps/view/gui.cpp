@@ -1,5 +1,7 @@
 #include "gui.hpp"
 
+#include "font_file.hpp"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -8,7 +10,6 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <filesystem>
 
 namespace glint::view {
 namespace {
@@ -112,15 +113,11 @@ void setLooks(float scale) {
     style.ScaleAllSizes(scale);
 }
 
-/// Installed by the package fonts-dejavu-core.
-constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr float kFontHeight = 14; ///< pixels on an ordinary screen
-
-/// Loads a scalable font at the screen's scale; without the file, enlarges ImGui's bitmap font.
+/// Loads a scalable font at the screen's scale; without one, enlarges ImGui's bitmap font.
 void setFont(ImGuiIO& io, float scale) {
-    std::error_code ignored;
-    const bool there = std::filesystem::exists(kFontFile, ignored); // ImGui asserts that the file can be read
-    if (there && io.Fonts->AddFontFromFileTTF(kFontFile, std::round(kFontHeight * scale)))
+    constexpr float kHeight = 14; // pixels on an ordinary screen
+    const std::string file = findFont(fontPlaces());
+    if (!file.empty() && io.Fonts->AddFontFromFileTTF(file.c_str(), std::round(kHeight * scale)))
         return;
     io.FontGlobalScale = scale;
 }

@@ -31,7 +31,7 @@ enum class AliasTransform {
     Fixed,          ///< whatever the value, the enum value `whenTrue`: the name implies a mode of ours
     Instead,        ///< the same, but only in place of `whenFalse`: other modes stay
     Numbers,        ///< `numbers` in place of the system's; else the value, of an enum by its name
-    Component,      ///< of a colour, written "R,G,B" or as one number for all three: `component`
+    Component,      ///< of a colour, "R,G,B", a list in JSON, or one number for all three: `component`
 };
 
 /// A parameter of another system that this setting answers to, as `system:name`.

@@ -121,11 +121,13 @@ GLINT_API std::span<const SettingInfo> settingsTable();
 
 /// Sets one setting from text: `set(s, "screen.step", "4")`. Other systems' names work too: `babylon:thickness`, or a
 /// bare `thickness` where one system alone has that name or `preset` (the one in force; may be empty) is that system.
+/// Values that are names are read in any case, whole numbers also in hexadecimal: `set(s, "rays.cullMask", "0x0F")`.
 /// Errors: InvalidArgument names the nearest key, the candidates, the range or the type; the setting keeps its value.
 GLINT_API Result<void> set(Settings& settings, std::string_view key, std::string_view value,
                            std::string_view preset = {});
 
 /// Sets what the JSON names, nested `{"screen":{"step":4}}` or flat `{"screen.step":4}`; the rest keeps its value.
+/// A colour of another system is a list: `{"hdrp:transmittanceColor":[0.9,0.5,0.2]}`.
 /// `name` says in errors where the text comes from: "my.json:3: ...". On an error nothing is changed.
 GLINT_API Result<void> fromJson(Settings& settings, std::string_view text, std::string_view name,
                                 std::string_view preset = {});

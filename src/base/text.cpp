@@ -10,7 +10,13 @@ char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Levenshtein 1966: minimum number of insertions, deletions and substitutions; keeps one row of the table.
+} // namespace
+
+bool equalIgnoringCase(std::string_view a, std::string_view b) {
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+// Levenshtein 1966: minimum number of insertions, deletions and substitutions; keeps one row of the table.
 size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> row(b.size() + 1);
     for (size_t j = 0; j <= b.size(); ++j)
@@ -27,7 +33,9 @@ size_t editDistance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-} // namespace
+bool isLikelyDistance(size_t distance, std::string_view text) {
+    return distance <= std::max<size_t>(1, text.size() / 3);
+}
 
 std::string joinText(std::span<const std::string> parts, std::string_view separator) {
     std::string joined;
@@ -59,11 +67,10 @@ std::string_view nearestText(std::string_view text, std::span<const std::string_
 }
 
 std::string_view likelyMeant(std::string_view text, std::span<const std::string_view> candidates) {
-    constexpr size_t kLongestName = 100; // longer texts are not misspelt names, and would cost quadratic time
     if (text.size() > kLongestName || candidates.empty())
         return {};
     const std::string_view nearest = nearestText(text, candidates);
-    return editDistance(text, nearest) <= std::max<size_t>(1, text.size() / 3) ? nearest : std::string_view();
+    return isLikelyDistance(editDistance(text, nearest), text) ? nearest : std::string_view();
 }
 
 std::string printable(std::string_view text, size_t longest) {

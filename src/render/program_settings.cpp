@@ -59,6 +59,9 @@ std::string settingsPage() {
         "A preset is weaker than a file, a file is weaker than `--set`. In ranges, `(` and `)` leave the\n"
         "end out. The last column holds names of other systems, which work wherever a key does. A name\n"
         "without its system works where one system alone has it, or under that system's preset.\n\n"
+        "Values that are names are read in any case: `HiZ` is `hiz`. `--set` also takes whole numbers in\n"
+        "hexadecimal (`rays.cullMask=0x0F`). A colour of another system is `R,G,B` or one number; in JSON\n"
+        "also a list: `{\"hdrp:transmittanceColor\": [0.9, 0.5, 0.2]}`.\n\n"
         "| Preset | |\n|---|---|\n";
     for (const std::string_view name : presetNames()) {
         const auto json = nlohmann::json::parse(*presetJson(name), nullptr, false);

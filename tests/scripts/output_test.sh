@@ -15,10 +15,22 @@ glint() { "$run" "$program" "$@" 2>"$folder/error"; }
 is_png() { [[ $(head -c 4 "$1" | tail -c 3) == PNG ]]; }
 render() { glint render builtin:exact --size 32x18 "$@"; }
 
-status=0
-glint settings >/dev/full || status=$?
-expect "a full disk under standard output ends with 1" [ "$status" = 1 ]
-expect "and is said" grep -q "standard output: No space left on device" "$folder/error"
+full() { # full ARGUMENTS...
+    local status=0
+    glint "$@" >/dev/full || status=$?
+    expect "glint $* on a full disk ends with 1" [ "$status" = 1 ]
+    expect "and is said" grep -q "standard output: No space left on device" "$folder/error"
+    expect "in one line" [ "$(wc -l <"$folder/error")" = 1 ]
+}
+full settings
+full --version
+full --help
+full --help-all
+commands=$(glint --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]\+\) .*/\1/p' | sort)
+expect "the help lists the commands" grep -q '^settings$' <<<"$commands"
+for command in $commands; do
+    full "$command" --help
+done
 
 render -o - >"$folder/picture"
 expect "-o - prints a PNG" is_png "$folder/picture"

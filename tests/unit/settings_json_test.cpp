@@ -53,8 +53,27 @@ TEST(SettingsJson, ErrorsNameTheLine) {
     EXPECT_EQ(errorOf("{\n\"screen.smooth\": 1}"), "my.json:2: screen.smooth: expected true or false, got '1'");
     EXPECT_EQ(errorOf("{\n\"screen.smooth\": null}"), "my.json:2: screen.smooth: expected true or false, got 'null'");
     EXPECT_EQ(errorOf("{\"screen\": {\"step\": 2},\n\"screen.step\": 3}"), "my.json:2: screen.step is set twice");
-    EXPECT_EQ(errorOf("{\"screen\":\n[4]}"),
-              "my.json:2: settings hold no lists: expected an object of names and values");
+    EXPECT_EQ(errorOf("{\n\"rays.cullMask\": \"0x0F\"}"),
+              "my.json:2: rays.cullMask: expected a whole number, got \"0x0F\"");
+}
+
+TEST(SettingsJson, OnlyColoursAreLists) {
+    EXPECT_EQ(errorOf("{\n\"screen.step\": [4]}"), "my.json:2: screen.step: expected a whole number, got [4]");
+    EXPECT_EQ(errorOf("{\n\"screen.smooth\": []}"), "my.json:2: screen.smooth: expected true or false, got []");
+    EXPECT_EQ(errorOf("{\n\"fade.border\": [1, 2]}"),
+              "my.json:2: fade.border: expected none, smooth or linear, got [1, 2]");
+    EXPECT_EQ(errorOf("{\"zzzzzzzz\":\n[4]}"),
+              "my.json:1: unknown setting 'zzzzzzzz'; `glint settings` lists them all");
+    for (const std::string list : {"[]", "[0.5]", "[0.1, 0.2]", "[0.1, 0.2, 0.3, 0.4]"})
+        EXPECT_EQ(errorOf("{\n\"transmittanceColor\": " + list + "}"),
+                  "my.json:2: transmittanceColor: expected a colour as R,G,B or one number, got " + list);
+    for (const char* list : {"[\"red\"]", "[true, 0, 0]", "[null]", "[[1, 1, 1]]", "[{}]", "[{\"r\": 1}]"})
+        EXPECT_EQ(errorOf("{\n\"transmittanceColor\": " + std::string(list) + "}"),
+                  "my.json:2: a list holds the numbers of a colour and nothing else: [0.9, 0.5, 0.2]");
+    EXPECT_NE(errorOf(R"({"transmittanceColor": [2, 0, 0]})"), "") << "out of range";
+    EXPECT_EQ(errorOf("{\"transmittanceColor\": [1, 1, 1],\n\"refraction.transmittanceRed\": 1}"),
+              "my.json:2: refraction.transmittanceRed is set twice");
+    EXPECT_EQ(errorOf("[4]"), "my.json:1: expected an object of settings: {\"screen\": {\"step\": 1}}");
 }
 
 TEST(SettingsJson, BrokenJsonIsOneLineWithItsNumber) {

@@ -95,7 +95,7 @@ TEST(SettingsNames, RayQueryHasTheNamesOfItsDocument) {
         take("MAX_BOUNCES", "3");
         take("ray_t_min", "0.01");
         take("ray_t_max", "50");
-        take("cull_mask", "3");
+        take("cull_mask", "0x03");
         EXPECT_EQ(settings.rays.samples, 8);
         EXPECT_EQ(settings.rays.bounces, 3);
         EXPECT_EQ(settings.rays.tMin, 0.01f);
@@ -131,6 +131,10 @@ TEST(SettingsNames, AColourIsSetAsAWhole) {
     EXPECT_EQ(colour(), (std::array{1.0f, 0.5f, 0.0f}));
     ASSERT_TRUE(fromJson(settings, R"({"hdrp:transmittanceColor": 0.25})", "test").ok());
     EXPECT_EQ(colour(), (std::array{0.25f, 0.25f, 0.25f}));
+    ASSERT_TRUE(fromJson(settings, R"({"hdrp:transmittanceColor": [0.5, 1, 0.25]})", "test").ok());
+    EXPECT_EQ(colour(), (std::array{0.5f, 1.0f, 0.25f}));
+    ASSERT_TRUE(fromJson(settings, R"({"transmittanceColor": [1, 0.25, 1e-1]})", "test").ok());
+    EXPECT_EQ(colour(), (std::array{1.0f, 0.25f, 0.1f}));
     for (const char* bad : {"", "red", "1,2", "0.1,0.2,0.3,0.4", "0.1,0.2,x", "true"})
         EXPECT_EQ(errorOf("transmittanceColor", bad),
                   "transmittanceColor: expected a colour as R,G,B or one number, got '" + std::string(bad) + "'");
@@ -162,12 +166,110 @@ TEST(SettingsNames, AnAliasWithABadValueChangesNothing) {
 
 TEST(SettingsNames, MisspeltNamesGetTheNearestRightOne) {
     EXPECT_EQ(errorOf("screen.stpe", "1"), "unknown setting 'screen.stpe'; did you mean 'screen.step'?");
-    EXPECT_EQ(errorOf("maxDistanse", "1"), "unknown setting 'maxDistanse'; did you mean 'maxDistance'?");
+    EXPECT_EQ(errorOf("maxDistanse", "1"), "unknown setting 'maxDistanse'; did you mean 'screen.maxDistance'?");
     EXPECT_EQ(errorOf("SCREEN.MAXSTEPS", "1"), "unknown setting 'SCREEN.MAXSTEPS'; did you mean 'screen.maxSteps'?");
     EXPECT_EQ(errorOf("babilon:thickness", "1"),
               "unknown setting 'babilon:thickness'; did you mean 'babylon:thickness'?");
     EXPECT_EQ(errorOf("zzzzzzzzzzzz", "1"), "unknown setting 'zzzzzzzzzzzz'; `glint settings` lists them all");
     EXPECT_EQ(errorOf("", "1"), "unknown setting ''; `glint settings` lists them all");
+}
+
+/// What stands after "did you mean".
+std::string suggestionFor(std::string_view name) {
+    const std::string error = errorOf(name, "1");
+    const size_t at = error.find("did you mean ");
+    return at == error.npos ? "" : error.substr(at + 13);
+}
+
+TEST(SettingsNames, AKeyWithoutItsGroupGetsIt) {
+    EXPECT_EQ(suggestionFor("thicknessMode"), "'screen.thicknessMode'?");
+    EXPECT_EQ(suggestionFor("maxdistance"), "'screen.maxDistance'?");
+    EXPECT_EQ(suggestionFor("backFaceDownsample"), "'screen.backfaceDownsample'?");
+    EXPECT_EQ(suggestionFor("pixelspacing"), "'adaptive.pixelSpacing'?");
+    EXPECT_EQ(suggestionFor("transmittanceRed"), "'refraction.transmittanceRed'?");
+    EXPECT_EQ(suggestionFor("thickness_mode"), "'screen.thicknessMode'?");
+    EXPECT_EQ(suggestionFor("colourSource"), "'screen.colorSource'?");
+    EXPECT_EQ(suggestionFor("maxRoughness"), "'reflect.maxRoughness', 'rays.maxRoughness' or 'planar.maxRoughness'?");
+    EXPECT_EQ(suggestionFor("thicknes"), "'screen.thickness' or 'refraction.thickness'?");
+    EXPECT_EQ(suggestionFor("denoise"), "'denoise.enabled'?");
+    EXPECT_EQ(suggestionFor("rays"), "'rays.enabled' or 'order.rays'?");
+    EXPECT_EQ(suggestionFor("enable"), "'screen.enabled', 'denoise.enabled', 'rays.enabled', 'planar.enabled', "
+                                       "'probes.enabled', 'sky.enabled' or 'refraction.enabled'?");
+}
+
+TEST(SettingsNames, AMisspeltGroupKeepsItsSetting) {
+    EXPECT_EQ(suggestionFor("denoise.enable"), "'denoise.enabled'?");
+    EXPECT_EQ(suggestionFor("rays.enable"), "'rays.enabled'?");
+    EXPECT_EQ(suggestionFor("rayss.enabled"), "'rays.enabled'?");
+    EXPECT_EQ(suggestionFor("screne.enabled"), "'screen.enabled'?");
+    EXPECT_EQ(suggestionFor("ray.samples"), "'rays.samples'?");
+    EXPECT_EQ(suggestionFor("adaptive.step"), "'adaptive.steps'?");
+    EXPECT_EQ(suggestionFor("screen.maxIterations"), "'hiz.maxIterations'?");
+    EXPECT_EQ(suggestionFor("screen.maxRoughness"),
+              "'reflect.maxRoughness', 'rays.maxRoughness' or 'planar.maxRoughness'?");
+    EXPECT_EQ(suggestionFor("hdrp:maxDistance"), "'screen.maxDistance'?");
+}
+
+TEST(SettingsNames, OtherSystemsNamesAreSuggestedWhereNoKeyIsAsNear) {
+    EXPECT_EQ(suggestionFor("screenWeightDistanse"), "'hdrp:screenWeightDistance'?");
+    EXPECT_EQ(suggestionFor("refraction.screenWeightDistance"), "'hdrp:refraction:screenWeightDistance'?");
+    EXPECT_EQ(suggestionFor("max_bounces"), "'ray-query:MAX_BOUNCES'?");
+    EXPECT_EQ(suggestionFor("hdrp:transmittanceColour"), "'hdrp:transmittanceColor'?");
+    EXPECT_EQ(suggestionFor("unity:minSmoothness"), "'hdrp:minSmoothness'?");
+    EXPECT_EQ(suggestionFor("reflectivityTreshold"),
+              "'babylon:reflectivityThreshold' or 'compute-ssr:reflectivityThreshold'?");
+}
+
+TEST(SettingsNames, WithoutANearNameThoseThatContainItAreSuggested) {
+    EXPECT_EQ(suggestionFor("stepsize"), "'screen.step', 'adaptive.steps', 'planar.steps' or 'probes.steps'?");
+    EXPECT_EQ(suggestionFor("absorption"), "'refraction.absorptionDistance'?");
+    EXPECT_EQ(suggestionFor("a"), "");
+    EXPECT_EQ(suggestionFor("."), "");
+    EXPECT_EQ(suggestionFor(":"), "");
+    EXPECT_EQ(suggestionFor("screen."), "'screen.enabled'?");
+}
+
+TEST(SettingsNames, ValuesAreNamedInAnyCase) {
+    Settings settings;
+    const auto take = [&](const char* name, const char* value, const char* preset) {
+        const auto done = set(settings, name, value, preset);
+        EXPECT_TRUE(done.ok()) << done.error().message;
+    };
+    take("hdrp:projectionModel", "Proxy", "");
+    EXPECT_EQ(settings.screen.march, March::Proxy);
+    take("projectionModel", "HiZ", "hdrp");
+    EXPECT_EQ(settings.screen.march, March::Hiz);
+    take("hdrp:refractionModel", "Sphere", "");
+    EXPECT_EQ(settings.refraction.model, RefractionModel::Sphere);
+    take("hdrp:refractionModel", "None", "");
+    EXPECT_EQ(settings.refraction.model, RefractionModel::None_);
+    take("reflect.thresholdOn", "F0timesstrength", "");
+    EXPECT_EQ(settings.reflect.thresholdOn, ThresholdOn::F0TimesStrength);
+    take("babylon:textureType", "RGBA16F", "");
+    EXPECT_EQ(settings.screen.targetFormat, TargetFormat::Rgba16f);
+    ASSERT_TRUE(fromJson(settings, R"({"hdrp:ssRayModel": "Proxy", "projectionModel": "Proxy",
+                                       "fade.border": "SMOOTH"})",
+                         "test", "hdrp")
+                    .ok());
+    EXPECT_EQ(settings.refraction.projection, RefractionProjection::Proxy);
+    EXPECT_EQ(settings.screen.march, March::Proxy);
+    EXPECT_EQ(settings.fade.border, FadeBorder::Smooth);
+    const std::string written = toJson(settings);
+    EXPECT_NE(written.find("\"march\": \"proxy\""), written.npos) << "written as the table has it";
+    EXPECT_NE(written.find("\"thresholdOn\": \"f0TimesStrength\""), written.npos);
+}
+
+TEST(SettingsNames, WholeNumbersMayBeHexadecimal) {
+    Settings settings;
+    ASSERT_TRUE(set(settings, "ray-query:cull_mask", "0x0F").ok());
+    EXPECT_EQ(settings.rays.cullMask, 15);
+    ASSERT_TRUE(set(settings, "rays.cullMask", "0Xfe").ok());
+    EXPECT_EQ(settings.rays.cullMask, 254);
+    EXPECT_EQ(errorOf("rays.cullMask", "0x100"), "rays.cullMask = 256 is out of range [0, 255]");
+    for (const char* bad : {"0x", "0xg", "0x1.8", "x1", "0x 1", "-0x1", "0x10000000000000000"})
+        EXPECT_EQ(errorOf("rays.cullMask", bad),
+                  "rays.cullMask: expected a whole number, got '" + std::string(bad) + "'");
+    EXPECT_EQ(errorOf("screen.thickness", "0x1"), "screen.thickness: expected a number, got '0x1'");
 }
 
 TEST(SettingsNames, WrongTypesSayWhatIsExpected) {

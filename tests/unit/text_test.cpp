@@ -14,6 +14,16 @@ TEST(Text, ListsReadAsASentence) {
     EXPECT_EQ(listText(names, " or "), "a, b or c");
 }
 
+TEST(Text, CaseOfLettersIsIgnoredAndNothingElse) {
+    EXPECT_TRUE(equalIgnoringCase("HiZ", "hiz"));
+    EXPECT_TRUE(equalIgnoringCase("", ""));
+    EXPECT_FALSE(equalIgnoringCase("hiz", "hi"));
+    EXPECT_FALSE(equalIgnoringCase("[", "{")); // 0x20 apart, as letters' cases are
+    EXPECT_EQ(editDistance("Kitten", "SITTING"), 3u);
+    EXPECT_EQ(editDistance("", "abc"), 3u);
+    EXPECT_EQ(editDistance("abc", ""), 3u);
+}
+
 TEST(Text, LikelyMeantIsNearOrNothing) {
     const std::vector<std::string_view> names = {"sitting", "step"};
     EXPECT_EQ(likelyMeant("Stp", names), "step");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 namespace glint {
 namespace {
@@ -66,6 +67,8 @@ public:
     bool binary(const Json::binary_t&) { return false; } // never comes from text
 
     bool start_object(size_t) {
+        if (list_)
+            return failInList();
         if (inside_)
             groups_.push_back(key_);
         inside_ = true;
@@ -81,8 +84,18 @@ public:
             groups_.pop_back();
         return true;
     }
-    bool start_array(size_t) { return fail(at_, "settings hold no lists: expected an object of names and values"); }
-    bool end_array() { return true; }
+    bool start_array(size_t) {
+        if (!inside_)
+            return value({});
+        if (list_)
+            return failInList();
+        list_.emplace();
+        return true;
+    }
+    bool end_array() {
+        const std::string list = *std::exchange(list_, std::nullopt);
+        return value({list, Kind::List});
+    }
 
     bool parse_error(size_t position, const std::string&, const nlohmann::detail::exception& exception) {
         // "[json.exception.parse_error.101] parse error at line 3, column 5: syntax error ..."
@@ -99,7 +112,20 @@ private:
         return false;
     }
 
+    bool failInList() { return fail(at_, "a list holds the numbers of a colour and nothing else: [0.9, 0.5, 0.2]"); }
+
+    bool listElement(const SettingInput& input) {
+        if (input.kind != Kind::Number)
+            return failInList();
+        if (!list_->empty())
+            *list_ += ", ";
+        *list_ += input.text;
+        return true;
+    }
+
     bool value(const SettingInput& input) {
+        if (list_)
+            return listElement(input);
         if (!inside_)
             return fail(at_, "expected an object of settings: {\"screen\": {\"step\": 1}}");
         if (groups_.empty() && key_ == "description" && input.kind == Kind::String)
@@ -128,6 +154,7 @@ private:
     bool inside_ = false;         ///< within the outermost object
     std::string key_;
     std::vector<std::string> groups_;
+    std::optional<std::string> list_; ///< within a list: its numbers so far
     std::vector<SettingAssignment> assignments_;
     std::optional<Error> error_;
 };

@@ -1,11 +1,14 @@
 #include "base/settings/settings_target.hpp"
 
+#include "base/settings/setting_suggestion.hpp"
 #include "base/text.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <optional>
 #include <set>
 
 namespace glint {
@@ -53,19 +56,11 @@ Error unknownName(SettingsTargets targets, std::string_view name) {
         return invalidArgument("{}: a picture is no setting; --env FILE says which, and sky.enabled whether rays that "
                                "miss show it",
                                name);
-    std::vector<std::string> names;
-    for (const SettingsTarget& target : targets) {
-        for (const SettingInfo& info : target.table) {
-            names.push_back(info.key);
-            for (const SettingAlias& alias : info.aliases) {
-                names.push_back(alias.name);
-                names.push_back(fullName(alias));
-            }
-        }
-    }
-    const std::vector<std::string_view> views(names.begin(), names.end());
-    if (const std::string_view nearest = likelyMeant(name, views); !nearest.empty())
-        return invalidArgument("unknown setting '{}'; did you mean '{}'?", printable(name), nearest);
+    std::vector<std::string> meant = likelySettings(targets, name);
+    for (std::string& suggestion : meant)
+        suggestion = "'" + suggestion + "'";
+    if (!meant.empty())
+        return invalidArgument("unknown setting '{}'; did you mean {}?", printable(name), listText(meant, " or "));
     return invalidArgument("unknown setting '{}'; `glint settings` lists them all", printable(name));
 }
 
@@ -113,9 +108,9 @@ SettingType writtenType(const Match& match) {
 }
 
 Error wrongType(std::string_view name, std::string_view expected, const SettingInput& input) {
-    const std::string_view quote = input.kind == Kind::String ? "\"" : "'";
-    return invalidArgument("{}: expected {}, got {}{}{}", printable(name), expected, quote, printable(input.text),
-                           quote);
+    const std::string_view open = input.kind == Kind::String ? "\"" : input.kind == Kind::List ? "[" : "'";
+    return invalidArgument("{}: expected {}, got {}{}{}", printable(name), expected, open, printable(input.text),
+                           input.kind == Kind::List ? "]" : open);
 }
 
 bool kindIs(const SettingInput& input, Kind kind) {
@@ -129,8 +124,22 @@ Result<double> readBool(std::string_view name, const SettingInput& input) {
     return isTrue ? 1.0 : 0.0;
 }
 
+/// "0x0F", as masks are written on a command line; JSON has no such numbers.
+std::optional<double> readHexadecimal(const SettingInput& input) {
+    if (input.kind != Kind::Any || (!input.text.starts_with("0x") && !input.text.starts_with("0X")))
+        return std::nullopt;
+    const std::string_view digits = input.text.substr(2);
+    uint64_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (error != std::errc() || end != digits.data() + digits.size())
+        return std::nullopt;
+    return static_cast<double>(value);
+}
+
 Result<double> readNumber(std::string_view name, const SettingInput& input, bool whole) {
     const std::string_view expected = whole ? "a whole number" : "a number";
+    if (const auto hexadecimal = readHexadecimal(input); whole && hexadecimal)
+        return *hexadecimal;
     double value = 0;
     const char* const textEnd = input.text.data() + input.text.size();
     const auto [end, error] = std::from_chars(input.text.data(), textEnd, value);
@@ -141,8 +150,13 @@ Result<double> readNumber(std::string_view name, const SettingInput& input, bool
     return value;
 }
 
+/// By name, in any case: other systems write "HiZ" and "Proxy".
+auto findChoice(const std::vector<std::string>& choices, std::string_view text) {
+    return std::ranges::find_if(choices, [&](const std::string& choice) { return equalIgnoringCase(choice, text); });
+}
+
 Result<double> readChoice(std::string_view name, const SettingInfo& info, const SettingInput& input) {
-    const auto found = std::ranges::find(info.choices, input.text);
+    const auto found = findChoice(info.choices, input.text);
     if (kindIs(input, Kind::String) && found != info.choices.end())
         return static_cast<double>(found - info.choices.begin());
     return wrongType(name, listText(info.choices, " or "), input);
@@ -157,13 +171,13 @@ Result<double> readNumberOrChoice(std::string_view name, const Match& match, con
             return ours;
     }
     const std::vector<std::string>& choices = match.info->choices;
-    if (kindIs(input, Kind::String) && std::ranges::find(choices, input.text) != choices.end())
+    if (kindIs(input, Kind::String) && findChoice(choices, input.text) != choices.end())
         return readChoice(name, *match.info, input);
     known.insert(known.end(), choices.begin(), choices.end());
     return wrongType(name, listText(known, " or "), input);
 }
 
-/// "0.9,0.5,0.2", "0.9 0.5 0.2", or one number for all three.
+/// "0.9,0.5,0.2", "0.9 0.5 0.2", a list of three numbers, or one number for all three.
 Result<double> readComponent(std::string_view name, const SettingAlias& alias, const SettingInput& input) {
     constexpr std::string_view kExpected = "a colour as R,G,B or one number";
     constexpr std::string_view kBetween = ", ";
@@ -177,7 +191,8 @@ Result<double> readComponent(std::string_view name, const SettingAlias& alias, c
         rest.remove_prefix(part.size());
         rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
     }
-    const bool fits = values.size() == 3 ? kindIs(input, Kind::String) : values.size() == 1;
+    const bool isList = input.kind == Kind::List;
+    const bool fits = values.size() == 3 ? isList || kindIs(input, Kind::String) : values.size() == 1 && !isList;
     if (!fits || input.kind == Kind::Bool)
         return wrongType(name, kExpected, input);
     return values.size() == 3 ? values[static_cast<size_t>(alias.component)] : values[0];

@@ -21,7 +21,7 @@ using SettingsTargets = std::span<const SettingsTarget>;
 
 /// A value as it was written. JSON says which kind it is; the command line does not.
 struct SettingInput {
-    enum class Kind { Any, Bool, Number, String };
+    enum class Kind { Any, Bool, Number, String, List }; ///< List: numbers with commas between, without the brackets
     std::string_view text;
     Kind kind = Kind::Any;
 };

@@ -74,6 +74,10 @@ TEST(CSettings, NamesAndJsonAndPresetsMeanTheSame) {
     const Owned byName = create();
     ASSERT_EQ(glint_settings_set(byName.get(), "babylon:maxDistance", "20", nullptr), GLINT_SUCCESS);
     EXPECT_EQ(numberOf(byName.get(), "screen.maxDistance"), 20);
+    ASSERT_EQ(glint_settings_set(byName.get(), "ray-query:cull_mask", "0x0F", nullptr), GLINT_SUCCESS);
+    EXPECT_EQ(numberOf(byName.get(), "rays.cullMask"), 15);
+    ASSERT_EQ(glint_settings_set(byName.get(), "hdrp:projectionModel", "Proxy", nullptr), GLINT_SUCCESS);
+    EXPECT_EQ(numberOf(byName.get(), "screen.march"), static_cast<double>(March::Proxy));
     const Owned byJson = create();
     const std::string text = jsonOf(byName.get());
     ASSERT_EQ(glint_settings_from_json(byJson.get(), text.data(), text.size(), "copy", nullptr), GLINT_SUCCESS);
