@@ -127,7 +127,7 @@ GLINT_API Result<void> set(Settings& settings, std::string_view key, std::string
                            std::string_view preset = {});
 
 /// Sets what the JSON names, nested `{"screen":{"step":4}}` or flat `{"screen.step":4}`; the rest keeps its value.
-/// A colour of another system is a list: `{"hdrp:transmittanceColor":[0.9,0.5,0.2]}`.
+/// A colour of another system may be a list: `{"hdrp:transmittanceColor":[0.9,0.5,0.2]}`.
 /// `name` says in errors where the text comes from: "my.json:3: ...". On an error nothing is changed.
 GLINT_API Result<void> fromJson(Settings& settings, std::string_view text, std::string_view name,
                                 std::string_view preset = {});

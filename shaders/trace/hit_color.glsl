@@ -113,7 +113,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     return nearest;
 #else
     vec3 normalVS = met.normalVS;
-    if (magnification(hitVS, normalVS, originVS) <= 1.0) // else single texels show as stairs
+    if (magnification(hitVS, normalVS, originVS) <= 1.0) // larger ones would show as stairs
         return nearest;
     float z = texelFetch(metViewZ, at, 0).r;
     ++lookups;
@@ -145,20 +145,17 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
 #endif
 }
 
-/// Must the hit's colour be that of its surface alone, where the pixel shows the mean of several? A mirror shows it pixel by
-/// pixel. The rays of a wide lobe share what they meet, so to them the mean is as good, but for rims: they see more of a rim
-/// than the eye, and what it shares its few pixels with would look as wide.
-bool needsOneSurface(ivec2 px, bool wideLobe, vec3 originVS, vec3 hitVS) {
-    const float kRim = 2.0;
-    return !wideLobe || magnification(hitVS, shownPoint(px).normalVS, originVS) > kRim;
-}
+/// At a rim the eye sees little of a surface and the ray much of it: pixels look this much larger to the ray.
+const float kRim = 2.0;
 
-/// Linear, finite radiance of the surface that the frame shows at `px`, for a ray from `originVS` to `hitVS`. `lookups`
-/// grows by the number of depth samples read from this frame.
-vec3 hitRadiance(vec2 px, bool wideLobe, vec3 originVS, vec3 hitVS, inout uint lookups) {
+/// Linear, finite radiance of the surface that the frame shows at `px`, for a ray from `originVS` to `hitVS`. `mayTakeMean`:
+/// where the pixel shows the mean of several surfaces, the ray may take that, but at a rim, where the other surfaces would
+/// look as large. `lookups` grows by the number of depth samples read from this frame.
+vec3 hitRadiance(vec2 px, bool mayTakeMean, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 radiance;
-    if (!showsOneSurface(floorToInt(px)) && needsOneSurface(floorToInt(px), wideLobe, originVS, hitVS))
-        px = placeOfColor(px);
+    ivec2 at = floorToInt(px);
+    if (!showsOneSurface(at) && !(mayTakeMean && magnification(hitVS, shownPoint(at).normalVS, originVS) <= kRim))
+        px = placeOfSurfaceAlone(px);
     if (hasHistory(frame.constants) && previousRadiance(floorToInt(px), radiance))
         return radiance;
     return currentRadiance(px, originVS, hitVS, lookups);

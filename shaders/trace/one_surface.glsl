@@ -1,28 +1,18 @@
-// Hosts with several samples a pixel: an edge's pixel shows the mean of its surfaces, but a ray meets one of them. Its
-// colour is that of a pixel beside it which shows this surface alone. Include after `litRadiance`, `metViewZ` and
-// `metSurface`.
+// Hosts with several samples a pixel: the light of an edge's pixel is the mean of its surfaces, but a ray meets one of
+// them, whose depth and normal the pixel has. The pixels beside it tell that surface's own light. Include after
+// `metViewZ` and `metSurface`.
 #ifndef GLINT_TRACE_ONE_SURFACE_GLSL
 #define GLINT_TRACE_ONE_SURFACE_GLSL
 
 #include "lib/camera.glsl"
-#include "lib/input_color.glsl"
 #include "lib/math.glsl"
 #include "lib/surface.glsl"
 
 layout(set = 0, binding = 45) uniform sampler2D hitMaterial; // F0; coverage of the pixel by its surface
 
-/// The coverage of the pixel by its surface, whose depth and normal it has.
-float coverageOf(ivec2 px) {
-    bool mayShowMore = (frame.constants.flags & kInputSamples) != 0u && !kAmongTransparents;
-    return mayShowMore ? texelFetch(hitMaterial, px, 0).a : 1.0;
-}
-
 bool showsOneSurface(ivec2 px) {
-    return coverageOf(px) >= 1.0;
-}
-
-vec3 meanRadiance(ivec2 px) {
-    return linearColor(texelFetch(litRadiance, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
+    bool mayShowMore = (frame.constants.flags & kInputSamples) != 0u && !kAmongTransparents;
+    return !mayShowMore || texelFetch(hitMaterial, px, 0).a >= 1.0;
 }
 
 struct ShownPoint {
@@ -38,10 +28,10 @@ ShownPoint shownPoint(ivec2 px) {
 }
 
 /// How far `b` lies off the surface of `a`, in metres, if that is a plane or a ball: there the line between two points is
-/// at right angles to the sum of their normals. Infinite if they cannot be one surface.
+/// at right angles to the sum of their normals. 1e30 if they cannot be one surface.
 float offSurface(ShownPoint a, ShownPoint b) {
-    const float kOff = 0.02; // sine
-    const float kTurn = 0.5; // cosine
+    const float kOff = 0.02; // sine of the angle between that line and the surface
+    const float kTurn = 0.5; // cosine of the angle between the normals
     vec3 apart = b.positionVS - a.positionVS;
     vec3 normalVS = normalizeOr(a.normalVS + b.normalVS, a.normalVS);
     // A pixel's depth may be that of any of its samples: half a pixel beside the centre.
@@ -51,17 +41,13 @@ float offSurface(ShownPoint a, ShownPoint b) {
     return one ? off : 1e30;
 }
 
-ivec2 besidePixel(ivec2 px, int which) {
-    return clamp(px + ivec2(which % 3, which / 3) - 1, ivec2(0), ivec2(frame.constants.size) - 1);
-}
-
-/// The middle of the pixel beside `px` that shows its surface alone; `px`, if there is none.
-vec2 placeOfColor(vec2 px) {
+/// The middle of a pixel beside the one at `px` that shows the same surface alone; `px` if there is none.
+vec2 placeOfSurfaceAlone(vec2 px) {
     ivec2 at = floorToInt(px);
     ShownPoint here = shownPoint(at);
     float least = 1e29;
     for (int i = 0; i < 9; ++i) {
-        ivec2 beside = besidePixel(at, i);
+        ivec2 beside = clamp(at + ivec2(i % 3, i / 3) - 1, ivec2(0), ivec2(frame.constants.size) - 1);
         float off = offSurface(here, shownPoint(beside));
         if (off < least && showsOneSurface(beside)) {
             least = off;

@@ -133,9 +133,11 @@ void main() {
     if (hit) {
         float VoR = dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS);
         if (!kAmongTransparents) {
-            bool wideLobe = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
+            // Many rays of a wide lobe meet one pixel: its mean has all of their light, thin lamps' too. A mirror shows each
+            // pixel by itself, and a ray from beside meets a part of the surface that the eye does not see.
+            bool mayTakeMean = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
             vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
-            answer.rgb = hitRadiance(end.hitPX, wideLobe, ray.originVS, hitVS, end.lookups);
+            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, end.lookups);
         }
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }

@@ -70,6 +70,14 @@ protected:
         return host;
     }
 
+    static Host hostOf(const SyntheticScene& scene, const SyntheticCamera& camera) {
+        const auto fine = seen(scene, camera, kWidth * 4, kHeight * 4);
+        return makeHost(camera, [&](uint32_t x, uint32_t y, uint32_t s) {
+            const glm::uvec2 at = glm::uvec2(x, y) * 4u + kSampleQuarters[s];
+            return fine[size_t{at.y} * kWidth * 4 + at.x];
+        });
+    }
+
     static std::vector<float> view(Reflections& reflections, const char* name) {
         HostImage image;
         run([&](VkCommandBuffer commands) { image = must(reflections.recordView(commands, name)); });
@@ -83,10 +91,7 @@ TEST_F(SamplesTest, insideASurfaceThePictureIsThatOfOneSample) {
         camera.orthoHeight = orthographic ? 3 : 0;
         const SyntheticScene scene = floorAndWall();
         const auto fine = seen(scene, camera, kWidth * 4, kHeight * 4);
-        const Host host = makeHost(camera, [&](uint32_t x, uint32_t y, uint32_t s) {
-            const glm::uvec2 at = glm::uvec2(x, y) * 4u + kSampleQuarters[s];
-            return fine[size_t{at.y} * kWidth * 4 + at.x];
-        });
+        const Host host = hostOf(scene, camera);
         Reflections many = reflections(kWidth, kHeight);
         must(many.setInputs(host.gbuffer));
         const Picture picture = trace(many, camera.view(kWidth, kHeight));
@@ -184,10 +189,13 @@ TEST_F(SamplesTest, edgesAreTheMixOfTheirSurfaces) {
                 }
 }
 
-/// The picture's light is the mean of a pixel's surfaces, but a ray meets one of them.
-TEST_F(SamplesTest, reflectionsShowOneSurfaceOfAnEdge) {
-    constexpr float kWall = 0.1f, kPanel = 4;
-    const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
+constexpr float kWall = 0.1f; // radiance
+constexpr float kPanel = 4;
+
+/// A bright panel before a wall, over a floor that reflects. The panel's sides lean, so that they cross pixels
+/// everywhere.
+SyntheticScene panelBeforeWall(double panelWidth, double panelZ, float floorRoughness) {
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
         std::optional<SyntheticSurface> nearest;
         const auto offer = [&](double distance, const glm::dvec3& normalWS, float f0, float radiance) {
             if (distance > 0 && (!nearest || distance < nearest->distance)) {
@@ -199,19 +207,21 @@ TEST_F(SamplesTest, reflectionsShowOneSurfaceOfAnEdge) {
             }
         };
         offer(-origin.y / direction.y, {0, 1, 0}, 1, 0);
+        if (nearest)
+            nearest->perceptualRoughness = floorRoughness;
         offer((-3 - origin.z) / direction.z, {0, 0, 1}, 0, kWall);
-        const double toPanel = (-2 - origin.z) / direction.z;
+        const double toPanel = (panelZ - origin.z) / direction.z;
         const glm::dvec3 at = origin + direction * toPanel;
-        if (std::abs(at.x + 0.3 * at.y) < 0.7 && at.y < 1.1) // its sides lean, so that they cross pixels everywhere
+        if (std::abs(at.x + 0.3 * at.y) < 0.5 * panelWidth && at.y < 1.1)
             offer(toPanel, {0, 0, 1}, 0, kPanel);
         return nearest;
     };
+}
+
+/// The picture's light is the mean of a pixel's surfaces, but a ray meets one of them.
+TEST_F(SamplesTest, reflectionsShowOneSurfaceOfAnEdge) {
     const SyntheticCamera camera = {.position = {0, 1, 3}, .target = {0, 0.5, -1}};
-    const auto fine = seen(scene, camera, kWidth * 4, kHeight * 4);
-    const Host host = makeHost(camera, [&](uint32_t x, uint32_t y, uint32_t s) {
-        const glm::uvec2 at = glm::uvec2(x, y) * 4u + kSampleQuarters[s];
-        return fine[size_t{at.y} * kWidth * 4 + at.x];
-    });
+    const Host host = hostOf(panelBeforeWall(1.4, -2, 0), camera);
     Settings settings = plainSettings();
     settings.denoise.enabled = false;
     Reflections made = reflections(kWidth, kHeight, settings);
@@ -227,6 +237,32 @@ TEST_F(SamplesTest, reflectionsShowOneSurfaceOfAnEdge) {
     EXPECT_GT(panels, 40u);
     EXPECT_GT(walls, 40u);
     EXPECT_EQ(mixes, 0u);
+}
+
+/// Pixels of a lamp thinner than they are would look like the wall's, close behind it.
+TEST_F(SamplesTest, roughSurfacesKeepTheLightOfThinLamps) {
+    const SyntheticCamera camera = {.position = {0, 1, 3}, .target = {0, 0.5, -1}};
+    const SyntheticScene scene = panelBeforeWall(0.12, -2.99, 0.2f);
+    Settings settings = plainSettings();
+    settings.denoise.enabled = false;
+    const auto reflected = [&](const GBuffer& gbuffer) {
+        Reflections made = reflections(kWidth, kHeight, settings);
+        must(made.setInputs(gbuffer));
+        const Picture picture = trace(made, camera.view(kWidth, kHeight));
+        const std::vector<float> colors = view(made, "color");
+        double sum = 0;
+        for (uint32_t i = 0; i < picture.pixels(); ++i)
+            if (picture.hit(i))
+                sum += std::max(double(colors[size_t{i} * 4]) - double(kWall), 0.0);
+        return sum;
+    };
+    const Host many = hostOf(scene, camera);
+    const SyntheticGBuffer one = SyntheticGBuffer::render(gpu(), scene, camera, kWidth, kHeight);
+    GBuffer sameLight = one.gbuffer;
+    sameLight.litRadiance = many.gbuffer.litRadiance;
+    const double expected = reflected(sameLight);
+    EXPECT_GT(expected, 10);
+    EXPECT_NEAR(reflected(many.gbuffer) / expected, 1, 0.1);
 }
 
 TEST_F(SamplesTest, thinThingsKeepTheirReflection) {
