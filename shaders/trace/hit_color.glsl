@@ -75,16 +75,15 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     return total > 0.0;
 }
 
-/// How much larger the pixels of the hit's surface look from the ray's start than from the eye. On the ray, a pixel of the
-/// mirror spans what a pixel spans at the distance of the whole path. A pixel at the hit is as wide as its own distance
-/// makes it, stretched by the surface's tilt to the eye and foreshortened by its tilt to the ray. Holds for a flat mirror:
-/// a concave one may magnify more.
-float magnification(vec3 hitVS, vec3 normalVS, vec3 originVS) {
+/// True if pixels of the hit's surface look more than `times` as large from the ray's start as from the eye. On the ray, a
+/// pixel of the mirror spans what a pixel spans at the distance of the whole path. A pixel at the hit is as wide as its own
+/// distance makes it, stretched by the surface's tilt to the eye and foreshortened by its tilt to the ray. Holds for a flat
+/// mirror: a concave one may magnify more.
+bool isMagnified(float times, vec3 hitVS, vec3 normalVS, vec3 originVS) {
     vec3 directionVS = normalize(hitVS - originVS);
     float wayOfMirror = length(originVS) + distance(originVS, hitVS);
     float growth = isOrthographic(frame.constants) ? 1.0 : wayOfMirror / length(hitVS); // of a pixel, along the way
-    float toEye = abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
-    return abs(dot(normalVS, directionVS)) / max(growth * toEye, 1e-6);
+    return abs(dot(normalVS, directionVS)) > times * growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
 }
 
 /// Radiance of the hit at `px` that the ray may take. The highlights of smooth surfaces are where the eye sees them and
@@ -113,7 +112,7 @@ vec3 currentRadiance(vec2 px, vec3 originVS, vec3 hitVS, inout uint lookups) {
     return nearest;
 #else
     vec3 normalVS = met.normalVS;
-    if (magnification(hitVS, normalVS, originVS) <= 1.0) // larger ones would show as stairs
+    if (!isMagnified(1.0, hitVS, normalVS, originVS)) // magnified texels would show as stairs
         return nearest;
     float z = texelFetch(metViewZ, at, 0).r;
     ++lookups;
@@ -154,7 +153,7 @@ const float kRim = 2.0;
 vec3 hitRadiance(vec2 px, bool mayTakeMean, vec3 originVS, vec3 hitVS, inout uint lookups) {
     vec3 radiance;
     ivec2 at = floorToInt(px);
-    if (!showsOneSurface(at) && !(mayTakeMean && magnification(hitVS, shownPoint(at).normalVS, originVS) <= kRim))
+    if (!showsOneSurface(at) && (!mayTakeMean || isMagnified(kRim, hitVS, shownPoint(at).normalVS, originVS)))
         px = placeOfSurfaceAlone(px);
     if (hasHistory(frame.constants) && previousRadiance(floorToInt(px), radiance))
         return radiance;
