@@ -3,6 +3,8 @@
 #include "base/settings/setting_suggestion.hpp"
 #include "base/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -58,7 +60,7 @@ Error unknownName(SettingsTargets targets, std::string_view name) {
                                name);
     std::vector<std::string> meant = likelySettings(targets, name);
     for (std::string& suggestion : meant)
-        suggestion = "'" + suggestion + "'";
+        suggestion = fmt::format("'{}'", suggestion);
     if (!meant.empty())
         return invalidArgument("unknown setting '{}'; did you mean {}?", printable(name), listText(meant, " or "));
     return invalidArgument("unknown setting '{}'; `glint settings` lists them all", printable(name));
