@@ -148,10 +148,16 @@ Result<void> Viewer::open() {
 
 Result<void> Viewer::makeSwapchain() {
     swapchain_.reset(); // a window has one surface at a time
-    GLINT_TRY(surface, window_->makeSurface(context_->instance()));
-    GLINT_TRY(swapchain, gpu::Swapchain::create(*context_, surface));
-    swapchain_ = std::move(swapchain);
-    return {};
+    const auto make = [&]() -> Result<void> {
+        GLINT_TRY(surface, window_->makeSurface(context_->instance()));
+        GLINT_TRY(swapchain, gpu::Swapchain::create(*context_, surface));
+        swapchain_ = std::move(swapchain);
+        return {};
+    };
+    const Result<void> made = make();
+    if (!made)
+        GLINT_CHECK(checkWindow()); // the driver calls a destroyed window what it likes, such as a lack of memory
+    return made;
 }
 
 Result<void> Viewer::openScene(const render::RenderJob& job) {
@@ -311,7 +317,6 @@ Result<void> Viewer::present() {
         surfacesLost_ = 0;
     if (presented != gpu::Presented::SurfaceLost)
         return {};
-    (void)window_->size(); // queries the window system, which may report the cause
     GLINT_CHECK(checkWindow());
     if (++surfacesLost_ > kMostSurfacesLost)
         return makeError(ErrorCode::Io, "the window system takes the window's surface away again and again");

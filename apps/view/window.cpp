@@ -155,12 +155,14 @@ glm::uvec2 Window::size() const {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window_, &width, &height);
     const bool hidden = glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0;
-    if (hidden || lost()) // a lost window's size is undefined
+    if (hidden || windowIsLost()) // a lost window's size is undefined
         return glm::uvec2(0);
     return glm::uvec2(std::max(width, 0), std::max(height, 0));
 }
 
 bool Window::lost() const {
+    int width = 0, height = 0;
+    glfwGetWindowSize(window_, &width, &height); // a request that waits for its answer, or for the error
     return windowIsLost();
 }
 

@@ -29,7 +29,7 @@ public:
     /// Returns the events since the last call; waits at most `seconds` for an event.
     std::vector<InputEvent> poll(double seconds);
     glm::uvec2 size() const; ///< pixels; 0 x 0 while minimized or lost
-    bool lost() const;       ///< another client has destroyed the window; detected at the next request
+    bool lost() const;       ///< another client has destroyed the window; asks the window system
     float scale() const;     ///< scale of texts relative to a standard-resolution screen
     void resize(uint32_t width, uint32_t height);
     void minimize();

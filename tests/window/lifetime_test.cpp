@@ -59,6 +59,15 @@ TEST_F(WindowTest, AWindowThatIsTakenAwayIsSaid) {
     }
 }
 
+/// Destroyed as soon as it appears, which is nearly always before Vulkan has a surface of it.
+TEST_F(WindowTest, AWindowTakenAwayBeforeItIsDrawnIntoIsSaid) {
+    auto viewer = start({"view", "builtin:exact", "--size", "320x180", "--validate"});
+    EXPECT_EQ(tool({"search", "--sync", "--name", "Glint: builtin:exact", "windowclose"}).code, 0);
+    const Ended ended = viewer->wait();
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.error, "glint: error: the window is gone: something else has destroyed it\n");
+}
+
 TEST_F(WindowTest, ADisplayThatEndsIsSaid) {
     auto viewer = start({"view", "builtin:exact", "--size", "320x180"});
     waitForWindow("builtin:exact");
