@@ -1,5 +1,6 @@
 #include "tune/search_space.hpp"
 
+#include "base/settings/setting_suggestion.hpp"
 #include "base/text.hpp"
 
 #include <algorithm>
@@ -43,16 +44,18 @@ bool isNamed(const SettingInfo& info, const std::string& name) {
 Result<void> checkNames(std::span<const std::string> vary) {
     for (const std::string& name : vary) {
         bool known = false, searched = false;
-        std::vector<std::string_view> keys;
         for (const SettingInfo& info : settingsTable()) {
             known |= isNamed(info, name);
             searched |= isNamed(info, name) && info.search.scale != Scale::Never;
-            keys.push_back(info.key);
         }
-        const std::string_view meant = likelyMeant(name, keys);
-        if (!known)
+        if (!known) {
+            const SettingsTarget target{settingsTable(), nullptr};
+            const std::vector<std::string> meant = likelySettings({&target, 1}, name);
+            const std::string question =
+                meant.empty() ? "" : fmt::format(" (did you mean {}?)", listText(meant, " or "));
             return invalidArgument("--vary {}: no setting and no group of this name{}; `glint settings` lists them",
-                                   printable(name), meant.empty() ? "" : fmt::format(" (did you mean {}?)", meant));
+                                   printable(name), question);
+        }
         if (!searched)
             return invalidArgument("--vary {}: the search never varies this; docs/settings.md lists what it does",
                                    printable(name));

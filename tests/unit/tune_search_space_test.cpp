@@ -156,6 +156,7 @@ TEST(TuneSearchSpace, UnknownNamesAreErrorsThatHelp) {
         return SearchSpace::create(Settings(), std::vector<std::string>{name}, false).error().message;
     };
     EXPECT_THAT(refused("hiz.maxIteration"), HasSubstr("did you mean hiz.maxIterations?"));
+    EXPECT_THAT(refused("thicknessMode"), HasSubstr("did you mean screen.thicknessMode?"));
     EXPECT_THAT(refused("order"), HasSubstr("never varies"));
     EXPECT_THAT(refused("denoise.antilag"), HasSubstr("--paths pan"));
 }

@@ -112,7 +112,17 @@ private:
         return false;
     }
 
-    bool failInList() { return fail(at_, "a list holds the numbers of a colour and nothing else: [0.9, 0.5, 0.2]"); }
+    bool failInList() {
+        return fail(at_, path() + ": a list holds the numbers of a colour and nothing else: [0.9, 0.5, 0.2]");
+    }
+
+    /// The last key, with the groups that it lies in.
+    std::string path() const {
+        std::string path;
+        for (const std::string& group : groups_)
+            path += group + ".";
+        return path + key_;
+    }
 
     bool listElement(const SettingInput& input) {
         if (input.kind != Kind::Number)
@@ -130,10 +140,7 @@ private:
             return fail(at_, "expected an object of settings: {\"screen\": {\"step\": 1}}");
         if (groups_.empty() && key_ == "description" && input.kind == Kind::String)
             return true;
-        std::string path;
-        for (const std::string& group : groups_)
-            path += group + ".";
-        auto resolved = resolveSetting(targets_, path + key_, input, system_);
+        auto resolved = resolveSetting(targets_, path(), input, system_);
         if (!resolved)
             return fail(keyAt_, resolved.error().message);
         for (const SettingAssignment& assignment : *resolved) {
