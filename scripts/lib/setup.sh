@@ -9,6 +9,12 @@ deps=$root/.deps
 say() { doing=$* && echo "glint: $*" >&2; }
 fail() { trap - EXIT; echo "glint: $*" >&2; exit 1; }
 
+# help_asked ARGUMENT: whether a script's first argument asks what the script does; then the comment at its head is shown.
+help_asked() {
+    [[ $1 == --help || $1 == -h ]] || return 1
+    sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"
+}
+
 . "$lib_dir/packages.sh"
 . "$lib_dir/debian13.sh"
 . "$lib_dir/driver.sh"

@@ -50,3 +50,7 @@ if (build test) >"$root/output" 2>&1; then
 fi
 expect "a failed build shows the command's own words" says "FAILED: b.txt"
 expect "a failed build ends with one line" grep -q "building the preset test failed" "$root/message"
+for script in demo test check; do
+    "$repository/scripts/$script" --help >"$root/output" 2>&1
+    expect "scripts/$script --help shows the comment at its head" says "scripts/$script ["
+done
