@@ -48,7 +48,7 @@ VkResult createAllocator(const Api& api, VkInstance instance, VkPhysicalDevice p
     info.pVulkanFunctions = &functions;
     // Images of a frame get memory of their own (from half of a block on), which leaves nothing unused; VMA's default
     // blocks, of up to 256 MiB, leave half of what they take.
-    info.preferredLargeHeapBlockSize = VkDeviceSize{8} << 20;
+    info.preferredLargeHeapBlockSize = VkDeviceSize{1} << 20;
     info.pAllocationCallbacks = callbacks;
     return vma::vmaCreateAllocator(&info, &allocator);
 }
