@@ -154,7 +154,7 @@ Result<void> Viewer::makeSwapchain() {
         swapchain_ = std::move(swapchain);
         return {};
     };
-    const Result<void> made = make();
+    Result<void> made = make();
     if (!made)
         GLINT_CHECK(checkWindow()); // the driver calls a destroyed window what it likes, such as a lack of memory
     return made;

@@ -344,7 +344,7 @@
         "Correct probe reflections for parallax by probe distances or proxies; off: probes are infinitely far away",   \
         "",                                                                                                            \
         "switch; if probes.enabled=true; cost +")                                                                      \
-    SETTING(int, steps, 12, "[0, 64]", "",                                                                             \
+    SETTING(int, steps, 16, "[0, 64]", "",                                                                             \
         "Maximum samples along a ray in a probe that stores distances; 0: use proxy volumes only",                     \
         "",                                                                                                            \
         "linear 0..32; if probes.parallax=true; cost +")                                                               \

@@ -85,6 +85,7 @@ const float kProbeFar = 1e20; // metres: no hit
 struct ProbeLookup {
     vec3 directionWS;          // in which to sample the cube
     float perceptualRoughness; // of the mip
+    float shown;               // 1 / metres from the capture position to the hit; 0 without one
 };
 
 /// Where the cube shows a hit at `surfaceToHit` metres, and the roughness to sample it with. Rays without a hit
@@ -92,7 +93,7 @@ struct ProbeLookup {
 ProbeLookup probeLookup(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float surfaceToHit,
                         float perceptualRoughness, uint flags) {
     if (surfaceToHit > kProbeFar)
-        return ProbeLookup(directionWS, perceptualRoughness);
+        return ProbeLookup(directionWS, perceptualRoughness, 0.0);
     vec3 fromCapture = positionWS + surfaceToHit * directionWS - probe.capturePositionWS;
     float captureToHit = length(fromCapture);
     vec3 projected = normalizeOr(fromCapture, directionWS);
@@ -105,7 +106,7 @@ ProbeLookup probeLookup(ProbeRecord probe, vec3 positionWS, vec3 directionWS, fl
         float scaled = min(surfaceToHit / captureToHit * perceptualRoughness, perceptualRoughness);
         sharper = mix(scaled, perceptualRoughness, perceptualRoughness);
     }
-    return ProbeLookup(direction, sharper);
+    return ProbeLookup(direction, sharper, 1.0 / max(captureToHit, 1e-6));
 }
 
 #endif

@@ -8,6 +8,11 @@
 
 const float kProxyFits = 0.5; // largest difference of 1 / distance, as a fraction of the larger one
 
+// GGX's alpha from which proxies alone say what a lobe sees. The march follows its middle, and what that meets changes
+// from pixel to pixel where a wide lobe's answer hardly does.
+const float kWideLobe = 0.25;
+const float kMirrorMip = 0.25; // finer lookups are those of mirrors
+
 /// The proxy's answer where the cube does not show the ray's start: only where the cube shows a surface near the
 /// proxy's. In the open the proxy of a street's houses is a wall as high as the sky. An infinite proxy always answers.
 ProbeHit proxyGuess(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float toProxy) {
@@ -20,22 +25,49 @@ ProbeHit proxyGuess(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float 
     return fits ? ProbeHit(toProxy, false) : kProbeNoHit;
 }
 
-ProbeHit probeHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
-    if ((flags & kProbesParallax) == 0u)
-        return ProbeHit(1e30, true);
-    uint steps = probe.distances != 0u ? flags >> kProbesStepsShift : 0u;
-    float toProxy = probe.proxyShape == kProbeNoProxy ? 1e30 : proxyDistance(probe, positionWS, directionWS);
-    if (steps == 0u)
-        return ProbeHit(toProxy, true);
-    ProbeHit hit = marchedHit(probe, positionWS, directionWS, probeSearch(steps, perceptualRoughness));
-    return hit == kProbeUnseen ? proxyGuess(probe, positionWS, directionWS, toProxy) : hit;
+/// Of the march in the probe's cube; 0: a ray ends at the proxy, or infinitely far away.
+uint marchSteps(ProbeRecord probe, uint flags) {
+    return probe.distances != 0u && (flags & kProbesParallax) != 0u ? flags >> kProbesStepsShift : 0u;
 }
 
-vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float surfaceToHit, float perceptualRoughness,
+/// Where the ray leaves the proxy; infinitely far away without one.
+ProbeHit proxyHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, uint flags) {
+    bool infinite = (flags & kProbesParallax) == 0u || probe.proxyShape == kProbeNoProxy;
+    return ProbeHit(infinite ? 1e30 : proxyDistance(probe, positionWS, directionWS), true);
+}
+
+/// The march's answer; only for probes with distances.
+ProbeHit probeHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, float perceptualRoughness, uint flags) {
+    ProbeSearch search = probeSearch(marchSteps(probe, flags), perceptualRoughness);
+    ProbeHit hit = marchedHit(probe, positionWS, directionWS, search);
+    if (hit != kProbeUnseen)
+        return hit;
+    return proxyGuess(probe, positionWS, directionWS, proxyHit(probe, positionWS, directionWS, flags).distance);
+}
+
+/// What a mirror sees in a cube. Beside a silhouette filtering mixes two surfaces, and the mix with one that the ray has
+/// passed would draw its outline onto what stands behind it. There only texels that show the met surface count. `shown`:
+/// 1 / metres from the capture position to what was met; 0: the farthest surface there, or the sky.
+vec3 mirroredRadiance(uint cube, vec3 at, float shown) {
+    vec4 around = textureGather(cubes[nonuniformEXT(cube)], at, 3);
+    vec2 nearFar = nearAndFar(around);
+    if (nearFar.x - nearFar.y <= kProbeEdge * nearFar.x)
+        return textureLod(cubes[nonuniformEXT(cube)], at, 0.0).rgb;
+    vec4 off = abs(around - shown);
+    vec4 met = vec4(lessThanEqual(off, vec4(nearAndFar(off).y + kProbeEdge * nearFar.x)));
+    met /= dot(met, vec4(1.0));
+    return vec3(dot(textureGather(cubes[nonuniformEXT(cube)], at, 0), met),
+                dot(textureGather(cubes[nonuniformEXT(cube)], at, 1), met),
+                dot(textureGather(cubes[nonuniformEXT(cube)], at, 2), met));
+}
+
+vec3 probeRadiance(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeHit hit, float perceptualRoughness,
                    uint flags) {
-    ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, surfaceToHit, perceptualRoughness, flags);
+    ProbeLookup lookup = probeLookup(probe, positionWS, directionWS, hit.distance, perceptualRoughness, flags);
     float mip = lookup.perceptualRoughness * probe.lastMip;
-    vec3 radiance = textureLod(cubes[nonuniformEXT(probe.cube)], lookup.directionWS, mip).rgb;
+    vec3 radiance = mip < kMirrorMip && marchSteps(probe, flags) != 0u
+                        ? mirroredRadiance(probe.cube, lookup.directionWS, hit.certain ? lookup.shown : 0.0)
+                        : textureLod(cubes[nonuniformEXT(probe.cube)], lookup.directionWS, mip).rgb;
     return sanitize(sanitize(radiance) * probe.strength);
 }
 
@@ -46,17 +78,27 @@ vec4 askProbes(vec3 weighedWS, bool ofObject, vec3 positionWS, vec3 normalWS, ve
     uvec2 range = probesAround(weighedWS);
     vec4 certain = vec4(0.0); // weighted radiance, weight
     vec4 guessed = vec4(0.0);
+    float wide = smoothstep(0.0, kWideLobe, square(perceptualRoughness));
     for (uint i = range.x; i < range.y && certain.a < left; ++i) {
         ProbeRecord probe = probes.list[probeLists.probe[i]];
         float weight = ofObject ? probeWeightOfObject(probe, weighedWS)
                                 : probeWeight(probe, weighedWS, normalWS, directionWS);
         if (weight <= 0.0)
             continue;
+        float byProxy = marchSteps(probe, flags) == 0u ? 1.0 : wide;
+        float proxyWeight = min(weight * byProxy, left - certain.a);
+        if (proxyWeight > 0.0) {
+            ProbeHit hit = proxyHit(probe, positionWS, directionWS, flags);
+            certain += proxyWeight *
+                       vec4(probeRadiance(probe, positionWS, directionWS, hit, perceptualRoughness, flags), 1.0);
+        }
+        if (byProxy >= 1.0)
+            continue;
         ProbeHit hit = probeHit(probe, positionWS, directionWS, perceptualRoughness, flags);
-        weight = min(weight, left - (hit.certain ? certain.a : guessed.a));
+        weight = min(weight * (1.0 - byProxy), left - (hit.certain ? certain.a : guessed.a));
         if (hit.distance < 0.0 || weight <= 0.0)
             continue;
-        vec4 answer = vec4(probeRadiance(probe, positionWS, directionWS, hit.distance, perceptualRoughness, flags), 1.0);
+        vec4 answer = vec4(probeRadiance(probe, positionWS, directionWS, hit, perceptualRoughness, flags), 1.0);
         certain += hit.certain ? weight * answer : vec4(0.0);
         guessed += hit.certain ? vec4(0.0) : weight * answer;
     }

@@ -28,12 +28,17 @@ float shownAt(ProbeRay ray, vec3 at) {
     return textureLod(cubes[nonuniformEXT(ray.cube)], at, 0.0).a;
 }
 
+/// The largest and the smallest of four texels.
+vec2 nearAndFar(vec4 around) {
+    return vec2(max(max(around.x, around.y), max(around.z, around.w)),
+                min(min(around.x, around.y), min(around.z, around.w)));
+}
+
 /// As shownAt, without the surfaces in between that filtering makes of a near and a far one.
 float shownSharply(ProbeRay ray, vec3 at) {
     vec4 around = textureGather(cubes[nonuniformEXT(ray.cube)], at, 3);
-    float far = min(min(around.x, around.y), min(around.z, around.w));
-    float near = max(max(around.x, around.y), max(around.z, around.w));
-    return near - far > kProbeEdge * near ? far : shownAt(ray, at);
+    vec2 nearFar = nearAndFar(around);
+    return nearFar.x - nearFar.y > kProbeEdge * nearFar.x ? nearFar.y : shownAt(ray, at);
 }
 
 /// How far a point is behind the surface that the cube shows in its direction, in 1 / metres: < 0 before it. And that
@@ -83,35 +88,61 @@ float besideSilhouette(ProbeRay ray, float front, float last) {
     return mix(front, last, min(kProbeClear * texel / max(distance(there, before), 1e-6), 1.0));
 }
 
+/// For two places in front of what the cube shows, of which only the first shows the nearer surface: a place between them
+/// at which the ray is behind that surface, so that it has met it, and what the cube shows there; 0 if there is none. That
+/// is most likely just before the surface ends, where the search goes.
+vec2 behindItsEnd(ProbeRay ray, float near, float far, float shownFar, uint halvings) {
+    vec2 start = behindShown(ray, near, true); // a mix of both surfaces is neither
+    if (start.x > 0.0 || start.y - shownFar < kProbeEdge * start.y)
+        return vec2(0.0);
+    for (uint h = 0u; h < halvings; ++h) {
+        float middle = 0.5 * (near + far);
+        vec2 there = behindShown(ray, middle, true);
+        if (there.x > 0.0)
+            return vec2(middle, there.y);
+        bool ended = there.y - shownFar < kProbeEdge * there.y;
+        near = ended ? near : middle;
+        far = ended ? middle : far;
+    }
+    return vec2(0.0);
+}
+
 ProbeHit marchedHit(ProbeRecord probe, vec3 positionWS, vec3 directionWS, ProbeSearch search) {
     vec3 from = positionWS - probe.capturePositionWS;
     float scale = max(length(from), 1e-6);
     ProbeRay ray = ProbeRay(from, scale * directionWS, probe.cube);
     bool before = false;
     float last = 0.0;
+    float lastShown = 0.0;
     ProbeHit hidden = kProbeUnseen; // the answer if the ray does not come out again
     for (uint i = 0u; i <= search.steps; ++i) { // at 0: tests whether the cube shows the surface itself
         float u = float(i) / float(search.steps);
         vec2 at = behindShown(ray, u, false);
-        if (at.x > 0.0 && before) {
+        vec2 met = vec2(u, at.y); // a place behind the surface that the ray meets, and what the cube shows there
+        bool meets = before && at.x > 0.0;
+        if (before && at.x <= 0.0 && lastShown - at.y > kProbeEdge * lastShown) {
+            met = behindItsEnd(ray, last, u, at.y, search.halvings);
+            meets = met.x > 0.0;
+        }
+        if (meets) {
             float front = last;
-            float back = u;
             for (uint h = 0u; h < search.halvings; ++h) {
-                float middle = 0.5 * (front + back);
+                float middle = 0.5 * (front + met.x);
                 vec2 there = behindShown(ray, middle, true);
                 front = there.x > 0.0 ? front : middle;
-                back = there.x > 0.0 ? middle : back;
-                at = there.x > 0.0 ? there : at;
+                met = there.x > 0.0 ? vec2(middle, there.y) : met;
             }
             float beside = behindShown(ray, front, true).y;
-            if (at.y - beside < kProbeEdge * at.y)
-                return ProbeHit(distanceAt(scale, back), true);
-            hidden = beside * scale < kProbeFarShown
-                         ? kProbeNoHit
-                         : ProbeHit(distanceAt(scale, besideSilhouette(ray, front, last)), false);
+            if (met.y - beside < kProbeEdge * met.y)
+                return ProbeHit(distanceAt(scale, met.x), true);
+            if (at.x > 0.0)
+                hidden = beside * scale < kProbeFarShown
+                             ? kProbeNoHit
+                             : ProbeHit(distanceAt(scale, besideSilhouette(ray, front, last)), false);
         }
         before = at.x <= 0.0;
         last = u;
+        lastShown = at.y;
     }
     return before ? ProbeHit(1e30, true) : hidden;
 }

@@ -235,8 +235,9 @@ TEST_F(ProbesTest, withDistancesWhatIsNoBoxIsReflectedInItsPlace) {
     const double proxied = wrongShare(true, 0);
     RecordProperty("marched", std::to_string(marched));
     RecordProperty("proxied", std::to_string(proxied));
-    // Measured: 0.041 and 0.174. The remaining errors are silhouettes, and rays that pass behind the ball.
-    EXPECT_LT(marched, 0.06);
+    // Measured: 0.028 and 0.174. The remaining errors are silhouettes, and rays that pass behind the ball. It was 0.041
+    // where texels that mix two surfaces were shown, and where the wall's end between two steps was stepped over.
+    EXPECT_LT(marched, 0.035);
     EXPECT_GT(proxied, 0.15); // the test detects the effect of distances
     EXPECT_EQ(wrongShare(false, Settings().probes.steps), proxied);
 }
