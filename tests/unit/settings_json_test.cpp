@@ -68,8 +68,9 @@ TEST(SettingsJson, OnlyColoursAreLists) {
         EXPECT_EQ(errorOf("{\n\"transmittanceColor\": " + list + "}"),
                   "my.json:2: transmittanceColor: expected a colour as R,G,B or one number, got " + list);
     for (const char* list : {"[\"red\"]", "[true, 0, 0]", "[null]", "[[1, 1, 1]]", "[{}]", "[{\"r\": 1}]"})
-        EXPECT_EQ(errorOf("{\n\"transmittanceColor\": " + std::string(list) + "}"),
-                  "my.json:2: transmittanceColor: a list holds the numbers of a colour and nothing else: [0.9, 0.5, 0.2]");
+        EXPECT_EQ(
+            errorOf("{\n\"transmittanceColor\": " + std::string(list) + "}"),
+            "my.json:2: transmittanceColor: a list holds the numbers of a colour and nothing else: [0.9, 0.5, 0.2]");
     EXPECT_NE(errorOf(R"({"transmittanceColor": [2, 0, 0]})"), "") << "out of range";
     EXPECT_EQ(errorOf("{\"transmittanceColor\": [1, 1, 1],\n\"refraction.transmittanceRed\": 1}"),
               "my.json:2: refraction.transmittanceRed is set twice");
