@@ -82,20 +82,21 @@ protected:
         return seams;
     }
 
-    /// The eye sees steps in a row as a seam. `most`: of all takeovers, a third above the value measured when this was
-    /// written (1.4 %, without mirrors 3.5 %), so that it does not become worse. Coherent inferred answers
-    /// (docs/techniques/linear.md) have fewer takeovers, 2110 instead of 2465 without mirrors, of which as many, 111
-    /// instead of 110, are in a row; the limits rose with the shares, 1.9 and 5.3 %.
+    /// The eye sees steps in a row as a seam. `most`: of their pairs of pixels, a third above the number measured when
+    /// this was written (35, without mirrors 117), so that it does not become worse. Not their share of all takeovers:
+    /// that rises where unseen ones vanish, as most from probes to the sky did (of 1174 in the hall 44 are left) when
+    /// rough surfaces got an answer from each probe's proxy.
     static void expectFewSeams(const Seams& seams, double most) {
-        EXPECT_GT(seams.all.across.steps.size(), 1000u);
-        EXPECT_LE(seams.all.inRow(), most);
+        const auto takeovers = static_cast<double>(seams.all.across.steps.size());
+        EXPECT_GT(takeovers, 500);
+        EXPECT_LE(seams.all.inRow() * takeovers, most);
     }
 };
 
 TEST_F(HierarchyTest, TheBestWinsWithFewSeamsInAHall) {
     const SourcePictures pictures = drawSources(device(), hallJob(320, 180), 5);
-    expectFewSeams(measure("", pictures), 0.02);
-    expectFewSeams(measure("no mirrors: ", withoutMirrors(pictures)), 0.055);
+    expectFewSeams(measure("", pictures), 47);
+    expectFewSeams(measure("no mirrors: ", withoutMirrors(pictures)), 156);
 }
 
 // Seams are visible here, and documented: docs/techniques/composite.md says where.
