@@ -112,6 +112,26 @@ TEST_F(ScenesTest, surfacesBehindOccludersAreInferredFromEveryCamera) {
     }
 }
 
+/// The plane of a ball's rim, continued, is crossed by rays that pass far behind the ball: they showed its colour in
+/// lines across the wall.
+TEST_F(ScenesTest, theRimOfABallIsNotInferredBehindIt) {
+    GLINT_NEED_ASSET(path, "scenes/audit/mirrors.glb");
+    render::RenderJob job = makeJob(path, 320, 180, {"composite"}, {});
+    job.environment = "sky";
+    const std::vector<float> rgba = run(job).views[0].rgba;
+    const auto redIn = [&](glm::uvec2 low, glm::uvec2 high) {
+        size_t red = 0;
+        for (uint32_t y = low.y; y < high.y; ++y)
+            for (uint32_t x = low.x; x < high.x; ++x) {
+                const size_t i = (size_t{y} * job.width + x) * 4;
+                red += rgba[i] > 1.5f * rgba[i + 2] ? 1 : 0;
+            }
+        return red;
+    };
+    EXPECT_GT(redIn({15, 73}, {68, 120}), 1000u) << "the ball in the wall mirror";
+    EXPECT_EQ(redIn({70, 73}, {110, 110}), 0u) << "the wall and the floor beside it";
+}
+
 TEST_F(ScenesTest, mostRaysFindWhatTheExactOnesFind) {
     const render::RenderJob job = measure::hitJob(makeJob("builtin:exact", 640, 360, {}, {"screen.march=linear"}));
     const measure::HitReport report = must(measure::measureHits(job, run(job)));
