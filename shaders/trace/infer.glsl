@@ -167,12 +167,6 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
     return 1.0 - smoothstep(sure, unsure, nearestSurface);
 }
 
-/// The plane of a rim goes on behind the thing, which ends there: the march let the ray pass.
-bool isBehindRim(Sample crossing, inout uint lookups) {
-    float backZ = backOf(crossing.px, crossing.sceneZ, lookups);
-    return backZ > crossing.sceneZ && crossing.rayZ > backZ + settings.thickness;
-}
-
 /// Where the ray crosses the plane of what the sample shows, from its front, between two places; kNowhere: it does not.
 float crossingOf(Ray r, Sample s, float first, float last) {
     if (s.sceneZ >= kBackgroundZ)
@@ -222,8 +216,11 @@ void inferCrossing(Ray r, inout March end) {
         ShownPlane plane = planeShown(line.samples[which].px, line.samples[which].sceneZ);
         Sample crossing = takeSample(r.screen, share, end.lookups);
         uint there = compare(plane, crossing.px, crossing.sceneZ);
-        if (there == kBeyond || (there == kSurface && isBehindRim(crossing, end.lookups)))
+        if (there == kBeyond)
             continue; // the surface would show
+        if (there == kSurface &&
+            isBehindBack(crossing.sceneZ, backOf(crossing.px, crossing.sceneZ, end.lookups), crossing.rayZ))
+            continue; // behind a rim: the march let the ray pass, too
         vec2 px = crossing.px;
         float evidence = 1.0;
         if (there == kOccluder) {
