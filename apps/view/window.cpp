@@ -97,6 +97,9 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, uint32_
         return makeError(ErrorCode::NotFound, "no display for a window ({}); `glint render` makes pictures without one",
                          lastReason());
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    // Shown when its loss is watched for: GLFW puts Xlib's own handler, which ends the program, back in place
+    // meanwhile.
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     GLFWwindow* const made =
         glfwCreateWindow(static_cast<int>(width), static_cast<int>(height), title.c_str(), nullptr, nullptr);
     if (!made) {
@@ -108,6 +111,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, uint32_
     std::unique_ptr<Window> window(new Window(made));
     window->listen();
     watchForLostWindow();
+    glfwShowWindow(made);
     return window;
 }
 

@@ -112,7 +112,9 @@ void WindowTest::SetUp() {
         close(ends[0]);
         const int nothing = open("/dev/null", O_WRONLY);
         dup2(nothing, STDERR_FILENO);
-        become({"Xvfb", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1024x768x24", "-nolisten", "tcp"});
+        // By default the server starts anew, and refuses programs meanwhile, when its only one leaves.
+        become({"Xvfb", "-noreset", "-displayfd", std::to_string(ends[1]), "-screen", "0", "1024x768x24", "-nolisten",
+                "tcp"});
     }
     close(ends[1]);
     std::string number; // up to its newline, which comes by itself: closing before is the server's end
