@@ -60,12 +60,6 @@ float backOf(vec2 px, float sceneZ, inout uint lookups) {
     return backZ < kBackgroundZ ? backZ : sceneZ;
 }
 
-/// Is a place at `metZ` behind the back of the closed object that shows at `sceneZ`? A plane of its front goes on there, the
-/// object does not.
-bool isBehindBack(float sceneZ, float backZ, float metZ) {
-    return backZ > sceneZ && metZ > backZ + settings.thickness;
-}
-
 /// viewZ to which the surface that the picture shows at `px` reaches back.
 float slabEnd(vec2 px, float sceneZ, inout uint lookups) {
     float reach = backOf(px, sceneZ, lookups) + settings.thickness + settings.thicknessRelative * sceneZ;
@@ -204,9 +198,10 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     if (faces && heightFrom >= -planeSlack(normalVS, s.sceneZ)) {
         float share = crossingShare(r.screen, fromShare, heightFrom, s.share, heightHere);
         if (isEdgeOn(normalVS, surfaceVS)) {
+            // The rim of something closed: its plane goes on behind it, the thing does not.
             float backZ = backOf(s.px, s.sceneZ, lookups);
             float metZ = rayViewZ(r.screen, share);
-            if (isBehindBack(s.sceneZ, backZ, metZ))
+            if (backZ > s.sceneZ && metZ > backZ + settings.thickness)
                 return kPasses;
             float slab = settings.thickness + settings.thicknessRelative * s.sceneZ;
             if (backZ <= s.sceneZ && endsAsRim(px, normalVS, surfaceVS, metZ - slab, lookups))

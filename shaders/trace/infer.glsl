@@ -218,9 +218,8 @@ void inferCrossing(Ray r, inout March end) {
         uint there = compare(plane, crossing.px, crossing.sceneZ);
         if (there == kBeyond)
             continue; // the surface would show
-        if (there == kSurface &&
-            isBehindBack(crossing.sceneZ, backOf(crossing.px, crossing.sceneZ, end.lookups), crossing.rayZ))
-            continue; // behind a rim: the march let the ray pass, too
+        if (endsAsRim(floorToInt(line.samples[which].px), plane.normalVS, plane.pointVS, crossing.rayZ, end.lookups))
+            continue; // its plane goes on there, the surface does not
         vec2 px = crossing.px;
         float evidence = 1.0;
         if (there == kOccluder) {
