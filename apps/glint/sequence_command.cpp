@@ -132,7 +132,7 @@ Result<std::optional<FeedFiles>> sequenceFeed(const SequenceOptions& options, me
     if (options.dump.empty())
         return std::optional<FeedFiles>();
     GLINT_TRY(feed, FeedFiles::create(options.dump, plan));
-    plan.views = measure::feedViews();
+    plan.views = measure::feedViews(plan.configs.front().job.settings.reflections);
     return std::optional<FeedFiles>(std::move(feed));
 }
 

@@ -29,6 +29,7 @@ GLINT_SETTING_ENUM(RefractionModel, Material, None_, Sphere, Plane, Thin)
 GLINT_SETTING_ENUM(RefractionProjection, Hiz, Proxy)
 GLINT_SETTING_ENUM(RayRate, Full, Checkerboard, Quarter, Adaptive)
 GLINT_SETTING_ENUM(Antilag, Off, Mean, Gradient)
+GLINT_SETTING_ENUM(VirtualMotion, Surface, Flat, Curved)
 GLINT_SETTING_ENUM(RayLobe, Ggx, Mirror, MirrorIfOne)
 
 struct ScreenSettings {

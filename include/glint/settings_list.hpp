@@ -204,6 +204,10 @@
         "How far a moving reflection may lag, as a fraction of the lobe's width; smaller: sharper, but noisier in motion", \
         "",                                                                                                            \
         "log 0.05..2; if denoise.enabled=true; motion")                                                                \
+    SETTING(VirtualMotion, virtualMotion, VirtualMotion::Curved, "", "",                                               \
+        "Where the previous frame is looked up: where the surface was, also where a flat mirror showed the reflection, or a curved one; without, reflections are noisy while the camera moves", \
+        "",                                                                                                            \
+        "choice; if denoise.enabled=true; motion; cost +")                                                             \
     SETTING(bool, hitMotion, true, "", "",                                                                             \
         "Follow things that move in reflections, by motion where the picture shows them and by the instances' transforms where rays meet them", \
         "",                                                                                                            \
@@ -227,7 +231,11 @@
     SETTING(float, noiseTarget, 0.05f, "[0.005, 0.5]", "of the mean",                                                  \
         "Standard deviation above which the filter works at full strength; larger: sharper, but more grain is left",   \
         "",                                                                                                            \
-        "log 0.005..0.5; if denoise.maxRadius>0")
+        "log 0.005..0.5; if denoise.maxRadius>0")                                                                      \
+    SETTING(float, stabilizeSeconds, 0, "[0, 4]", "s",                                                                 \
+        "Longest time over which the brightness of what is shown is averaged within what the pixels around show: less flicker, but slower to follow changes; 0: not at all", \
+        "",                                                                                                            \
+        "linear 0..1; if denoise.enabled=true; motion; cost +")
 
 #define GLINT_FADE_SETTINGS(SETTING)                                                                                   \
     SETTING(FadeBorder, border, FadeBorder::Linear, "", "",                                                            \

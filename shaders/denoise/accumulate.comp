@@ -1,6 +1,6 @@
 // Averages a rough pixel's signal over frames. The previous frame is looked up where the surface was, and where the
-// reflection was (the point behind the mirror that the ray's end makes); of the two, the place that mirrored the ray's
-// end better. How far it was off limits the number of frames that count. docs/techniques/denoise.md.
+// reflection was (the ray's end's image behind the mirror, a flat one or a curved one); of these, the place that mirrored
+// the ray's end best. How far it was off limits the number of frames that count. docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -8,6 +8,9 @@
 #include "denoise/changed_light.glsl"
 #include "denoise/lobe_history.glsl"
 #include "denoise/lobe_surface.glsl"
+#include "denoise/mirror_image.glsl"
+#include "denoise/surface_curvature.glsl"
+#include "denoise/taken_from.glsl"
 #include "lib/color.glsl"
 #include "lib/half.glsl"
 #include "lib/noise.glsl"
@@ -32,6 +35,7 @@ layout(set = 0, binding = 14) uniform sampler2D changed; // of the previous fram
 layout(set = 0, binding = 15) uniform sampler2D reusedMotion; // denoise/reuse.comp
 layout(set = 0, binding = 16) uniform sampler2D speedBefore;
 layout(set = 0, binding = 17, r16f) uniform writeonly image2D speed; // of what the mean shows: see driftOf
+layout(set = 0, binding = 18, rg16f) uniform writeonly image2D takenFrom; // kept if settings.stableFrames
 DenoiseConstants settings = frame.settings.denoise;
 
 #include "lib/previous_place.glsl"
@@ -150,15 +154,13 @@ float framesOf(Candidate found, HitMotion hits, float perceptualRoughness) {
     return min(found.meta.x, most) * sqrt(found.share);
 }
 
-/// Fraction of the way behind the surface at which the middle of the lobe's image appears: a mirror's is at the ray's
-/// end, a rough surface's on the surface itself. Lagarde and de Rousiers 2014, "Moving Frostbite to PBR" (fit).
-float dominantFactor(float NoV, float perceptualRoughness) {
-    float a = 0.298475 * log(39.4115 - 39.0029 * perceptualRoughness);
-    return saturate(pow(1.0 - NoV, 10.8649) * (1.0 - a) + a);
+/// True if the candidate's place costs frames, so that another place may be better.
+bool isShortened(Candidate found, float frames) {
+    return found.share == 0.0 || frames < found.meta.x * sqrt(found.share);
 }
 
-/// The mirror image of a point on the ray, as far behind the surface as the lobe's middle shows it, and moved by the
-/// mirrored step. Nearer to the eye than the mirror image, the step is as much shorter.
+/// The image of a point on the ray in a flat mirror, as far behind the surface as the lobe's middle shows it, and moved by
+/// the mirrored step. Nearer to the eye than the mirror image, the step is as much shorter.
 vec3 imageOf(LobeSurface here, float distance, vec3 stepVS) {
     float NoV = clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0);
     float shown = distance * dominantFactor(NoV, here.perceptualRoughness);
@@ -169,6 +171,30 @@ vec3 imageOf(LobeSurface here, float distance, vec3 stepVS) {
 
 vec2 imagePixelBefore(LobeSurface here, float near, vec3 stepVS) {
     return previousPixel((frame.constants.viewToPrevView * vec4(imageOf(here, endDistance(near), stepVS), 1.0)).xyz);
+}
+
+/// The pixel of the previous frame that showed the image of what the ray met, if the mirror is curved. False where that
+/// cannot be told.
+bool curvedImagePixelBefore(ivec2 px, LobeSurface here, float near, vec3 stepVS, out vec2 at) {
+    if (isOrthographic(frame.constants))
+        return false;
+    MirrorPlace mirror;
+    mirror.position = here.positionVS;
+    mirror.N = here.normalVS;
+    mirror.V = here.toEyeVS;
+    vec3 across = acrossIncidence(mirror.N, mirror.V);
+    SurfaceStep x = surfaceStep(px, here, ivec2(1, 0));
+    SurfaceStep y = surfaceStep(px, here, ivec2(0, 1));
+    if (!curvatureOf(x, y, cross(mirror.N, across), across, mirror.curvature))
+        return false;
+    mat4 toBefore = frame.constants.viewToPrevView;
+    vec3 eyeBefore = -(transpose(mat3(toBefore)) * toBefore[3].xyz);
+    float shownAt = dominantFactor(clamp(dot(mirror.N, mirror.V), 0.0, 1.0), here.perceptualRoughness);
+    vec3 image;
+    if (!mirrorImage(mirror, endDistance(near), shownAt, stepVS, eyeBefore, image))
+        return false;
+    at = previousPixel((toBefore * vec4(image, 1.0)).xyz);
+    return true;
 }
 
 /// Two nearnesses weighed by the light that they stand for.
@@ -183,7 +209,8 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     // A sample may miss what the mean shows, such as a small lamp before a wall: the history knows its distance.
     ivec2 about = floorToInt(imagePixelBefore(here, near, hits.stepVS));
     float tracked = near;
-    if (!before.movedOnScreen && wasInFrame(about)) {
+    bool inMirrorToo = settings.virtualMotion >= kVirtualFlat && !before.movedOnScreen;
+    if (inMirrorToo && wasInFrame(about)) {
         vec4 there = texelFetch(metaBefore, about, 0);
         tracked = joined(near, light, there.w, there.x * there.y);
     }
@@ -195,12 +222,22 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     was.knowsDepth = before.knowsDepth;
     Candidate found = lookUp(was, before.px);
     frames = framesOf(found, hits, here.perceptualRoughness);
-    if (!before.movedOnScreen) {
+    if (inMirrorToo) {
         Candidate inMirror = lookUp(was, imagePixelBefore(here, tracked, hits.stepVS));
         float mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
         if (mirrorFrames > frames) {
             found = inMirror;
             frames = mirrorFrames;
+        }
+        vec2 at;
+        if (settings.virtualMotion >= kVirtualCurved && isShortened(inMirror, mirrorFrames) &&
+            curvedImagePixelBefore(px, here, tracked, hits.stepVS, at)) {
+            inMirror = lookUp(was, at);
+            mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
+            if (mirrorFrames > frames) {
+                found = inMirror;
+                frames = mirrorFrames;
+            }
         }
     }
     vec4 sharp;
@@ -220,7 +257,7 @@ void main() {
     if (learnt < 0.0) { // nothing else is read there
         imageStore(meta, px, vec4(0.0));
         imageStore(place, px, uvec4(0u));
-        return;
+        return; // stabilize.comp reads takenFrom only where a ray was sent
     }
     vec4 answer = texelFetch(reused, px, 0);
     LobeSurface here = lobeSurfaceAt(px);
@@ -234,6 +271,7 @@ void main() {
     if (hasHistory)
         hits = hitMotionAt(px, near, here.perceptualRoughness);
     float meanSpeed = hits.speed;
+    vec2 from = kNoPlace;
     if (hasHistory && !isMirror(here.perceptualRoughness)) {
         float frames;
         Candidate before = best(px, here, learnt * brightness, near, hits, frames);
@@ -255,6 +293,8 @@ void main() {
             float fastFrames = min(frames, settings.fastFrames - 1.0);
             fastMean = mix(before.fast, fastMean, learnt / max(learnt + fastFrames, 1e-6));
             meanSpeed = sqrt(mix(square(before.speed), square(meanSpeed), share));
+            if (before.share > 0.99) // nothing else is mixed into what was shown there
+                from = before.at - (vec2(px) + 0.5);
         }
     }
     const float kLargestHalf = 6.0e4;
@@ -265,5 +305,7 @@ void main() {
         imageStore(fast, px, roundToHalf(vec4(min(fastMean, kLargestHalf)), noise.z));
     if (settings.hitMotion != 0u)
         imageStore(speed, px, vec4(meanSpeed));
+    if (settings.stableFrames > 0.0)
+        imageStore(takenFrom, px, vec4(from, 0.0, 0.0));
     imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
 }

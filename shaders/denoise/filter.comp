@@ -1,5 +1,5 @@
 // Smooths the noise that the mean over frames has left, for display only: the mean itself stays unfiltered, so that a
-// view at rest converges to the truth. As wide as the noise asks and the lobe allows. docs/techniques/denoise.md.
+// view at rest converges to the truth. As wide as the noise asks and the lobe allows. docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

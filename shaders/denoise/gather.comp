@@ -1,6 +1,6 @@
 // Joins what screen and rays answered for the pixel's one sampled ray, by the one rule, into one noisy signal, and
 // stores that ray for the neighbours. Where none was sent, no more than that is written.
-// docs/techniques/denoise.md.
+// docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,5 +1,6 @@
 // Texels of the previous frame that show a pixel's surface, and the mean between them.
 // Needs lib/previous_place.glsl, meanBefore, placeBefore and settings.
+#include "denoise/cubic.glsl"
 
 /// Lobes narrower than this on screen, in pixels, suffer from a linear mix of texels: see sharpMean.
 const float kSharpBelow = 16.0;
@@ -26,13 +27,6 @@ bool showedIt(Was was, ivec2 texel, out vec3 position, out vec3 normal) {
     float off = abs(dot(was.normal, position - was.position));
     float allowed = (was.knowsDepth ? settings.disocclusion : 0.1) * -was.position.z;
     return off <= allowed && dot(normal, was.normal) >= 0.7;
-}
-
-/// Catmull and Rom's weights of four texels in a row, `share` of the way from the second to the third.
-vec4 cubicWeights(float share) {
-    float s2 = share * share;
-    float s3 = s2 * share;
-    return 0.5 * vec4(-s3 + 2.0 * s2 - share, 3.0 * s3 - 5.0 * s2 + 2.0, -3.0 * s3 + 4.0 * s2 + share, s3 - s2);
 }
 
 /// The mean between four texels that show this pixel's surface, by a cubic: a linear mix blurs a little in each frame of

@@ -31,6 +31,8 @@ struct DenoiseConstants {
     uint rayRate;         // kRate*
     uint comparesMeans;   // 1: the short mean shortens the long one
     uint hitMotion;       // 1: what moves in reflections is followed
+    uint virtualMotion;   // kVirtual*
+    float stableFrames;   // most frames in the stabilized brightness; 0: it is not stabilized
     uint historyExpected; // number of the recording that the history should hold; 0: there is none
     uint historyTag;      // number of the one that it holds: written by the GPU
 };
@@ -40,6 +42,11 @@ GLINT_CONSTANT(uint, kRateFull, 0);
 GLINT_CONSTANT(uint, kRateQuarter, 1);      // one of 2 x 2
 GLINT_CONSTANT(uint, kRateCheckerboard, 2); // two of 2 x 2
 GLINT_CONSTANT(uint, kRateAdaptive, 3);     // one of these for each tile
+
+// Where the previous frame is looked up (denoise.virtualMotion). Each includes those before it.
+GLINT_CONSTANT(uint, kVirtualSurface, 0); // where the surface was
+GLINT_CONSTANT(uint, kVirtualFlat, 1);    // where a flat mirror showed what the ray met
+GLINT_CONSTANT(uint, kVirtualCurved, 2);  // where a mirror with the surface's curvature did
 
 GLINT_CONSTANT(uint, kRateTile, 8);     // pixels on a side of a tile of the adaptive rate
 GLINT_CONSTANT(uint, kSentinelTile, 5); // pixels on a side that share one sentinel (rays/sentinels_main.glsl)

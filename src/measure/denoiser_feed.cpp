@@ -67,12 +67,17 @@ constexpr std::array<std::string_view, FeedViewCount> kFeedViews = {
     "weightPlanar",
 };
 
+/// What kFeedViews has in the place of Answer if the settings stabilize it.
+constexpr std::string_view kStabilized = "denoise/stabilize:answer";
+
 using FeedViews = std::array<const std::vector<float>*, FeedViewCount>;
 
 FeedViews sortedViews(std::span<const render::RenderedView> views) {
     FeedViews sorted = {};
     for (size_t i = 0; i < FeedViewCount; ++i) {
-        const auto found = std::ranges::find(views, kFeedViews[i], &render::RenderedView::name);
+        const auto found = std::ranges::find_if(views, [&](const render::RenderedView& view) {
+            return view.name == kFeedViews[i] || (i == Answer && view.name == kStabilized);
+        });
         GLINT_ASSERT(found != views.end(), "the feed lacks view {}", kFeedViews[i]);
         sorted[i] = &found->rgba;
     }
@@ -98,8 +103,11 @@ std::span<const FeedLayer> feedLayers() {
     return kFeedLayers;
 }
 
-std::vector<std::string> feedViews() {
-    return {kFeedViews.begin(), kFeedViews.end()};
+std::vector<std::string> feedViews(const Settings& settings) {
+    std::vector<std::string> names(kFeedViews.begin(), kFeedViews.end());
+    if (settings.denoise.stabilizeSeconds > 0)
+        names[Answer] = kStabilized;
+    return names;
 }
 
 float sentDistance(float bits) {

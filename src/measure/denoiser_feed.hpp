@@ -22,8 +22,8 @@ struct FeedLayer {
 
 std::span<const FeedLayer> feedLayers();
 
-/// Names of the views that the feed is made of.
-std::vector<std::string> feedViews();
+/// Names of the views that the feed of frames with these settings is made of.
+std::vector<std::string> feedViews(const Settings& settings);
 
 /// `views`  those of feedViews, of one frame with denoising
 /// Returns four floats a pixel for each of feedLayers. Pixels that sent no ray have 0 in `noisy` and `hitDistance`.

@@ -61,6 +61,8 @@ constexpr std::array kUnitCosts = {
     UnitCost{"denoise/rate", Unit::Pixels, 0.1},
     UnitCost{"denoise/filter", Unit::Pixels, 1.2},
     UnitCost{"denoise/filter", Unit::Filtered, 6},
+    UnitCost{"denoise/stabilize", Unit::Pixels, 1.6},
+    UnitCost{"denoise/stabilize", Unit::Rough, 3},
     UnitCost{"denoise/upsample", Unit::Pixels, 3},
     UnitCost{"denoise/blur", Unit::Pixels, 3},
     UnitCost{"denoise/blur", Unit::BlurTaps, 0.65},

@@ -29,6 +29,7 @@ protected:
         settings.rays.enabled = !screenAlone_;
         settings.denoise.enabled = true;
         settings.denoise.antilag = antilag;
+        settings.denoise.stabilizeSeconds = stabilizeSeconds_;
         settings.reflect.maxRoughness = settings.reflect.roughnessFadeStart = 1;
         return settings;
     }
@@ -89,6 +90,7 @@ protected:
 
     SurfaceMaterial lit_ = emitting(glm::vec3(2));
     int fastFrames_ = 6;
+    float stabilizeSeconds_ = 0;
     bool screenAlone_ = false; ///< no rays: the panel shows in the host's picture
     SurfaceScene scene_;
     std::vector<Picture> pictures_; ///< of the last play
@@ -115,6 +117,15 @@ TEST_F(AntilagTest, withoutItTheMeanLags) {
 }
 
 TEST_F(AntilagTest, sentinelsSeeTheLightGoOutAndComeOn) {
+    for (const bool on : {false, true}) {
+        const std::vector<double> shares = reaction(Antilag::Gradient, on);
+        EXPECT_GT(shares[6], 0.9) << (on ? "on" : "off");
+        EXPECT_LT(shares[6], 1.1) << (on ? "on" : "off");
+    }
+}
+
+TEST_F(AntilagTest, whatIsStabilizedFollowsSentinelsToo) {
+    stabilizeSeconds_ = 1;
     for (const bool on : {false, true}) {
         const std::vector<double> shares = reaction(Antilag::Gradient, on);
         EXPECT_GT(shares[6], 0.9) << (on ? "on" : "off");

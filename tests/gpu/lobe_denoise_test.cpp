@@ -106,11 +106,15 @@ protected:
 TEST_F(LobeDenoiseTest, mirrorsKeepTheirBits) {
     Settings off = denoised();
     off.denoise.enabled = false;
+    Settings stabilized = denoised();
+    stabilized.denoise.stabilizeSeconds = 1;
     for (const uint32_t frames : {1u, 4u}) {
-        const Picture with = play(denoised(), roughFloor(0), frames, 0.03);
         const Picture without = play(off, roughFloor(0), frames, 0.03);
-        EXPECT_EQ(with.composite, without.composite);
-        EXPECT_EQ(with.reflection, without.reflection);
+        for (const Settings& settings : {denoised(), stabilized}) {
+            const Picture with = play(settings, roughFloor(0), frames, 0.03);
+            EXPECT_EQ(with.composite, without.composite);
+            EXPECT_EQ(with.reflection, without.reflection);
+        }
     }
 }
 
@@ -204,6 +208,25 @@ TEST_F(LobeDenoiseTest, theFilterKeepsWhatShortHistoriesShow) {
     }
     std::cout << "gradients after the filter: " << same / whole << " of those before\n";
     EXPECT_GT(same / whole, 0.77) << "0.74 if the filter is half of the lobe wide";
+}
+
+TEST_F(LobeDenoiseTest, stabilizingHoldsStillWhatIsShown) {
+    const SyntheticScene scene = roughFloor(0.3f);
+    Settings stabilized = denoised();
+    stabilized.denoise.stabilizeSeconds = 0.5f;
+    /// From the 36th frame of a view at rest to the 37th.
+    const auto flicker = [&](const Settings& settings) {
+        Reflections made = reflections(kWidth, kHeight, settings);
+        const Picture before = play(made, scene, 36, 0, 0);
+        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, cameraAt(0), kWidth, kHeight);
+        must(made.setInputs(host.gbuffer));
+        View view = cameraAt(0).view(kWidth, kHeight);
+        view.frameIndex = 36;
+        return difference(trace(made, view), before);
+    };
+    EXPECT_LT(flicker(stabilized), 0.25 * flicker(denoised()));
+    for (const double step : {0.0, 0.02})
+        EXPECT_NEAR(sumOf(play(stabilized, scene, 30, step)) / sumOf(play(denoised(), scene, 30, step)), 1, 0.01) << step;
 }
 
 TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {
@@ -467,6 +490,8 @@ TEST_F(LobeDenoiseTest, everySettingActs) {
     acts(roughFloorAndSmallLamp(), "denoise.firefly", "1");
     acts(floor, "denoise.maxRadius", "2");
     acts(floor, "denoise.noiseTarget", "0.5");
+    acts(floor, "denoise.virtualMotion", "surface");
+    acts(floor, "denoise.stabilizeSeconds", "0.5");
     // Two rough surfaces with one normal, one behind the other.
     Stage step = floorAndWall();
     step.cards[0].f0 = 0.5f;

@@ -17,7 +17,7 @@ using Pixel = std::array<float, 4>;
 class OnePixel {
 public:
     OnePixel() {
-        for (std::string& name : feedViews())
+        for (std::string& name : feedViews(Settings()))
             views_.push_back({std::move(name), std::vector<float>(4, 0.0f), {}});
     }
     OnePixel& with(std::string_view view, const Pixel& value) {
@@ -83,10 +83,24 @@ TEST(DenoiserFeed, TheRestIsWhatOtherSourcesAdd) {
     EXPECT_EQ(pixel.layer("rest"), (Pixel{7, 4, 1, 0}));
 }
 
+TEST(DenoiserFeed, WhatIsStabilizedIsNoRest) {
+    Settings settings;
+    settings.denoise.stabilizeSeconds = 1;
+    std::vector<render::RenderedView> views;
+    for (std::string& name : feedViews(settings)) {
+        const bool shown = name == "reflection" || name == "denoise/stabilize:answer";
+        const bool weights = name == "weights";
+        views.push_back({std::move(name), std::vector<float>(4, shown ? 1.0f : weights ? 0.5f : 0.0f), {}});
+    }
+    const auto layer = std::ranges::find(feedLayers(), "rest", &FeedLayer::name);
+    // Half of the answer's weight is the screen's: reflection - 0.5 * answer, and with the rays' half nothing.
+    EXPECT_NEAR(feedPixels(views)[static_cast<size_t>(layer - feedLayers().begin())][0], 0, 1e-3);
+}
+
 TEST(DenoiserFeed, EveryLayerIsDescribed) {
     EXPECT_EQ(feedPixels([] {
                   std::vector<render::RenderedView> views;
-                  for (std::string& name : feedViews())
+                  for (std::string& name : feedViews(Settings()))
                       views.push_back({std::move(name), std::vector<float>(8, 0.0f), {}});
                   return views;
               }())

@@ -20,6 +20,7 @@ constexpr size_t kSentinelPath = 5;
 constexpr size_t kRates = 6;
 constexpr size_t kSpeed = 7;
 constexpr size_t kSentinelPlace = 8;
+constexpr size_t kStable = 9;
 
 uint32_t tiles(uint32_t pixels, uint32_t across) {
     return (pixels + across - 1) / across;
@@ -74,7 +75,7 @@ Result<void> LobeDenoise::makeHistory(const Kept& kept) {
     const auto sentinels = [&](const char* name, bool has) {
         return StageImage{name, VK_FORMAT_R32G32B32A32_UINT, has ? 2 * tilesX : 1, has ? tilesY : 1};
     };
-    std::array<StageImage, 9> images;
+    std::array<StageImage, 10> images;
     images[kMean] = {"glint/mean", kHalf, w, h};
     images[kMeta] = {"glint/meanMeta", kHalf, w, h};
     images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, kept.fastMean ? w : 1, kept.fastMean ? h : 1};
@@ -83,6 +84,7 @@ Result<void> LobeDenoise::makeHistory(const Kept& kept) {
     images[kSentinelPlace] = sentinels("glint/sentinelPlace", kept.places);
     images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
     images[kSpeed] = {"glint/meanSpeed", VK_FORMAT_R16_SFLOAT, w, h};
+    images[kStable] = {"glint/stableBrightness", VK_FORMAT_R16G16_SFLOAT, kept.stable ? w : 1, kept.stable ? h : 1};
     images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
     GLINT_CHECK(history_.make(images, true));
     kept_ = kept;
@@ -102,6 +104,14 @@ Result<void> LobeDenoise::make(const Settings& settings) {
     kept.fastMean |= antilag == Antilag::Mean || (antilag == Antilag::Gradient && !screen);
     kept.places |= antilag == Antilag::Gradient && screen;
     kept.paths |= settings.rays.enabled;
+    if (settings.denoise.stabilizeSeconds > 0 && !kept.stable) {
+        GLINT_TRY(made, gpu::Pipeline::compute(stages_.gpu, {"denoise/stabilize", 0, {}}));
+        stabilize_ = std::move(made);
+        GLINT_CHECK(makeImage(stages_.gpu, takenFrom_, {"glint/takenFrom", VK_FORMAT_R16G16_SFLOAT, w, h}));
+        if (stages_.desc.views)
+            GLINT_CHECK(makeImage(stages_.gpu, stabilized_, {"glint/stabilized", kHalf, w, h}));
+        kept.stable = true;
+    }
     return kept_ != kept ? makeHistory(kept) : Result<void>();
 }
 
@@ -145,6 +155,8 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
             rateOf(settings),
             comparesMeans() ? 1u : 0u,
             settings.denoise.hitMotion ? 1u : 0u,
+            static_cast<uint32_t>(settings.denoise.virtualMotion),
+            static_cast<float>(std::min(settings.denoise.stabilizeSeconds / seconds, 1024.0)),
             history_.valid() ? history_.expectedTag() : 0,
             0};
 }
@@ -228,6 +240,28 @@ gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& 
     return changed_;
 }
 
+bool LobeDenoise::stabilizes() const {
+    return stages_.settings().denoise.stabilizeSeconds > 0;
+}
+
+/// Returns the image of what it was given or, without views, of `spare`, which nothing reads any more.
+gpu::Image& LobeDenoise::stabilize(gpu::Frame& frame, const LobeDenoiseInputs& inputs, gpu::Image& filtered,
+                                   gpu::Image& spare) {
+    gpu::Image& answer = stages_.desc.views ? stabilized_ : spare;
+    frame.pass(stabilize_)
+        .read("frame", inputs.frame.constants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .read("filtered", filtered)
+        .read("meta", history_.now(kMeta))
+        .read("takenFrom", takenFrom_)
+        .read("stableBefore", history_.before(kStable))
+        .write("stable", history_.now(kStable))
+        .write("answer", answer)
+        .dispatch(stages_.extent.x, stages_.extent.y);
+    return answer;
+}
+
 gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
     recorded_ = true;
     gpu::Image& reused = inputs.screenAnswer && reusesTarget(stages_.settings()) ? *inputs.screenAnswer : reused_;
@@ -270,6 +304,7 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .write("fast", history_.now(kFast))
         .write("speed", history_.now(kSpeed))
         .write("place", history_.now(kPlace))
+        .write("takenFrom", stabilizes() ? takenFrom_ : history_.now(kStable)) // written only where it is kept
         .dispatch(w, h);
     if (stages_.settings().reuse.rate == RayRate::Adaptive)
         begin(rate_)
@@ -281,7 +316,7 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .read("meta", history_.now(kMeta))
         .write("answer", answer)
         .dispatch(w, h);
-    return answer;
+    return stabilizes() ? stabilize(frame, inputs, answer, reused) : answer;
 }
 
 } // namespace glint::reflect

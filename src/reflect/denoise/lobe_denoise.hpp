@@ -1,5 +1,5 @@
 // Denoises what screen and rays answer for one sampled direction of each rough surface's lobe: joins both, reuses the
-// rays of neighbours, averages frames, and filters what noise is left. docs/techniques/denoise.md.
+// rays of neighbours, averages frames, and filters what noise is left. docs/techniques/rough.md.
 #pragma once
 
 #include "reflect/history.hpp"
@@ -73,6 +73,7 @@ private:
         bool fastMean = false; ///< the mean over few frames
         bool places = false;   ///< sentinels of either kind
         bool paths = false;
+        bool stable = false; ///< the stabilized brightness
         bool operator==(const Kept&) const = default;
     };
 
@@ -82,6 +83,8 @@ private:
     bool comparesMeans() const;
     void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
     gpu::Image& findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    bool stabilizes() const;
+    gpu::Image& stabilize(gpu::Frame& frame, const LobeDenoiseInputs& inputs, gpu::Image& filtered, gpu::Image& spare);
     void lookAtPlaces(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
 
     StageContext& stages_;
@@ -92,6 +95,9 @@ private:
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
     gpu::Pipeline rate_;
+    gpu::Pipeline stabilize_;           ///< these three from the first settings that stabilize
+    gpu::Image takenFrom_;              ///< RG16F: denoise/taken_from.glsl
+    gpu::Image stabilized_;             ///< as answer_; with views, which also show what else it could be written to
     gpu::Image noisy_;                  ///< RGBA16F: weight * radiance, weight, of one ray; then the answer
     gpu::Image reused_;                 ///< as noisy_, with the rays of neighbours; absent if the screen's image serves
     gpu::Image sentRay_;                ///< RG32UI: denoise/sent_ray.glsl
