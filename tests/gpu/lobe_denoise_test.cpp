@@ -226,7 +226,8 @@ TEST_F(LobeDenoiseTest, stabilizingHoldsStillWhatIsShown) {
     };
     EXPECT_LT(flicker(stabilized), 0.25 * flicker(denoised()));
     for (const double step : {0.0, 0.02})
-        EXPECT_NEAR(sumOf(play(stabilized, scene, 30, step)) / sumOf(play(denoised(), scene, 30, step)), 1, 0.01) << step;
+        EXPECT_NEAR(sumOf(play(stabilized, scene, 30, step)) / sumOf(play(denoised(), scene, 30, step)), 1, 0.01)
+            << step;
 }
 
 TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {

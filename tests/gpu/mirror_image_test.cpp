@@ -1,7 +1,6 @@
-// shaders/denoise/mirror_image.glsl against the place where a ball truly mirrors a point, found in double precision; and
-// the history of a rough ball past which the camera moves.
+// shaders/denoise/mirror_image.glsl against the place where a ball truly mirrors a point, found in double precision;
+// and the history of a rough ball past which the camera moves.
 #include "gpu/support/library_test.hpp"
-#include "gpu/support/surface_scene.hpp"
 
 #include <glm/gtc/constants.hpp>
 
@@ -31,9 +30,7 @@ struct Ball {
     double radius;
     bool convex;
 
-    glm::dvec3 normalAt(const glm::dvec3& on) const {
-        return (convex ? 1.0 : -1.0) * glm::normalize(on - center);
-    }
+    glm::dvec3 normalAt(const glm::dvec3& on) const { return (convex ? 1.0 : -1.0) * glm::normalize(on - center); }
     /// Where the ball mirrors `end` to `eye`, near `start`: there the way of the light is stationary (Fermat).
     glm::dvec3 mirrors(const glm::dvec3& end, const glm::dvec3& eye, const glm::dvec3& start) const {
         glm::dvec3 on = start;
@@ -44,7 +41,8 @@ struct Ball {
         };
         for (int i = 0; i < 30; ++i) {
             const glm::dvec3 n = glm::normalize(on - center);
-            const glm::dvec3 a = glm::normalize(std::abs(n.x) < 0.7 ? glm::cross(n, {1, 0, 0}) : glm::cross(n, {0, 1, 0}));
+            const glm::dvec3 a =
+                glm::normalize(std::abs(n.x) < 0.7 ? glm::cross(n, {1, 0, 0}) : glm::cross(n, {0, 1, 0}));
             const glm::dvec3 b = glm::cross(n, a);
             const auto moved = [&](double x, double y) {
                 return center + radius * glm::normalize(on + a * x + b * y - center);
@@ -64,9 +62,8 @@ struct Ball {
 class MirrorImageTest : public LibraryTest {
 protected:
     static std::vector<MirrorItem> evaluated(std::vector<MirrorItem> list) {
-        gpu::Buffer buffer =
-            must(gpu::uploadBuffer(gpu(), "test/mirrorImage", list,
-                                   VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
+        gpu::Buffer buffer = must(gpu::uploadBuffer(
+            gpu(), "test/mirrorImage", list, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT));
         const gpu::Pipeline pipeline = must(gpu::Pipeline::compute(gpu(), {"mirror_image", 0, {}}));
         run([&](VkCommandBuffer commands) {
             gpu::Frame frame(gpu(), commands);
@@ -131,8 +128,8 @@ TEST_F(MirrorImageTest, CurvedMirrorsShowItWhereBallsDo) {
                               << truths[i].ball.radius << ", distance " << got[i].distance;
         worst = std::max(worst, error);
         curved += error;
-        const glm::dvec3 mirrored = glm::dvec3(got[i].step) - 2 * glm::dot(glm::dvec3(got[i].step), glm::dvec3(got[i].N)) *
-                                                                  glm::dvec3(got[i].N);
+        const glm::dvec3 mirrored = glm::dvec3(got[i].step) -
+                                    2 * glm::dot(glm::dvec3(got[i].step), glm::dvec3(got[i].N)) * glm::dvec3(got[i].N);
         flat += pixelsBetween(truths[i].on - glm::dvec3(got[i].V) * double(got[i].distance) + mirrored - eye, truth);
     }
     const double seen = static_cast<double>(got.size() - caustics);
@@ -151,11 +148,10 @@ TEST_F(MirrorImageTest, ACausticHasNoImage) {
         return MirrorItem{position, N, N, glm::vec2(-1 / radius), distance, {}, {0.01f, 0, 0}};
     };
     const std::vector<MirrorItem> got = evaluated({
-        hollow(2, 1),     // focus
-        hollow(2, 1.02f), // beside it
-        hollow(2, 1.5f),  // image at the eye: 1/1.5 - 1 = -1/3
-        hollow(2, 0.5f),
-        hollow(2, 4), // between mirror and eye
+        hollow(2, 1),                  // focus
+        hollow(2, 1.02f),              // beside it
+        hollow(2, 1.5f),               // image at the eye: 1/1.5 - 1 = -1/3
+        hollow(2, 0.5f), hollow(2, 4), // between mirror and eye
     });
     EXPECT_EQ(got[0].seen, 0u);
     EXPECT_EQ(got[1].seen, 0u);
@@ -164,100 +160,6 @@ TEST_F(MirrorImageTest, ACausticHasNoImage) {
     EXPECT_NEAR(got[3].image.z, -4, 1e-4); // 1/0.5 - 1 = 1/1
     ASSERT_EQ(got[4].seen, 1u);
     EXPECT_NEAR(got[4].image.z, -3 + 4 / 3.0, 1e-4);
-}
-
-/// A rough metal ball before stripes of light that only rays meet, and a camera that moves past it.
-class MovingPastABallTest : public LibraryTest {
-protected:
-    static constexpr uint32_t kWidth = 64;
-    static constexpr uint32_t kHeight = 64;
-    static constexpr uint32_t kFrames = 24;
-
-    static SyntheticScene ball() {
-        return [](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
-            const double middle = -glm::dot(origin, direction);
-            const double inside = 1 - glm::dot(origin, origin) + middle * middle;
-            if (inside < 0 || middle < 0)
-                return std::nullopt;
-            SyntheticSurface hit;
-            hit.distance = middle - std::sqrt(inside);
-            hit.normalWS = origin + direction * hit.distance;
-            hit.f0 = glm::vec3(1);
-            hit.perceptualRoughness = 0.25f;
-            return hit;
-        };
-    }
-    static SurfaceScene stripes() {
-        SurfaceScene made;
-        for (int i = -12; i < 12; ++i)
-            made.addQuad({static_cast<float>(i + 1), -6, 5}, {-1, 0, 0}, {0, 12, 0},
-                         emitting(glm::vec3(i % 2 == 0 ? 1.0f : 0.2f)));
-        return made;
-    }
-
-    struct Kept {
-        double frames; ///< in the mean, over the ball's middle
-        Picture picture;
-    };
-    Kept moved(VirtualMotion motion, double step, uint32_t frames) {
-        Settings settings = plainSettings();
-        settings.screen.enabled = false;
-        settings.rays.enabled = true;
-        settings.denoise.enabled = true;
-        settings.denoise.antilag = Antilag::Off;
-        settings.denoise.maxRadius = 0;
-        settings.denoise.virtualMotion = motion;
-        settings.reuse.rate = RayRate::Full;
-        SurfaceScene::World world = stripes().build(gpu(), library(), RayBackend::Bvh);
-        run([&](VkCommandBuffer commands) {
-            world.rays.record(commands);
-            world.surfaces.record(commands);
-        });
-        Reflections made = reflections(kWidth, kHeight, settings);
-        must(made.setRays(world.rays, world.surfaces));
-        Kept kept = {};
-        for (uint32_t i = 0; i < frames; ++i) {
-            const double x = -step * (frames - 1 - i);
-            const SyntheticCamera camera = {.position = {x, 0, 3.5}, .target = {x, 0, 0}, .fovY = 0.55};
-            const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), ball(), camera, kWidth, kHeight);
-            must(made.setInputs(host.gbuffer));
-            View view = camera.view(kWidth, kHeight);
-            view.frameIndex = i;
-            kept.picture = trace(made, view);
-            if (i + 1 == frames) {
-                const std::vector<float> counts = readView(made, "historyFrames");
-                size_t pixels = 0;
-                for (uint32_t y = kHeight / 4; y < kHeight * 3 / 4; ++y)
-                    for (uint32_t column = kWidth / 4; column < kWidth * 3 / 4; ++column, ++pixels)
-                        kept.frames += counts[4 * (y * kWidth + column)];
-                kept.frames /= static_cast<double>(pixels);
-            }
-        }
-        return kept;
-    }
-};
-
-TEST_F(MovingPastABallTest, ItsHistoryIsWhereACurvedMirrorShowsIt) {
-    const auto error = [](const Picture& a, const Picture& b) {
-        double sum = 0;
-        for (uint32_t y = kHeight / 4; y < kHeight * 3 / 4; ++y)
-            for (uint32_t x = kWidth / 4; x < kWidth * 3 / 4; ++x) {
-                const double apart = a.reflection[4 * (y * kWidth + x)] - b.reflection[4 * (y * kWidth + x)];
-                sum += apart * apart;
-            }
-        return std::sqrt(sum / (0.25 * kWidth * kHeight));
-    };
-    const Picture rested = moved(VirtualMotion::Curved, 0, 96).picture;
-    constexpr double kStep = 0.03; // about a pixel
-    const Kept surface = moved(VirtualMotion::Surface, kStep, kFrames);
-    const Kept flat = moved(VirtualMotion::Flat, kStep, kFrames);
-    const Kept curved = moved(VirtualMotion::Curved, kStep, kFrames);
-    std::cout << "frames kept: surface " << surface.frames << ", flat " << flat.frames << ", curved " << curved.frames
-              << "; error: " << error(surface.picture, rested) << ", " << error(flat.picture, rested) << ", "
-              << error(curved.picture, rested) << "\n";
-    EXPECT_GT(curved.frames, 1.5 * flat.frames);
-    EXPECT_GE(flat.frames, surface.frames);
-    EXPECT_LT(error(curved.picture, rested), error(flat.picture, rested));
 }
 
 } // namespace
