@@ -33,8 +33,7 @@ public:
     Result<SearchOutcome> run() {
         GLINT_CHECK(tryPresets());
         GLINT_CHECK(probeSettings());
-        GLINT_CHECK(climb(true));
-        GLINT_CHECK(climb(false));
+        GLINT_CHECK(climbs());
         GLINT_TRY(population, firstPopulation());
         while (outcome_.generations < plan_.generations && (!hooks_.mayGoOn || hooks_.mayGoOn())) {
             const uint32_t generation = outcome_.generations + 1;
@@ -99,7 +98,9 @@ private:
                 GLINT_CHECK(tryGenes(genes));
                 const Evaluation& moved = at(space_.settings(space_.decode(genes)));
                 changes |= !same(moved, start);
-                moves_.push_back({space_[i].info, gene, moved.figures});
+                moves_.push_back({{{space_[i].info, gene}}, moved.figures});
+                if (space_[i].isWhole())
+                    GLINT_CHECK(probeWithLess(i, gene, Figures(moved.figures)));
             }
             if (!changes) {
                 idle.push_back(i);
@@ -111,38 +112,94 @@ private:
         return {};
     }
 
-    /// Takes together what was good alone: first the move that saves most cost for its error (`cheaper`), or most error
-    /// for its cost; then that and the second best, and so on.
-    Result<void> climb(bool cheaper) {
-        constexpr size_t kLongestClimb = 12;
+    /// What is better but dear when it is switched on is also tried with less of it: with each setting that has an
+    /// effect only then near its cheap end. Rays for mirrors alone cost little, and rays for everything are given up.
+    Result<void> probeWithLess(size_t switched, double gene, const Figures& alone) {
         const Figures start = outcome_.tried.front().evaluation.figures;
-        const auto gain = [&](const Move& move) {
-            return cheaper ? std::log(start.cost / move.figures.cost) : std::log(start.error / move.figures.error);
-        };
-        const auto price = [&](const Move& move) {
-            return cheaper ? std::log(move.figures.error / start.error) : std::log(move.figures.cost / start.cost);
-        };
-        std::vector<Move> moves;
+        const bool isBetter = alone.error < start.error || !std::isfinite(alone.error); // given up: nobody knows
+        if (alone.cost <= start.cost || !isBetter)
+            return {};
+        Genes on = space_.encode(space_.start());
+        on[switched] = gene;
+        const Candidate with = space_.decode(on);
+        const Genes highest = space_.highest();
+        for (size_t i = 0; i < space_.size(); ++i) {
+            const int dearer = space_[i].info->search.cost;
+            if (dearer == 0 || space_.acts(i, space_.start()) || !space_.acts(i, with))
+                continue;
+            const double cheapest = dearer > 0 ? 0 : highest[i];
+            for (const double share : space_[i].isWhole() ? std::vector{0.0} : std::vector{0.3, 0.1}) {
+                Genes less = on;
+                less[i] = cheapest + share * (on[i] - cheapest);
+                if (less[i] == on[i])
+                    continue;
+                ++progress_.toTry;
+                // Other settings may pay for it.
+                GLINT_TRY(figures, trySettings(space_.settings(space_.decode(less)), 2 * outcome_.mostCost));
+                moves_.push_back({{{space_[switched].info, gene}, {space_[i].info, less[i]}}, figures});
+            }
+        }
+        return {};
+    }
+
+    /// Settings that were moved together from the start.
+    struct Move {
+        std::vector<std::pair<const SettingInfo*, double>> genes;
+        Figures figures;
+    };
+
+    /// The moves that are better in one figure, by its gain for what they lose of the other. What is better in both
+    /// comes first, the largest gain before.
+    struct Ordered {
+        std::vector<Move> free; ///< better in both
+        std::vector<Move> dear; ///< better in the one alone
+    };
+    Ordered ordered(double Figures::*better, double Figures::*worse) const {
+        const Figures start = outcome_.tried.front().evaluation.figures;
+        const auto gain = [&](const Move& move) { return std::log(start.*better / move.figures.*better); };
+        const auto price = [&](const Move& move) { return std::log(move.figures.*worse / start.*worse); };
+        Ordered moves;
         for (const Move& move : moves_)
             if (std::isfinite(move.figures.cost) && gain(move) > 0)
-                moves.push_back(move);
-        // What is better in both comes first, the largest gain before; then by the price of a gain.
-        std::ranges::stable_sort(moves, {}, [&](const Move& move) {
-            return price(move) <= 0 ? std::pair(0, -gain(move)) : std::pair(1, price(move) / gain(move));
-        });
+                (price(move) <= 0 ? moves.free : moves.dear).push_back(move);
+        std::ranges::stable_sort(moves.free, std::greater(), gain);
+        std::ranges::stable_sort(moves.dear, {}, [&](const Move& move) { return price(move) / gain(move); });
+        return moves;
+    }
+
+    /// Takes together what was good alone: what saves most cost for its error, then that and the second best, and so
+    /// on; the same for error; and the best of what costs something, paid for by what saves it.
+    Result<void> climbs() {
+        const Ordered cheaper = ordered(&Figures::cost, &Figures::error);
+        const Ordered truer = ordered(&Figures::error, &Figures::cost);
+        GLINT_CHECK(climb({cheaper.free, cheaper.dear}));
+        GLINT_CHECK(climb({truer.free, truer.dear}));
+        if (!truer.dear.empty())
+            GLINT_CHECK(climb({{truer.dear.front()}, cheaper.free, cheaper.dear}));
+        return {};
+    }
+
+    Result<void> climb(const std::vector<std::vector<Move>>& moves) {
+        constexpr size_t kLongestClimb = 12;
         Genes genes = space_.encode(space_.start());
         std::vector<const SettingInfo*> moved;
-        for (const Move& move : moves) {
-            if (moved.size() == kLongestClimb)
-                break;
-            if (std::ranges::find(moved, move.setting) != moved.end())
-                continue;
-            moved.push_back(move.setting);
-            for (size_t i = 0; i < space_.size(); ++i)
-                if (space_[i].info == move.setting)
-                    genes[i] = move.gene;
-            GLINT_CHECK(tryGenes(genes));
-        }
+        size_t steps = 0;
+        for (const std::vector<Move>& some : moves)
+            for (const Move& move : some) {
+                const bool again = std::ranges::any_of(
+                    move.genes, [&](const auto& gene) { return std::ranges::find(moved, gene.first) != moved.end(); });
+                if (again)
+                    continue;
+                if (steps++ == kLongestClimb)
+                    return {};
+                for (const auto& [setting, gene] : move.genes) {
+                    moved.push_back(setting);
+                    for (size_t i = 0; i < space_.size(); ++i)
+                        if (space_[i].info == setting)
+                            genes[i] = gene;
+                }
+                GLINT_CHECK(tryGenes(genes));
+            }
         return {};
     }
 
@@ -214,13 +271,15 @@ private:
 
     Result<Figures> tryGenes(const Genes& genes) { return trySettings(space_.settings(space_.decode(genes))); }
 
-    Result<Figures> trySettings(const Settings& settings) {
+    Result<Figures> trySettings(const Settings& settings) { return trySettings(settings, outcome_.mostCost); }
+
+    Result<Figures> trySettings(const Settings& settings, double mostCost) {
         const std::string key = joinText(differences(plan_.start, settings), "\n");
         if (const auto known = known_.find(key); known != known_.end()) {
             count();
             return outcome_.tried[known->second].evaluation.figures;
         }
-        GLINT_TRY(evaluation, hooks_.evaluate(settings, outcome_.mostCost));
+        GLINT_TRY(evaluation, hooks_.evaluate(settings, mostCost));
         known_.emplace(key, outcome_.tried.size());
         outcome_.tried.push_back({settings, std::move(evaluation)});
         count();
@@ -242,13 +301,6 @@ private:
         if (hooks_.progress)
             hooks_.progress(progress_);
     }
-
-    /// A setting that was moved alone.
-    struct Move {
-        const SettingInfo* setting = nullptr;
-        double gene = 0;
-        Figures figures;
-    };
 
     const SearchPlan& plan_;
     const SearchHooks& hooks_;

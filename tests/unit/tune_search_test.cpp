@@ -94,6 +94,30 @@ TEST(TuneSearch, AShorterSearchIsTheBeginningOfALongerOne) {
         EXPECT_TRUE(differences(shorter.outcome.tried[i].settings, longer.outcome.tried[i].settings).empty()) << i;
 }
 
+TEST(TuneSearch, WhatIsDearIsTriedWithLessOfItAndPaidForElsewhere) {
+    // Rays for everything are given up; rays for smooth surfaces take most of the error for little.
+    SearchPlan plan = planOf(0);
+    plan.vary = {"hiz", "rays"};
+    plan.mostCost = 13; // the start costs 11.04
+    SearchHooks hooks;
+    hooks.evaluate = [](const Settings& settings, double mostCost) -> Result<Evaluation> {
+        Evaluation evaluation = traded(settings);
+        if (settings.rays.enabled) {
+            const double traced = settings.rays.maxRoughness;
+            evaluation.figures.cost += 40 * traced;
+            evaluation.figures.error *= traced >= 0.1 ? 0.3 : 1;
+            evaluation.views.front().figures = evaluation.figures;
+        }
+        const double infinite = std::numeric_limits<double>::infinity();
+        return evaluation.figures.cost > mostCost ? Evaluation{{infinite, infinite}, {}, mostCost} : evaluation;
+    };
+    const Searched run = search(plan, hooks);
+    const Figures start = run.figures().front();
+    EXPECT_TRUE(std::ranges::any_of(run.figures(), [&](const Figures& each) {
+        return each.cost < 1.1 * start.cost && each.error < 0.4 * start.error;
+    }));
+}
+
 TEST(TuneSearch, ATimeLimitEndsItBetweenGenerations) {
     SearchHooks hooks;
     uint32_t asked = 0;
