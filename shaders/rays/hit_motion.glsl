@@ -10,6 +10,19 @@ layout(scalar, set = 0, binding = 26) readonly buffer InstancesBeforeBlock {
 }
 instancesBefore; // as the previous frame's rays met them
 
+float volumeOf(SurfaceInstanceRecord instance) {
+    return abs(dot(instance.localToWorld[0].xyz, cross(instance.localToWorld[1].xyz, instance.localToWorld[2].xyz)));
+}
+
+/// True if an instance shows what it did not show before: nothing that moves grows or shrinks so much in one frame, but
+/// hosts hide things by their size.
+bool appeared(SurfaceInstanceRecord before, SurfaceInstanceRecord now) {
+    const float kLargestChange = 4.0;
+    float was = volumeOf(before);
+    float is = volumeOf(now);
+    return was > kLargestChange * is || is > kLargestChange * was;
+}
+
 /// Where the hit point was - where it is, metres in world space; 0 for instances that the previous frame did not have.
 vec3 hitStepWS(Hit hit, vec3 hitWS) {
     if (hit.instance >= settings.instancesBefore)
@@ -20,7 +33,7 @@ vec3 hitStepWS(Hit hit, vec3 hitWS) {
     bool deforms = isPresent(mesh.previousPositions);
     bool rests = before.localToWorld[0] == now.localToWorld[0] && before.localToWorld[1] == now.localToWorld[1] &&
                  before.localToWorld[2] == now.localToWorld[2];
-    if (before.mesh != now.mesh || (rests && !deforms))
+    if (before.mesh != now.mesh || (rests && !deforms) || appeared(before, now))
         return vec3(0.0);
     uvec3 triangle = loadTriangle(mesh, hit.primitive);
     StreamRecord positions = mesh.positions;

@@ -35,6 +35,15 @@ Result<void> checkSize(const gpu::Context& context, const char* what, size_t byt
     return {};
 }
 
+/// True if nothing moves so: it grew or shrank so much in one frame that it was hidden before, or is now. As
+/// shaders/rays/hit_motion.glsl.
+bool appeared(const glm::mat4& before, const glm::mat4& now) {
+    constexpr float kLargestChange = 4; // of the volume
+    const float was = std::abs(glm::determinant(glm::mat3(before)));
+    const float is = std::abs(glm::determinant(glm::mat3(now)));
+    return was > kLargestChange * is || is > kLargestChange * was;
+}
+
 } // namespace
 
 Result<GpuScene> GpuScene::create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose) {
@@ -158,9 +167,10 @@ Result<void> GpuScene::uploadInstances(gpu::Context& context, const scene::Scene
         out.boundsWS = item.boundsWS;
         items_.push_back(out);
 
+        const bool follows = moved && !appeared(lastTransforms_[i], item.localToWorld);
         const bool noNormals = item.geometry->normals.empty() && out.topology != scene::Topology::Triangles;
         instances.push_back(
-            {item.localToWorld, moved ? lastTransforms_[i] : item.localToWorld,
+            {item.localToWorld, follows ? lastTransforms_[i] : item.localToWorld,
              item.material < 0 ? defaultMaterial : static_cast<uint32_t>(item.material),
              (out.mirrored ? shared::kInstanceMirrored : 0) | (noNormals ? shared::kInstanceNoNormals : 0),
              range.firstIndex, range.firstVertex, range.prevVertexDelta, item.boundsWS.center(),

@@ -53,6 +53,8 @@ protected:
                 gpu(), SurfaceScene::seenBy(screenAlone_ ? scene : scene_), camera, kWidth, kHeight);
             must(made.setInputs(host.gbuffer));
             must(world.surfaces.setMaterials(scene.materials));
+            if (panelSize_)
+                placePanel(world, panelSize_(frame));
             run([&](VkCommandBuffer commands) {
                 world.rays.record(commands);
                 world.surfaces.record(commands);
@@ -66,6 +68,20 @@ protected:
                 means.push_back(meanOf(pictures_.back().reflection));
         }
         return means;
+    }
+
+    /// Scales the panel about its middle.
+    void placePanel(SurfaceScene::World& world, float size) const {
+        std::vector<RayInstance> instances = scene_.triangles.instances;
+        for (const int axis : {0, 1, 2}) {
+            instances.back().localToWorld[static_cast<size_t>(5 * axis)] = size;
+            instances.back().localToWorld[static_cast<size_t>(12 + axis)] = panelMiddle_[axis] * (1 - size);
+        }
+        std::vector<SurfaceInstance> surfaces;
+        for (uint32_t i = 0; i < instances.size(); ++i)
+            surfaces.push_back({instances[i].mesh, i, instances[i].localToWorld});
+        must(world.rays.setInstances(instances));
+        must(world.surfaces.setInstances(surfaces));
     }
 
     static double meanOf(const std::vector<float>& rgba) {
@@ -91,6 +107,8 @@ protected:
     SurfaceMaterial lit_ = emitting(glm::vec3(2));
     int fastFrames_ = 6;
     float stabilizeSeconds_ = 0;
+    std::function<float(uint32_t)> panelSize_; ///< by frame; empty: 1
+    glm::vec3 panelMiddle_ = {0, 1.7f, -1.9f};
     bool screenAlone_ = false; ///< no rays: the panel shows in the host's picture
     SurfaceScene scene_;
     std::vector<Picture> pictures_; ///< of the last play
@@ -121,6 +139,28 @@ TEST_F(AntilagTest, sentinelsSeeTheLightGoOutAndComeOn) {
         const std::vector<double> shares = reaction(Antilag::Gradient, on);
         EXPECT_GT(shares[6], 0.9) << (on ? "on" : "off");
         EXPECT_LT(shares[6], 1.1) << (on ? "on" : "off");
+    }
+}
+
+TEST_F(AntilagTest, whatAppearsBySizeIsLightThatChanges) {
+    // Hosts hide things by their size. Followed as motion, a lamp would have the history of the wall behind it.
+    SurfaceScene scene;
+    scene.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(0.4f));
+    scene.addQuad({-4, 0, -2}, {8, 0, 0}, {0, 4, 0}, emitting(glm::vec3(0.1f)));
+    scene.addQuad({-3, 0.575f, -1.9f}, {6, 0, 0}, {0, 0.25f, 0}, lit_ = emitting(glm::vec3(9)));
+    scene_ = scene;
+    panelMiddle_ = {0, 0.7f, -1.9f};
+    const auto lit = [&](uint32_t) { return lit_; };
+    panelSize_ = [](uint32_t) { return 1.0f; };
+    const double shown = play(Antilag::Gradient, lit, kFrames, kFrames - 1).back();
+    panelSize_ = [](uint32_t frame) { return frame < kFrames ? 0.01f : 1.0f; };
+    const std::vector<double> bySize = play(Antilag::Gradient, lit, kFrames + 8, kFrames - 1);
+    // The first frame of a lamp that moves has no history, and the next one would take the dark one beside it.
+    double most = 0;
+    for (size_t i = 1; i < bySize.size(); ++i) {
+        const double share = (bySize[i] - bySize[0]) / (shown - bySize[0]);
+        EXPECT_GT(share, most - 0.1) << i;
+        most = std::max(most, share);
     }
 }
 
