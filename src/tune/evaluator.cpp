@@ -53,7 +53,7 @@ public:
             GLINT_TRY(pictures, referenceOf(view));
             references.push_back(std::move(pictures));
             GLINT_TRY(rough, roughShare(session_));
-            rough_[index(set)] += rough / static_cast<double>(views_[index(set)].size());
+            rough_[index(set)].add(rough, 1 / static_cast<double>(views_[index(set)].size()));
         }
         return {};
     }
@@ -189,8 +189,8 @@ private:
     measure::FloorPass floor_;
     std::array<std::vector<TuneView>, 2> views_; ///< by ViewSet
     std::array<std::vector<std::vector<render::RenderedView>>, 2> references_ =
-        {};                            ///< by ViewSet, view and measured frame
-    std::array<double, 2> rough_ = {}; ///< by ViewSet: roughShare, mean over views
+        {};                           ///< by ViewSet, view and measured frame
+    std::array<RoughShare, 2> rough_; ///< by ViewSet: roughShare, mean over views
 };
 
 struct Evaluator::State {

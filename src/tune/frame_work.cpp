@@ -15,17 +15,19 @@ double trianglesOf(const scene::Pose& pose) {
 
 } // namespace
 
-Result<double> roughShare(render::ReflectionSession& session) {
+Result<RoughShare> roughShare(render::ReflectionSession& session) {
     GLINT_TRY(roughness, session.readView("roughness"));
     GLINT_TRY(reflectivity, session.readView("reflectivity"));
-    size_t rough = 0;
+    RoughShare share;
+    const double pixel = 4 / static_cast<double>(roughness.rgba.size());
     for (size_t i = 0; i < roughness.rgba.size(); i += 4)
-        rough += reflectivity.rgba[i] > 0 && roughness.rgba[i] > kMirrorRoughness ? 1 : 0;
-    return 4 * static_cast<double>(rough) / static_cast<double>(roughness.rgba.size());
+        if (reflectivity.rgba[i] > 0 && roughness.rgba[i] > kMirrorRoughness)
+            share.add(roughness.rgba[i], pixel);
+    return share;
 }
 
 FrameWork frameWork(const Settings& settings, const render::ReflectionSession& session, const render::FrameTimes& times,
-                    bool drawn, double rough) {
+                    bool drawn, const RoughShare& rough) {
     FrameWork work;
     work.settings = &settings;
     work.stats = session.stats();

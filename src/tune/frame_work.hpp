@@ -6,15 +6,14 @@
 
 namespace glint::tune {
 
-/// Returns the fraction of the pixels whose lobe is wider than a mirror's, among those that reflect. Errors:
-/// DeviceLost.
-Result<double> roughShare(render::ReflectionSession& session);
+/// Counts the pixels whose lobe is wider than a mirror's. Errors: DeviceLost.
+Result<RoughShare> roughShare(render::ReflectionSession& session);
 
 /// `settings`  in force; referred to by the result
 /// `times`     of the session's last frame
 /// `drawn`     that frame's plan drew the host's passes
 /// `rough`     roughShare
 FrameWork frameWork(const Settings& settings, const render::ReflectionSession& session, const render::FrameTimes& times,
-                    bool drawn, double rough);
+                    bool drawn, const RoughShare& rough);
 
 } // namespace glint::tune

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -16,6 +18,7 @@ enum class Unit : uint8_t {
     Lookups,   ///< their depth lookups
     SceneRays, ///< rays through triangles
     Rough,     ///< pixels that the denoiser averages
+    RoughRays, ///< those of them that send rays through triangles: rays.maxRoughness
     Reused,    ///< their neighbours' rays: reuse.samples
     Filtered,  ///< these pixels, where denoise.maxRadius is above 0
     BlurTaps,  ///< these pixels in the blurred image, times taps
@@ -29,8 +32,9 @@ struct UnitCost {
     double floors = 0;
 };
 
-// Measured with glint bench on builtin:hall and builtin:exact at 640x360, rays at 160x90, llvmpipe 25 on two quiet
-// cores (docs/tune.md); a floor is 11.3 ns a pixel there.
+// Measured with glint bench on builtin:hall and builtin:exact at 640x360, llvmpipe 25 on two quiet cores
+// (docs/tune.md); a floor is 11.3 ns a pixel there. Rays at 320x180: 130 to 140 floors in the hall, 35 to 40 on
+// builtin:exact.
 constexpr std::array kUnitCosts = {
     UnitCost{"render/back_faces", Unit::BackFaces, 0.4},
     UnitCost{"render/back_faces", Unit::Triangles, 3.9},
@@ -48,9 +52,9 @@ constexpr std::array kUnitCosts = {
     UnitCost{"trace/adaptive", Unit::Lookups, 0.45},
     UnitCost{"trace/proxy", Unit::Rays, 5},
     UnitCost{"rays/list", Unit::Pixels, 3},
-    UnitCost{"rays/reflect", Unit::SceneRays, 370},
-    UnitCost{"rays/reflect_lights", Unit::SceneRays, 530},
-    UnitCost{"rays/sentinels", Unit::Rough, 100},
+    UnitCost{"rays/reflect", Unit::SceneRays, 90},
+    UnitCost{"rays/reflect_lights", Unit::SceneRays, 130},
+    UnitCost{"rays/sentinels", Unit::RoughRays, 40},
     UnitCost{"denoise/gather", Unit::Pixels, 1.75},
     UnitCost{"denoise/sentinels", Unit::Pixels, 0.3},
     UnitCost{"denoise/change", Unit::Pixels, 0.2},
@@ -99,11 +103,13 @@ double amount(Unit unit, const FrameWork& work) {
     case Unit::Rays: return rays;
     case Unit::Lookups: return rays * work.stats.lookupsPerRay;
     case Unit::SceneRays: return static_cast<double>(work.stats.scene.rays) / work.pixels;
-    case Unit::Rough: return work.rough;
-    case Unit::Reused: return work.rough * settings.reuse.samples;
-    case Unit::Filtered: return settings.denoise.maxRadius > 0 ? work.rough : 0;
+    case Unit::Rough: return work.rough.all();
+    case Unit::RoughRays: return work.rough.upTo(settings.rays.maxRoughness);
+    case Unit::Reused: return work.rough.all() * settings.reuse.samples;
+    case Unit::Filtered: return settings.denoise.maxRadius > 0 ? work.rough.all() : 0;
     case Unit::BlurTaps:
-        return work.rough * square(settings.screen.resolutionScale / static_cast<float>(settings.blur.downsample + 1)) *
+        return work.rough.all() *
+               square(settings.screen.resolutionScale / static_cast<float>(settings.blur.downsample + 1)) *
                kBlurTaps[static_cast<size_t>(std::clamp(settings.blur.quality, 1, 3) - 1)];
     case Unit::BackFaces: return 1 / square(settings.screen.backfaceDownsample + 1);
     case Unit::Triangles: return work.triangles / work.pixels;
@@ -119,7 +125,25 @@ std::string_view withoutBackEnd(std::string_view pass) {
     return pass;
 }
 
+size_t hundredthsOf(float perceptualRoughness) {
+    return static_cast<size_t>(std::lround(100 * std::clamp(perceptualRoughness, 0.0f, 1.0f)));
+}
+
 } // namespace
+
+void RoughShare::add(float perceptualRoughness, double share) {
+    shares_[hundredthsOf(perceptualRoughness)] += share;
+}
+
+void RoughShare::add(const RoughShare& other, double part) {
+    for (size_t i = 0; i < shares_.size(); ++i)
+        shares_[i] += part * other.shares_[i];
+}
+
+double RoughShare::upTo(float perceptualRoughness) const {
+    const auto end = shares_.begin() + static_cast<ptrdiff_t>(hundredthsOf(perceptualRoughness)) + 1;
+    return std::accumulate(shares_.begin(), end, 0.0);
+}
 
 double countedFloors(const FrameWork& work) {
     double floors = 0;

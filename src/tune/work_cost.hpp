@@ -4,10 +4,25 @@
 
 #include "render/render_job.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace glint::tune {
+
+/// Fraction of the pixels whose reflections the denoiser averages, by perceptual roughness.
+class RoughShare {
+public:
+    void add(float perceptualRoughness, double share);
+    /// Adds `part` of the other shares.
+    void add(const RoughShare& other, double part);
+    double all() const { return upTo(1); }
+    /// Of surfaces no rougher than this, to a hundredth.
+    double upTo(float perceptualRoughness) const;
+
+private:
+    std::array<double, 101> shares_ = {}; ///< by hundredths
+};
 
 /// What one frame did. Rays and lookups are counted by the shaders, passes by the recording.
 struct FrameWork {
@@ -15,8 +30,8 @@ struct FrameWork {
     render::RenderStats stats;
     std::vector<std::string> passes; ///< names of the reflections' passes and of the host's back faces, in order
     double pixels = 0;               ///< of the frame
-    double rough = 0;                ///< fraction of the pixels whose reflections the denoiser averages
-    double triangles = 0;            ///< of the scene, which the host draws once more for back faces
+    RoughShare rough;
+    double triangles = 0; ///< of the scene, which the host draws once more for back faces
 };
 
 /// Estimates the cost in floors (docs/truth.md): each pass by its pixels, rays, depth lookups and taps, with unit costs

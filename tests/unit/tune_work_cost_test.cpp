@@ -11,7 +11,8 @@ protected:
     TuneWorkCost() {
         work_.settings = &settings_;
         work_.pixels = 10000;
-        work_.rough = 0.5;
+        work_.rough.add(0.3f, 0.25);
+        work_.rough.add(0.6f, 0.25);
         work_.triangles = 1000;
         work_.stats.rays = 5000;
         work_.stats.lookupsPerRay = 20;
@@ -48,6 +49,17 @@ TEST_F(TuneWorkCost, EveryOtherPassCostsSomething) {
         EXPECT_GT(floors(), without) << pass;
         work_.passes.pop_back();
     }
+}
+
+TEST_F(TuneWorkCost, SentinelsCostOnlyWhereRaysAreSent) {
+    work_.passes = {"rays/sentinels_bvh"};
+    const double everywhere = floors();
+    settings_.rays.maxRoughness = 0.5f;
+    EXPECT_DOUBLE_EQ(floors(), everywhere / 2);
+    settings_.rays.maxRoughness = 0.3f;
+    EXPECT_DOUBLE_EQ(floors(), everywhere / 2);
+    settings_.rays.maxRoughness = 0.1f;
+    EXPECT_EQ(floors(), 0);
 }
 
 TEST_F(TuneWorkCost, RaysCostTheSameWithEitherBackEnd) {
