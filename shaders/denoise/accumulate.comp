@@ -154,7 +154,7 @@ float framesOf(Candidate found, HitMotion hits, float perceptualRoughness) {
     return min(found.meta.x, most) * sqrt(found.share);
 }
 
-/// True if the candidate's place costs frames, so that another place may be better.
+/// True if a candidate lost frames to its place, so that another place may be better.
 bool isShortened(Candidate found, float frames) {
     return found.share == 0.0 || frames < found.meta.x * sqrt(found.share);
 }
@@ -220,25 +220,22 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     was.end = (toBefore * vec4(here.positionVS + mirrored * endDistance(tracked) + hits.stepVS, 1.0)).xyz;
     was.moved = before.moved;
     was.knowsDepth = before.knowsDepth;
-    Candidate found = lookUp(was, before.px);
-    frames = framesOf(found, hits, here.perceptualRoughness);
-    if (inMirrorToo) {
-        Candidate inMirror = lookUp(was, imagePixelBefore(here, tracked, hits.stepVS));
-        float mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
-        if (mirrorFrames > frames) {
-            found = inMirror;
-            frames = mirrorFrames;
+    Candidate found = kNone;
+    frames = 0.0;
+    vec2 at = before.px;
+    for (uint place = kVirtualSurface; place <= kVirtualCurved; ++place) { // a loop: one copy of lookUp
+        Candidate there = lookUp(was, at);
+        float theirs = framesOf(there, hits, here.perceptualRoughness);
+        if (theirs > frames) {
+            found = there;
+            frames = theirs;
         }
-        vec2 at;
-        if (settings.virtualMotion >= kVirtualCurved && isShortened(inMirror, mirrorFrames) &&
-            curvedImagePixelBefore(px, here, tracked, hits.stepVS, at)) {
-            inMirror = lookUp(was, at);
-            mirrorFrames = framesOf(inMirror, hits, here.perceptualRoughness);
-            if (mirrorFrames > frames) {
-                found = inMirror;
-                frames = mirrorFrames;
-            }
-        }
+        if (!inMirrorToo || place >= settings.virtualMotion)
+            break;
+        if (place == kVirtualSurface)
+            at = imagePixelBefore(here, tracked, hits.stepVS);
+        else if (!isShortened(there, theirs) || !curvedImagePixelBefore(px, here, tracked, hits.stepVS, at))
+            break;
     }
     vec4 sharp;
     if (frames > 0.0 && found.share > 0.99 &&
