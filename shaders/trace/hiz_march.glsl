@@ -26,7 +26,8 @@ struct Line {
 };
 
 Line makeLine(ScreenRay ray) {
-    vec2 moves = vec2(notEqual(ray.deltaPX, vec2(0.0)));
+    // By a choice, not by weights of 0 and 1: GPUs may compute mix(x, y, a) as x + a * (y - x), which loses y beside 1e30.
+    bvec2 moves = notEqual(ray.deltaPX, vec2(0.0));
     vec2 invDelta = mix(vec2(1e30), 1.0 / mix(vec2(1.0), ray.deltaPX, moves), moves);
     return Line(ray.startPX, ray.deltaPX, invDelta, vec2(greaterThan(ray.deltaPX, vec2(0.0))), 1.0 / screenPixels(ray));
 }
