@@ -116,14 +116,15 @@ protected:
 };
 
 TEST_F(AntilagTest, aViewShowsWhatIsGivenUp) {
+    constexpr double kRounding = 1e-6; // of lengths of histories whose quotient should be 1
     const auto panel = [&](uint32_t frame) { return frame < kFrames ? lit_ : blackMatte(); };
     for (const Antilag antilag : {Antilag::Off, Antilag::Mean, Antilag::Gradient}) {
         play(antilag, panel, kFrames + 8, 0);
         for (uint32_t frame = 0; frame < kFrames; ++frame)
-            EXPECT_EQ(givenUp_[frame], 0) << frame;
+            EXPECT_NEAR(givenUp_[frame], 0, kRounding) << frame;
         const double most = *std::max_element(givenUp_.begin() + kFrames, givenUp_.end());
         if (antilag == Antilag::Off)
-            EXPECT_EQ(most, 0);
+            EXPECT_LE(most, kRounding);
         else
             EXPECT_GT(most, 0.1); // the floor is two fifths of the picture
         EXPECT_EQ(givenUp_[kFrames] > 0.1, antilag == Antilag::Gradient) << "sentinels see it in the same frame";

@@ -58,6 +58,8 @@ public:
 
         const auto job = cli::makeRenderJob(imageCase->options);
         ASSERT_TRUE(job.ok()) << job.error().message;
+        if (job->settings.reflections.rays.backend == RayBackend::Query && !device().rayQuery())
+            GTEST_SKIP() << "no ray queries on " << device().info().name;
         const auto result = render::runJob(device(), *job);
         ASSERT_TRUE(result.ok()) << result.error().message;
 

@@ -222,7 +222,7 @@ TEST_F(ScenesTest, inspectingExplainsARayOfTheHall) {
         EXPECT_GT(json["ray"]["samples"].size(), 3u);
         EXPECT_NEAR(json["surface"]["normalWS"][1], 1, 0.01);
         EXPECT_EQ(json["sources"][0]["name"], "screen");
-        EXPECT_EQ(json["composite"][0], result.views[1].rgba[i]);
+        EXPECT_EQ(json["composite"][0].get<float>(), result.views[1].rgba[i]);
         std::vector<uint8_t> picture(size_t{320} * 180 * 3);
         cli::drawRay(*result.inspection, 320, 180, picture);
         EXPECT_GT(picture[(size_t{150} * 320 + 160) * 3], 200) << "the start is marked";
