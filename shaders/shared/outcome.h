@@ -29,6 +29,8 @@ GLINT_CONSTANT(uint, kOutcomeCount, 16);
 
 GLINT_CONSTANT(uint, kMaxLookups, 4095); // as a ray record stores them: more reads count as this many
 
+GLINT_CONSTANT(uint, kCountedSquare, 64); // pixels a side that a group of composite/statistics counts
+
 // What composite/statistics.comp fills in: outcomes, then a histogram of lookups a ray; and rays/statistics.comp.
 struct RayStatistics {
     uint outcomes[16];

@@ -28,11 +28,12 @@ Result<std::unique_ptr<RayCounts>> RayCounts::create(StageContext& stages) {
 void RayCounts::record(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& rayRecord, uint32_t width,
                        uint32_t height, const std::function<void(gpu::Buffer&)>& addMore) {
     frame.fill(counts_, 0);
+    const auto groups = [](uint32_t pixels) { return (pixels + shared::kCountedSquare - 1) / shared::kCountedSquare; };
     frame.pass(pass_)
         .read("frame", inputs.constants)
         .read("rayRecord", rayRecord)
         .readWrite("statistics", counts_)
-        .dispatch(width, height);
+        .dispatch(groups(width) * pass_.localSize()[0], groups(height) * pass_.localSize()[1]);
     addMore(counts_);
     frame.copyBuffer(counts_, readback_);
 }
