@@ -101,5 +101,7 @@ void main() {
         steadied = mix(allowed, now, 1.0 / (1.0 + frames));
     }
     imageStore(stable, px, vec4(steadied, frames + 1.0, 0.0, 0.0));
-    imageStore(answer, px, vec4(now > 0.0 ? shown.rgb * (steadied / now) : shown.rgb, shown.a));
+    if (now > 0.0 && steadied != now) // mirrors keep their bits: a GPU's quotient of equal numbers may be a little below 1
+        shown.rgb *= steadied / now;
+    imageStore(answer, px, shown);
 }
