@@ -454,7 +454,7 @@ TEST_F(SettingsEffectTest, clipToFrustumSavesNoHitAndChangesNone) {
         for (uint32_t i = 0; i < clipped.pixels(); ++i)
             if (clipped.outcome(i) == shared::kOutcomeOffScreen && whole.outcome(i) == shared::kOutcomeOffScreen)
                 more += clipped.lookups[i * 4] > whole.lookups[i * 4];
-        EXPECT_GT(more, 20u); // 30 of linear
+        EXPECT_GT(more, 5u); // 30 of linear, 11 where quotients are products with the inverse
     }
 }
 

@@ -1,6 +1,8 @@
 // Build tool: reads SPIR-V files and writes one C++ file with each shader's reflected bindings and the words of
 // FILE.spv.opt, the same shader optimized, which has lost the bindings that it turned out not to need.
-//   glint_shader_pack SET ROOT OUT.cpp ROOT/trace/classify.comp.spv ...
+//   glint_shader_pack [--gpu-arithmetic] SET ROOT OUT.cpp ROOT/trace/classify.comp.spv ...
+// With --gpu-arithmetic shaders are rewritten so that a software device computes them as GPUs may (gpu_arithmetic.hpp).
+#include "gpu/embed/gpu_arithmetic.hpp"
 #include "gpu/embed/shader_reflection.hpp"
 
 #include <cstdio>
@@ -23,7 +25,7 @@ std::string readFile(const std::string& path) {
     return {(std::istreambuf_iterator<char>(file)), {}};
 }
 
-ReflectedShader readShader(const std::string& path) {
+ReflectedShader readShader(const std::string& path, bool gpuArithmetic) {
     auto shader = reflectShader(readFile(path), path);
     if (!shader)
         fail(shader.error().message);
@@ -32,6 +34,12 @@ ReflectedShader readShader(const std::string& path) {
         fail(path + ".opt: not a SPIR-V file");
     shader->words.resize(optimized.size() / sizeof(uint32_t));
     std::memcpy(shader->words.data(), optimized.data(), optimized.size());
+    if (gpuArithmetic) {
+        auto rewritten = asGpusCompute(shader->words);
+        if (!rewritten)
+            fail(path + ".opt: " + rewritten.error().message);
+        shader->words = *std::move(rewritten);
+    }
     return *std::move(shader);
 }
 
@@ -56,14 +64,19 @@ const char* kindText(BindingKind kind) {
 } // namespace
 
 int main(int argc, char** argv) {
+    const bool gpuArithmetic = argc > 1 && std::strcmp(argv[1], "--gpu-arithmetic") == 0;
+    if (gpuArithmetic) {
+        --argc;
+        ++argv;
+    }
     if (argc < 4)
-        fail("usage: glint_shader_pack SET ROOT OUT.cpp FILE.spv ...");
+        fail("usage: glint_shader_pack [--gpu-arithmetic] SET ROOT OUT.cpp FILE.spv ...");
     const std::string set = argv[1];
     const std::string root = argv[2];
     std::string arrays;
     std::string table;
     for (int i = 4; i < argc; ++i) {
-        const ReflectedShader shader = readShader(argv[i]);
+        const ReflectedShader shader = readShader(argv[i], gpuArithmetic);
         arrays += fmt::format("const uint32_t kWords{}[] = {{", i);
         for (size_t w = 0; w < shader.words.size(); ++w)
             arrays += fmt::format("{}{:#x},", w % 16 == 0 ? "\n    " : " ", shader.words[w]);
