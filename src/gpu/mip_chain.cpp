@@ -8,6 +8,10 @@ Result<MipChain> MipChain::create(Context& context, uint32_t layers) {
     MipChain chain;
     GLINT_TRY(halve, Pipeline::compute(context, {layers > 1 ? "prefilter/mip_layers" : "prefilter/mip", 0, {}}));
     chain.halve_ = std::move(halve);
+    if (layers == 1) {
+        GLINT_TRY(copy, Pipeline::compute(context, {"prefilter/picture", 0, {}}));
+        chain.copy_ = std::move(copy);
+    }
     return chain;
 }
 
@@ -19,6 +23,16 @@ void MipChain::make(Frame& frame, Image& image) const {
                 .write("coarser", image, mip)
                 .dispatch(std::max(image.width() >> mip, 1u), std::max(image.height() >> mip, 1u), image.desc().layers);
     });
+}
+
+void MipChain::makeFrom(Frame& frame, Image& picture, Image& image) const {
+    frame.untimed([&] {
+        frame.pass(copy_)
+            .read("picture", picture, SamplerKind::NearestClamp)
+            .write("copy", image, 0)
+            .dispatch(image.width(), image.height());
+    });
+    make(frame, image);
 }
 
 } // namespace glint::gpu

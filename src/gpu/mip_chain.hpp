@@ -16,8 +16,13 @@ public:
     /// timers of its own: the caller's scope is timed.
     void make(Frame& frame, Image& image) const;
 
+    /// Copies `picture`, RGBA16F with SAMPLED usage and one layer, to level 0 of an image of its size, then makes the
+    /// other levels. By a dispatch: an NVIDIA H200 copies images at a twentieth of its memory's rate.
+    void makeFrom(Frame& frame, Image& picture, Image& image) const;
+
 private:
     Pipeline halve_;
+    Pipeline copy_; ///< for one layer
 };
 
 } // namespace glint::gpu

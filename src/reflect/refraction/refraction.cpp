@@ -76,7 +76,7 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
         const auto mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));
         return gpu::Image::create(
             context, {name, VK_FORMAT_R16G16B16A16_SFLOAT, width, height, mips, 1, gpu::ImageShape::Flat,
-                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
     };
     const auto makeStored = [&](const char* name, VkFormat format, bool whole) {
         return gpu::Image::create(
@@ -115,20 +115,14 @@ Result<void> Refraction::setProbes(ProbesState& probes, gpu::Retired& retired) {
 }
 
 void Refraction::begin(gpu::Frame& frame, gpu::Image& composite) {
-    frame.scope("refraction/solidPicture", [&] {
-        frame.copy(composite, solid_);
-        mips_.make(frame, solid_);
-    });
+    frame.scope("refraction/solidPicture", [&] { mips_.makeFrom(frame, composite, solid_); });
     frame.clear(layersZ_, {.float32 = {shared::kBackgroundZ}});
     frame.clear(refracted_, {});
     frame.clear(weights_, {});
 }
 
 void Refraction::record(gpu::Frame& frame, LayerImages& layer, const LayerInputs& inputs, gpu::Image& composite) {
-    frame.scope("refraction/picture", [&] {
-        frame.copy(composite, behind_);
-        mips_.make(frame, behind_);
-    });
+    frame.scope("refraction/picture", [&] { mips_.makeFrom(frame, composite, behind_); });
     Inputs& host = inputs.frame.host;
     const StandIns& standIns = inputs.frame.standIns;
     ProbesState* probes = withProbes_ ? inputs.probes : nullptr;
