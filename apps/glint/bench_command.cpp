@@ -1,11 +1,12 @@
 // glint bench: measures the cost of the reflections, pass by pass, over image sizes and over the fraction of the image
-// that reflects; or the cost of rays.
+// that reflects; or the cost of rays; or that of creating the library's objects.
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "bench_base.hpp"
 #include "bench_output.hpp"
 #include "commands.hpp"
 #include "config_option.hpp"
+#include "create_bench_output.hpp"
 #include "file_roles.hpp"
 #include "ray_bench_options.hpp"
 #include "ray_bench_output.hpp"
@@ -34,6 +35,7 @@ struct BenchOptions {
     std::string check;
     double tolerance = 50; ///< percent
     RayBenchOptions rays;
+    bool create = false;
 };
 
 /// Percentages, or the one word "none".
@@ -128,6 +130,26 @@ Result<void> benchRays(const BenchOptions& options) {
     return measure::checkSameHits(result);
 }
 
+Result<void> benchCreation(const BenchOptions& options) {
+    measure::CreatePlan plan;
+    if (options.sizes.size() > 1)
+        return invalidArgument("--create measures at one size: give one to --sizes");
+    if (!options.sizes.empty()) {
+        render::RenderJob size;
+        GLINT_CHECK(readSize("--sizes", options.sizes.front(), size));
+        plan.width = size.width;
+        plan.height = size.height;
+    }
+    for (const std::string& text : options.configs) {
+        GLINT_TRY(job, makeConfigJob(options.scene, "builtin:hall", text)); // no scene is read
+        plan.configs.push_back({text, job.settings.reflections});
+    }
+    GLINT_CHECK(checkOutput(options));
+    GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    GLINT_TRY(result, measure::measureCreation(*context, plan, showProgress));
+    return show(options, *context, createBenchText(result), createBenchJson(result));
+}
+
 /// The device lives as long as the result is made; the result refers to nothing of it.
 Result<measure::BenchResult> measureAll(const BenchOptions& options, std::unique_ptr<gpu::Context>* used = nullptr) {
     GLINT_TRY(plan, makePlan(options));
@@ -215,7 +237,8 @@ Result<void> benchCheck(const BenchOptions& given) {
 
 void addBenchCommand(CLI::App& program, Command& chosen) {
     const auto options = std::make_shared<BenchOptions>();
-    CLI::App* const command = program.add_subcommand("bench", "Time the reflections pass by pass, or rays");
+    CLI::App* const command =
+        program.add_subcommand("bench", "Time the reflections pass by pass, or rays, or creation");
     CLI::Option* const scenes = command->add_option("SCENE", options->scenes, sceneHelp() + " (default: builtin:hall)");
     CLI::Option* const configs =
         command->add_option("--config", options->configs, kConfigHelp)->allow_extra_args(false)->capture_default_str();
@@ -250,10 +273,17 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
                      "With --check: percentage by which floors may be larger than the file's")
         ->capture_default_str();
     addRayBenchOptions(*command, options->rays);
+    CLI::Option* const create = command->add_flag(
+        "--create", options->create, "Time what creating the library's objects costs a host, for each config, instead");
+    for (const char* other : {"SCENE", "--shares", "--frames", "--warm-up", "--budget", "--camera", "--env", "--time",
+                              "--seed", "--check", "--rays"})
+        create->excludes(command->get_option(other));
     command->callback([&chosen, options] {
         chosen = [options] {
             if (options->rays.asked)
                 return benchRays(*options);
+            if (options->create)
+                return benchCreation(*options);
             return options->check.empty() ? bench(*options) : benchCheck(*options);
         };
     });
