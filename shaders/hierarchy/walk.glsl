@@ -17,16 +17,17 @@ float remaining(Walk walk) {
     return 1.0 - walk.taken;
 }
 
-/// The largest half below 1. On GPUs the quotient of equal sums may be a little below 1, and halves may be stored rounded
-/// toward 0: a weight of 1 then comes back as this one. What it would leave, a bright sky would shine through.
-const float kWholeWeight = 2047.0 / 2048.0;
+/// An answer that wants so much of what is left gets all of it. Weights pass through quotients, which GPUs may round to a
+/// little below 1, and are stored as halves, rounded toward 0. A bright sky would show through what that leaves.
+const float kAll = 1.0 - 1.0 / 512.0;
 
 /// `answer`: radiance, wanted weight. Returns the weight that the source gets.
 float take(inout Walk walk, vec4 answer) {
-    float wanted = answer.a >= kWholeWeight ? 1.0 : answer.a;
-    float share = clamp(min(wanted, remaining(walk)), 0.0, 1.0);
+    float left = remaining(walk);
+    bool takesAll = answer.a >= kAll * left;
+    float share = takesAll ? left : max(answer.a, 0.0);
     walk.radiance += share * answer.rgb;
-    walk.taken += share;
+    walk.taken = takesAll ? 1.0 : walk.taken + share;
     return share;
 }
 

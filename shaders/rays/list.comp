@@ -32,8 +32,7 @@ uint whyNoRay(ivec2 px, Surface here) {
 
 /// Bit s of `sources`: source s.
 bool takeAll(uint sources, ivec2 px) {
-    const float kAll = 1.0 - 1.0 / 512.0; // the remaining weight is less than a ray could add
-    return takenBefore(sources, px) >= kAll;
+    return takenBefore(sources, px) >= kAll; // what remains is less than a ray could add
 }
 
 void main() {
