@@ -16,13 +16,13 @@ find_path(SPIRV_CROSS_C_INCLUDE_DIR spirv_cross_c.h PATH_SUFFIXES spirv_cross RE
 get_filename_component(glint_root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 
 # Shared with the viewer, which reflects what it compiles while it runs.
-add_library(glint_shader_reflection STATIC ${glint_root}/src/gpu/embed/gpu_arithmetic.cpp
-    ${glint_root}/src/gpu/embed/shader_reflection.cpp
+add_library(glint_shader_reflection STATIC ${glint_root}/src/gpu/embed/shader_reflection.cpp
     ${glint_root}/src/gpu/embed/shader_variants.cpp)
 target_include_directories(glint_shader_reflection PUBLIC ${glint_root}/src ${glint_root}/include)
 target_include_directories(glint_shader_reflection SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
 target_link_libraries(glint_shader_reflection PUBLIC fmt::fmt PRIVATE ${SPIRV_CROSS_C} glint_warnings)
 
-add_executable(glint_shader_pack ${glint_root}/src/gpu/embed/shader_pack.cpp)
+add_executable(glint_shader_pack ${glint_root}/src/gpu/embed/shader_pack.cpp
+    ${glint_root}/src/gpu/embed/gpu_arithmetic.cpp)
 target_link_libraries(glint_shader_pack PRIVATE glint_shader_reflection glint_warnings)
 set_target_properties(glint_shader_pack PROPERTIES CROSSCOMPILING_EMULATOR "")

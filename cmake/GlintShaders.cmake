@@ -89,7 +89,8 @@ function(glint_embed_shaders target)
     endforeach()
     set(packed ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET}.cpp)
     add_custom_command(OUTPUT ${packed}
-        COMMAND glint_shader_pack $<$<BOOL:${GLINT_GPU_ARITHMETIC}>:--gpu-arithmetic> ${arg_SET} ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET} ${packed} ${spirv_files}
+        COMMAND glint_shader_pack $<$<BOOL:${GLINT_GPU_ARITHMETIC}>:--gpu-arithmetic>
+            ${arg_SET} ${CMAKE_CURRENT_BINARY_DIR}/shaders/${arg_SET} ${packed} ${spirv_files}
         DEPENDS glint_shader_pack ${spirv_files}
         COMMENT "Packing shaders: ${arg_SET}" VERBATIM COMMAND_EXPAND_LISTS)
     target_sources(${target} PRIVATE ${packed})

@@ -275,8 +275,9 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
     addRayBenchOptions(*command, options->rays);
     CLI::Option* const create = command->add_flag(
         "--create", options->create, "Time what creating the library's objects costs a host, for each config, instead");
-    for (const char* other : {"SCENE", "--shares", "--frames", "--warm-up", "--budget", "--camera", "--env", "--time",
-                              "--seed", "--check", "--rays"})
+    for (const char* other :
+         {"SCENE", "--shares", "--frames", "--warm-up", "--budget", "--camera", "--env", "--materials", "--time",
+          "--seed", "--probes", "--planar", "--check", "--tolerance", "--rays"})
         create->excludes(command->get_option(other));
     command->callback([&chosen, options] {
         chosen = [options] {

@@ -205,7 +205,7 @@
         "",                                                                                                            \
         "log 0.05..2; if denoise.enabled=true; motion")                                                                \
     SETTING(VirtualMotion, virtualMotion, VirtualMotion::Curved, "", "",                                               \
-        "Where the previous frame is looked up: where the surface was, also where a flat mirror showed the reflection, or a curved one; without, reflections are noisy while the camera moves", \
+        "Where the previous frame is looked up: where the surface was (surface), also where a flat mirror showed the reflection (flat), also where a curved one did (curved); with fewer places, more histories are lost while the camera moves", \
         "",                                                                                                            \
         "choice; if denoise.enabled=true; motion; cost +")                                                             \
     SETTING(bool, hitMotion, true, "", "",                                                                             \

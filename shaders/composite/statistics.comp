@@ -9,14 +9,16 @@
 #include "lib/ray_record.glsl"
 #include "lib/trace_pixel.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+const uint kSide = 16u; // pixels that the group visits at once
+
+layout(local_size_x = kSide, local_size_y = kSide) in;
 
 layout(set = 0, binding = 1) uniform usampler2D rayRecord;
 layout(scalar, set = 0, binding = 2) buffer StatisticsBlock {
     RayStatistics counts;
 } statistics;
 
-const uint kFewLookups = 240u; // as most rays take
+const uint kFewLookups = kSide * kSide - kOutcomeCount; // as most rays take
 
 shared uint groupOutcomes[kOutcomeCount];
 shared uint groupLookups[kFewLookups];
@@ -41,8 +43,8 @@ void main() {
         groupLookups[thread - kOutcomeCount] = 0u;
     barrier();
     ivec2 first = ivec2(gl_WorkGroupID.xy) * int(kCountedSquare) + ivec2(gl_LocalInvocationID.xy);
-    for (int y = 0; y < int(kCountedSquare); y += 16)
-        for (int x = 0; x < int(kCountedSquare); x += 16)
+    for (int y = 0; y < int(kCountedSquare); y += int(kSide))
+        for (int x = 0; x < int(kCountedSquare); x += int(kSide))
             if (isTracePixel(frame.constants, first + ivec2(x, y)))
                 count(first + ivec2(x, y));
     barrier();

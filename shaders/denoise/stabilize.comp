@@ -8,6 +8,8 @@
 #include "denoise/lobe_surface.glsl"
 #include "denoise/taken_from.glsl"
 #include "lib/color.glsl"
+#include "lib/half.glsl"
+#include "lib/noise.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -100,7 +102,8 @@ void main() {
         float allowed = clamp(before.x, min(spread.x - spread.y, now), max(spread.x + spread.y, now));
         steadied = mix(allowed, now, 1.0 / (1.0 + frames));
     }
-    imageStore(stable, px, vec4(steadied, frames + 1.0, 0.0, 0.0));
+    float noise = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).x;
+    imageStore(stable, px, roundToHalf(vec4(steadied, frames + 1.0, 0.0, 0.0), noise));
     if (now > 0.0 && steadied != now) // mirrors keep their bits: a GPU's quotient of equal numbers may be a little below 1
         shown.rgb *= steadied / now;
     imageStore(answer, px, shown);

@@ -121,7 +121,7 @@ void main() {
     int count = textureSamples(depth);
     Group front = mostSeen(px, count);
     HostSurface here = front.surface;
-    float coverage = front.members > 0 ? float(front.members) / float(count) : 1.0;
+    float coverage = front.members > 0 && front.members < count ? float(front.members) / float(count) : 1.0;
     imageStore(viewZ, px, vec4(storedViewZ(frame.constants, depthOf(front, count))));
     imageStore(surface, px,
                uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));

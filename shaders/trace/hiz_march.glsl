@@ -117,11 +117,14 @@ Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, 
     }
 }
 
-/// A pixel that decides whether the ray ends there.
+const uint kWalkEnded = 0u; // the march has
+const uint kWalkGoesOn = 1u; // no pixel yet
+const uint kAtPixel = 2u;    // a pixel decides whether the ray ends there
+const uint kAtFlatCell = 3u; // the same: a cell of several pixels shows one flat surface, which the ray meets at this one
+
+/// What a walk came to.
 struct Candidate {
-    bool found;
-    bool pending; // not found yet: the walk goes on
-    bool inFlatCell; // a cell of several pixels shows one flat surface, and the ray meets it here
+    uint found; // one of the four above
     ivec2 px;
     float at; // share
 };
@@ -175,9 +178,9 @@ Candidate walkToPixel(ScreenRay ray, Line line, float start, float slope, float 
     int finest = max(int(settings.minLevel), 1); // below it one pixel decides
     for (int cells = 0; walk.level >= finest; ++cells) {
         if (hasEnded(walk, endShare, result))
-            return Candidate(false, false, false, walk.px, walk.share);
+            return Candidate(kWalkEnded, walk.px, walk.share);
         if (cells == kCellsTogether)
-            return Candidate(false, true, false, walk.px, walk.share);
+            return Candidate(kWalkGoesOn, walk.px, walk.share);
         ++result.iterations;
         enterCell(line, endShare, walk);
         CellBounds bounds =
@@ -208,7 +211,7 @@ Candidate walkToPixel(ScreenRay ray, Line line, float start, float slope, float 
                 bool isFlat = first >= -rounding && last < -bounds.depth && bounds.depth <= kFlatEnough * fall;
                 if (isFlat && walk.mayBeFlat && onScreen(at) && // cells exceed the border
                     result.iterations > settings.selfCollisionSkip)
-                    return Candidate(true, false, true, floorToInt(at), crossing);
+                    return Candidate(kAtFlatCell, floorToInt(at), crossing);
                 walk.mayBeFlat = true;
                 Quarter quarter = firstQuarter(line, bounds, walk.cell, walk.level, walk.px, way, rounding);
                 if (quarter.found) {
@@ -227,14 +230,14 @@ Candidate walkToPixel(ScreenRay ray, Line line, float start, float slope, float 
         leaveForNext(line, endShare, walk);
     }
     if (hasEnded(walk, endShare, result))
-        return Candidate(false, false, false, walk.px, walk.share);
+        return Candidate(kWalkEnded, walk.px, walk.share);
     enterCell(line, endShare, walk);
     if (settings.minLevel > 0u) // the one pixel of a quarter, within the step of that quarter's cell
-        return Candidate(true, false, false, walk.px, walk.last);
+        return Candidate(kAtPixel, walk.px, walk.last);
     ++result.iterations;
     vec2 center = vec2(walk.px) + 0.5;
     float nearest = dot(center - line.startPX, line.deltaPX) / dot(line.deltaPX, line.deltaPX);
-    return Candidate(true, false, false, walk.px, clamp(nearest, walk.share, walk.last));
+    return Candidate(kAtPixel, walk.px, clamp(nearest, walk.share, walk.last));
 }
 
 March march(Ray r) {
@@ -256,15 +259,16 @@ March march(Ray r) {
 
     while (true) {
         Candidate candidate = walkToPixel(ray, line, start, slope, endShare, walk, result);
-        if (candidate.pending)
+        if (candidate.found == kWalkGoesOn)
             continue;
-        if (!candidate.found)
+        if (candidate.found == kWalkEnded)
             break;
+        bool inFlatCell = candidate.found == kAtFlatCell;
         Sample s = takeSample(ray, candidate.px, candidate.at, result.lookups);
         float from = candidate.at - line.pixelShare;
         bool tests = result.iterations > settings.selfCollisionSkip;
         bool inFront = false;
-        if (candidate.inFlatCell) {
+        if (inFlatCell) {
             // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
             from += 0.5 * line.pixelShare;
             s.share += 0.5 * line.pixelShare;
@@ -280,11 +284,11 @@ March march(Ray r) {
         }
         if (tests) {
             uint met = meetSurface(r, max(from, 0.0), inFront, s, result.lookups);
-            if ((met == kMeets || !candidate.inFlatCell) && endsMarch(met, s, result))
+            if ((met == kMeets || !inFlatCell) && endsMarch(met, s, result))
                 return result;
-            nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !candidate.inFlatCell);
+            nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !inFlatCell);
         }
-        if (candidate.inFlatCell)
+        if (inFlatCell)
             walk.mayBeFlat = false; // look into its quarters
         else
             leaveForNext(line, endShare, walk);

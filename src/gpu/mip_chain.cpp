@@ -1,5 +1,7 @@
 #include "gpu/mip_chain.hpp"
 
+#include "base/assert.hpp"
+
 #include <algorithm>
 
 namespace glint::gpu {
@@ -26,6 +28,7 @@ void MipChain::make(Frame& frame, Image& image) const {
 }
 
 void MipChain::makeFrom(Frame& frame, Image& picture, Image& image) const {
+    GLINT_ASSERT(copy_, "made for images of several layers");
     frame.untimed([&] {
         frame.pass(copy_)
             .read("picture", picture, SamplerKind::NearestClamp)

@@ -175,7 +175,7 @@ Result<CreateResult> measureCreation(gpu::Context& context, const CreatePlan& pl
     CreateResult result = {context.info().name, context.info().driver, plan, {}};
     for (const CreatePlan::Config& config : plan.configs) {
         if (progress)
-            progress("creating " + config.name);
+            progress(config.name);
         GLINT_TRY(figures, measureConfig(context, plan, config));
         result.figures.push_back(std::move(figures));
     }

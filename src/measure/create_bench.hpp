@@ -45,7 +45,8 @@ struct CreateResult {
     std::vector<CreateFigures> figures; ///< one for each config
 };
 
-/// A driver may also have a cache of its own, on disk, which `first` then shows: switch it off, or run twice.
+/// A driver may also have caches of its own, on disk and in the process, which `first` then shows: the former can be
+/// switched off; of the latter nothing is seen by the first config.
 /// `context`   created, not adopted; its own pipelines are not used
 /// `progress`  is called with each config before it is measured; may be empty
 /// Errors: InvalidArgument (settings), OutOfMemory, Unsupported.

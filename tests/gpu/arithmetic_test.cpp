@@ -55,7 +55,7 @@ protected:
     std::vector<uint16_t> halves_;
 };
 
-TEST_F(ArithmeticTest, isThatOfTheDeviceOrThatOfGpus) {
+TEST_F(ArithmeticTest, rewrittenShadersComputeAsGpusMay) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(0.5f, 2);
     std::vector<Operands> list = {{1e30f, 2, 1}}; // mix

@@ -27,7 +27,7 @@ TEST(CreateBench, TimesTheFirstObjectAndThoseThatShareItsPipelines) {
         must(measure::measureCreation(*context, plan, [&](const std::string& text) { told.push_back(text); }));
     for (const std::string& message : context->validationMessages())
         ADD_FAILURE() << "validation: " << message;
-    EXPECT_EQ(told, (std::vector<std::string>{"creating screen", "creating rays"}));
+    EXPECT_EQ(told, (std::vector<std::string>{"screen", "rays"}));
     ASSERT_EQ(result.figures.size(), 2u);
     for (const measure::CreateFigures& figures : result.figures) {
         EXPECT_GT(figures.reflections.cachedMs, 0);

@@ -107,6 +107,39 @@ TEST_F(SurfaceTest, MotionTellsDepth) {
     }
 }
 
+/// Hosts hide things by a scale of almost 0. A thing that appears so, or goes, does not move.
+TEST_F(SurfaceTest, WhatAppearsByItsSizeHasNoMotion) {
+    SceneParts parts;
+    parts.add(square(1), metal(0.5f));
+    const auto motionAfter = [&](float scaleBefore) {
+        scene::Pose pose = must(scene::pose(parts.scene, 0));
+        const glm::mat4 now = pose.items[0].localToWorld;
+        pose.items[0].localToWorld =
+            glm::scale(glm::translate(glm::mat4(1), glm::vec3(-0.5f, 0, 0)), glm::vec3(scaleBefore)) * now;
+        render::Renderer renderer =
+            must(render::Renderer::create(gpu(), parts.scene, pose, must(render::Environment::createNone(gpu())), {}));
+        must(renderer.resize(64, 64, {}));
+        const auto drawFrame = [&] {
+            render::ViewParameters view = front(4);
+            view.prevCamera = view.camera;
+            run([&](VkCommandBuffer commands) {
+                gpu::Frame frame(gpu(), commands);
+                renderer.drawOpaque(frame, view);
+            });
+        };
+        drawFrame();
+        pose.items[0].localToWorld = now;
+        must(renderer.setPose(parts.scene, pose));
+        drawFrame();
+        return Picture{64, 64, must(gpu::downloadImageAsFloats(gpu(), renderer.gbuffer().motion))}.center().x;
+    };
+    EXPECT_NEAR(motionAfter(1), -0.125f, 1e-3f) << "half a metre of four";
+    EXPECT_LT(motionAfter(0.8f), -0.1f) << "half of its volume";
+    EXPECT_EQ(motionAfter(0.5f), 0) << "an eighth";
+    EXPECT_EQ(motionAfter(1e-3f), 0);
+    EXPECT_EQ(motionAfter(2), 0) << "it shrinks";
+}
+
 TEST_F(SurfaceTest, OddSizesAndEmptyScenesAreDrawn) {
     SceneParts empty;
     empty.scene.scenes.emplace_back();

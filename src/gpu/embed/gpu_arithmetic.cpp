@@ -1,7 +1,6 @@
 #include "gpu/embed/gpu_arithmetic.hpp"
 
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -21,13 +20,11 @@ enum Opcode : uint32_t {
     kConstant = 43,
     kConstantComposite = 44,
     kFunction = 54,
-    kDecorate = 71,
     kFAdd = 129,
     kFSub = 131,
     kFMul = 133,
     kFDiv = 136,
 };
-constexpr uint32_t kNoContraction = 42;
 constexpr uint32_t kFMix = 46;
 
 using Words = std::vector<uint32_t>;
@@ -86,10 +83,6 @@ private:
                 float_ = operands[0];
             break;
         case kTypeVector: vectors_[operands[0]] = {operands[1], operands[2]}; break;
-        case kDecorate:
-            if (operands[1] == kNoContraction)
-                exact_.insert(operands[0]);
-            break;
         default: break;
         }
     }
@@ -119,7 +112,7 @@ private:
     bool divide(std::span<const uint32_t> operands, Words& out) {
         const uint32_t type = operands[0];
         const uint32_t one = oneOf(type);
-        if (one == 0 || exact_.contains(operands[1]))
+        if (one == 0)
             return false;
         const uint32_t inverse = emit(kFDiv, type, {one, operands[3]}, out);
         emitAs(operands[1], kFMul, type, {operands[2], inverse}, out);
@@ -170,7 +163,6 @@ private:
     uint32_t float_ = 0;
     std::map<uint32_t, std::pair<uint32_t, uint32_t>> vectors_; ///< id: component type, count
     std::map<uint32_t, uint32_t> ones_;                         ///< by type
-    std::set<uint32_t> exact_;                                  ///< NoContraction
 };
 
 } // namespace
