@@ -74,9 +74,9 @@ Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, ui
     GLINT_TRY(mipChain, gpu::MipChain::create(context, 1));
     const auto makePicture = [&](const char* name) {
         const auto mips = static_cast<uint32_t>(std::bit_width(std::max(width, height)));
-        return gpu::Image::create(
-            context, {name, VK_FORMAT_R16G16B16A16_SFLOAT, width, height, mips, 1, gpu::ImageShape::Flat,
-                      VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
+        return gpu::Image::create(context,
+                                  {name, VK_FORMAT_R16G16B16A16_SFLOAT, width, height, mips, 1, gpu::ImageShape::Flat,
+                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT});
     };
     const auto makeStored = [&](const char* name, VkFormat format, bool whole) {
         return gpu::Image::create(
