@@ -247,7 +247,8 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
     CLI::Option* const sizes =
         command
             ->add_option("--sizes", options->sizes,
-                         "WIDTHxHEIGHT,... (default: 640x360,1280x720; on a GPU also 1920x1080,3840x2160)")
+                         "WIDTHxHEIGHT,... (default: 640x360,1280x720; on a GPU also 1920x1080,3840x2160); one with "
+                         "--create (default: 1280x720)")
             ->delimiter(',')
             ->allow_extra_args(false);
     CLI::Option* const shares =

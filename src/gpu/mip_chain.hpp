@@ -17,8 +17,7 @@ public:
     void make(Frame& frame, Image& image) const;
 
     /// Copies `picture`, RGBA16F with SAMPLED usage and one layer, to level 0 of an image of its size, then makes the
-    /// other levels. By a dispatch: vkCmdCopyImage of 1920x1080 pixels takes 0.3 ms on an
-    /// NVIDIA H200.
+    /// other levels. By a dispatch: vkCmdCopyImage of 1920x1080 pixels takes 0.3 ms on an NVIDIA H200.
     void makeFrom(Frame& frame, Image& picture, Image& image) const;
 
 private:

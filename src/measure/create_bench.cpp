@@ -1,18 +1,14 @@
 #include "measure/create_bench.hpp"
 
+#include "base/elapsed.hpp"
 #include "glint/reflections.hpp"
 
-#include <chrono>
 #include <optional>
 
 namespace glint::measure {
 namespace {
 
 constexpr VkDeviceAddress kUnreadAddress = 4; ///< creation takes addresses of vertex data, and reads none
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The host's pipeline cache.
 class PipelineCache {
@@ -156,7 +152,7 @@ Result<CreateFigures> measureConfig(const gpu::Context& context, const CreatePla
         GLINT_TRY(second, host->add(desc));
         again.add(second);
         const auto start = std::chrono::steady_clock::now();
-        GLINT_CHECK(host->newest().resize(plan.width + 1, plan.height));
+        GLINT_CHECK(host->newest().resize(plan.width > 1 ? plan.width - 1 : 2, plan.height));
         resizes.push_back(millisecondsSince(start));
     }
     figures.reflections.cachedMs = Spread::of(cached.create).median;

@@ -1,9 +1,8 @@
 #include "measure/ray_bench.hpp"
 
+#include "base/elapsed.hpp"
 #include "gpu/memory.hpp"
 #include "measure/ray_list_pass.hpp"
-
-#include <chrono>
 
 namespace glint::measure {
 namespace {
@@ -40,7 +39,7 @@ public:
         const size_t before = allocated();
         const auto start = std::chrono::steady_clock::now();
         auto created = create(backend);
-        figures.createMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        figures.createMs = millisecondsSince(start);
         if (!created) {
             const ErrorCode code = created.error().code;
             if (code != ErrorCode::Unsupported && code != ErrorCode::OutOfMemory)

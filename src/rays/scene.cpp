@@ -1,20 +1,16 @@
 #include "rays/scene.hpp"
 
 #include "base/assert.hpp"
+#include "base/elapsed.hpp"
 #include "rays/instance.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 
 namespace glint::rays {
 namespace {
 
 static_assert(uint64_t{kMostInstances} <= uint64_t{1} << 3 * shared::kBvhTopLevels);
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 Bounds boundsOf(const std::vector<glm::vec3>& points) {
     Bounds bounds;

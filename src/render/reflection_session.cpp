@@ -1,20 +1,12 @@
 #include "render/reflection_session.hpp"
 
 #include "base/assert.hpp"
+#include "base/elapsed.hpp"
 #include "glint/glint.hpp"
 #include "gpu/memory.hpp"
 #include "render/lending.hpp"
 
-#include <chrono>
-
 namespace glint::render {
-namespace {
-
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-} // namespace
 
 Result<ReflectionSession> ReflectionSession::create(gpu::Context& context, const MakeHost& makeHost,
                                                     const SessionOptions& options) {

@@ -168,7 +168,6 @@ TEST_P(RaysSourceTest, aWhiteFurnaceStaysWhite) {
 
 /// A box, white outside in every direction: any light inside has leaked.
 TEST_P(RaysSourceTest, closedBoxesStayDarkAtAnyScale) {
-    constexpr float kRounding = 1e-5f; // of 1 - weight, which the environment behind the rays gets
     TestEnvironment environment = whiteEnvironment();
     SurfaceScene box;
     const SurfaceMaterial wall = blackMatte();
@@ -200,7 +199,7 @@ TEST_P(RaysSourceTest, closedBoxesStayDarkAtAnyScale) {
             size_t selfHits = 0;
             for (size_t i = 0; i < picture.pixels(); ++i) {
                 mirrors += picture.outcome(i) == shared::kOutcomeHit;
-                leaks += picture.outcome(i) != shared::kOutcomeBelowThreshold && reflected(picture, i).r > kRounding;
+                leaks += picture.outcome(i) != shared::kOutcomeBelowThreshold && reflected(picture, i).r > 0;
                 selfHits += picture.outcome(i) == shared::kOutcomeHit && picture.hitDistance[i * 4] < 1e-4f * scale;
             }
             EXPECT_GT(mirrors, 2000u);
