@@ -15,6 +15,7 @@
 #include "lib/half.glsl"
 #include "lib/noise.glsl"
 #include "lib/octahedral.glsl"
+#include "lib/packed_motion.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -26,7 +27,8 @@ layout(set = 0, binding = 7) uniform sampler2D metaBefore;
 layout(set = 0, binding = 8) uniform usampler2D placeBefore;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D mean;  // weight * radiance, weight
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D meta; // frames; luminance: mean, mean square; nearness
-layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place; // viewZ; normal, octahedral in view space
+/// viewZ, behind a mirror the image's, negative; normal, octahedral in view space, behind a mirror the surface's own.
+layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place;
 // Luminance, the mean over few frames: kept if settings.comparesMeans.
 layout(set = 0, binding = 12) uniform sampler2D fastBefore;
 layout(set = 0, binding = 13, r16f) uniform writeonly image2D fast;
@@ -36,10 +38,13 @@ layout(set = 0, binding = 15) uniform sampler2D reusedMotion; // denoise/reuse.c
 layout(set = 0, binding = 16) uniform sampler2D speedBefore;
 layout(set = 0, binding = 17, r16f) uniform writeonly image2D speed; // of what the mean shows: see driftOf
 layout(set = 0, binding = 18, rg16f) uniform writeonly image2D takenFrom; // kept if settings.stableFrames
+layout(set = 0, binding = 19) uniform usampler2D mirroredSurface; // lib/mirrored.glsl, if settings.mirrored
+layout(set = 0, binding = 20) uniform usampler2D hitMotion;       // denoise/gather.comp, if settings.hitMotion
 DenoiseConstants settings = frame.settings.denoise;
 
 #include "lib/previous_place.glsl"
 
+#include "denoise/averaged_surface.glsl"
 #include "denoise/firefly.glsl"
 #include "denoise/history_texels.glsl"
 
@@ -111,7 +116,7 @@ Candidate lookUp(Was was, vec2 at) {
         found.speed = texelFetch(speedBefore, clamp(ivec2(at), ivec2(0), ivec2(frame.constants.prevSize) - 1), 0).r;
     forgetOldLight(at, found);
     vec3 position = was.moved ? was.position : positions / found.share;
-    vec3 normal = normalize(normals);
+    vec3 normal = was.isMirrored ? was.normal : normalize(normals);
     // What the history shows may have been nearer or farther away than what this frame found.
     vec3 shown = was.position + normalizeOr(was.end - was.position, was.normal) * endDistance(found.meta.w);
     found.residual = max(residualAt(was.end, position, normal), residualAt(shown, position, normal));
@@ -159,11 +164,15 @@ bool isShortened(Candidate found, float frames) {
     return found.share == 0.0 || frames < found.meta.x * sqrt(found.share);
 }
 
+/// How far behind the surface the middle of the lobe shows what the ray meets `distance` metres away.
+float lobeImageDistance(LobeSurface here, float distance) {
+    return distance * dominantFactor(clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0), here.perceptualRoughness);
+}
+
 /// The image of a point on the ray in a flat mirror, as far behind the surface as the lobe's middle shows it, and moved by
 /// the mirrored step. Nearer to the eye than the mirror image, the step is as much shorter.
 vec3 imageOf(LobeSurface here, float distance, vec3 stepVS) {
-    float NoV = clamp(dot(here.normalVS, here.toEyeVS), 0.0, 1.0);
-    float shown = distance * dominantFactor(NoV, here.perceptualRoughness);
+    float shown = lobeImageDistance(here, distance);
     float toEye = isOrthographic(frame.constants) ? 0.0 : length(here.positionVS);
     float shorter = toEye > 0.0 ? (toEye + shown) / (toEye + distance) : 1.0;
     return here.positionVS - here.toEyeVS * shown + shorter * reflect(stepVS, here.normalVS);
@@ -197,17 +206,88 @@ bool curvedImagePixelBefore(ivec2 px, LobeSurface here, float near, vec3 stepVS,
     return true;
 }
 
+/// The image of what a mirror shows, as far behind it as a flat one's is.
+LobeSurface imageIn(LobeSurface mirror, LobeSurface behind) {
+    LobeSurface image = behind;
+    image.positionVS = mirror.positionVS - mirror.toEyeVS * distance(behind.positionVS, mirror.positionVS);
+    image.normalVS = behind.shownNormalVS;
+    image.toEyeVS = mirror.toEyeVS;
+    return image;
+}
+
+/// How what the mirror shows has moved.
+vec3 mirroredStepVS(ivec2 px) {
+    return settings.hitMotion != 0u ? unpackMotion(texelFetch(hitMotion, px, 0).r) : vec3(0.0);
+}
+
+/// Where the image of what a mirror shows was. Of a mirror that has moved itself, nothing is known.
+PreviousPlace previousImage(ivec2 px, LobeSurface mirror, LobeSurface image) {
+    PreviousPlace before = previousPlace(px, mirror.viewZ);
+    bool rests = !before.moved;
+    vec3 stepVS = reflect(mirroredStepVS(px), mirror.normalVS);
+    before.positionVS = (frame.constants.viewToPrevView * vec4(image.positionVS + stepVS, 1.0)).xyz;
+    before.normalVS = mat3(frame.constants.viewToPrevView) * image.normalVS;
+    before.px = rests ? previousPixel(before.positionVS) : vec2(-1e4);
+    before.moved = before.movedOnScreen = stepVS != vec3(0.0);
+    before.knowsDepth = true;
+    return before;
+}
+
+/// Moves the image to where the mirror showed it. The way of the light is as long as to a flat mirror's image: it is
+/// stationary (Fermat), so it depends on the movement of the eye alone.
+void moveImage(vec2 at, inout Was was) {
+    vec3 moved = previousPosition(at * frame.constants.prevInvSize, -was.position.z);
+    was.end += moved - was.position;
+    was.position = moved;
+}
+
+/// The pixel of the previous frame that showed what lies `distance` metres behind the mirror on this line of sight.
+vec2 mirroredPixelBefore(ivec2 px, LobeSurface mirror, float distance, vec3 stepVS) {
+    float near = 1.0 / max(distance, 1e-6);
+    vec2 at;
+    if (settings.virtualMotion < kVirtualCurved || !curvedImagePixelBefore(px, mirror, near, stepVS, at))
+        at = imagePixelBefore(mirror, near, stepVS);
+    return at;
+}
+
+/// The pixel of the previous frame that showed the image of what the lobe of `here` shows.
+vec2 lobeImagePixelBefore(ivec2 px, LobeSurface mirror, LobeSurface here, float near, vec3 stepVS) {
+    if (!here.isMirrored)
+        return imagePixelBefore(here, near, stepVS);
+    float toImage = distance(here.positionVS, mirror.positionVS);
+    return mirroredPixelBefore(px, mirror, toImage + lobeImageDistance(here, endDistance(near)), stepVS);
+}
+
+/// How far beside its own plane the image of a surface goes on, at most, one pixel away. Curved mirrors bend the images of
+/// planes.
+float bendOfImage(ivec2 px, LobeSurface behind, LobeSurface image) {
+    float most = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 tap = px + (i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5));
+        if (!isInFrame(tap))
+            continue;
+        LobeSurface there = averagedSurfaceAt(tap);
+        if (there.isMirrored && isSameSurface(behind, there))
+            most = max(most, abs(dot(image.normalVS, imageIn(lobeSurfaceAt(tap), there).positionVS - image.positionVS)));
+    }
+    return most;
+}
+
 /// Two nearnesses weighed by the light that they stand for.
 float joined(float near, float light, float near2, float light2) {
     return light + light2 > 0.0 ? (near * light + near2 * light2) / (light + light2) : near;
 }
 
-Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hits, out float frames) {
+/// Looks for the history of `averaged`, and says how many of its frames count.
+Candidate best(ivec2 px, LobeSurface averaged, float light, float near, HitMotion hits, out float frames) {
+    bool isMirrored = averaged.isMirrored;
+    LobeSurface mirror = lobeSurfaceAt(px); // if it is one
+    LobeSurface here = isMirrored ? imageIn(mirror, averaged) : averaged;
     vec3 mirrored = reflect(-here.toEyeVS, here.normalVS);
     mat4 toBefore = frame.constants.viewToPrevView;
-    PreviousPlace before = previousPlace(px, here.viewZ);
+    PreviousPlace before = isMirrored ? previousImage(px, mirror, here) : previousPlace(px, here.viewZ);
     // A sample may miss what the mean shows, such as a small lamp before a wall: the history knows its distance.
-    ivec2 about = floorToInt(imagePixelBefore(here, near, hits.stepVS));
+    ivec2 about = floorToInt(lobeImagePixelBefore(px, mirror, here, near, hits.stepVS));
     float tracked = near;
     bool inMirrorToo = settings.virtualMotion >= kVirtualFlat && !before.movedOnScreen;
     if (inMirrorToo && wasInFrame(about)) {
@@ -217,12 +297,20 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
     Was was;
     was.position = before.positionVS;
     was.normal = before.normalVS;
+    was.keptNormal = isMirrored ? mat3(toBefore) * averaged.normalVS : before.normalVS;
+    was.isMirrored = isMirrored;
     was.end = (toBefore * vec4(here.positionVS + mirrored * endDistance(tracked) + hits.stepVS, 1.0)).xyz;
     was.moved = before.moved;
-    was.knowsDepth = before.knowsDepth;
+    was.allowed = (before.knowsDepth ? settings.disocclusion : 0.1) * -was.position.z;
+    if (isMirrored)
+        was.allowed += 1.5 * bendOfImage(px, averaged, here); // the farthest of four texels is that far away
     Candidate found = kNone;
     frames = 0.0;
     vec2 at = before.px;
+    if (isMirrored && wasInFrame(floorToInt(at))) {
+        at = mirroredPixelBefore(px, mirror, distance(here.positionVS, mirror.positionVS), mirroredStepVS(px));
+        moveImage(at, was);
+    }
     for (uint place = kVirtualSurface; place <= kVirtualCurved; ++place) { // a loop: one copy of lookUp
         Candidate there = lookUp(was, at);
         float theirs = framesOf(there, hits, here.perceptualRoughness);
@@ -233,8 +321,9 @@ Candidate best(ivec2 px, LobeSurface here, float light, float near, HitMotion hi
         if (!inMirrorToo || place >= settings.virtualMotion)
             break;
         if (place == kVirtualSurface)
-            at = imagePixelBefore(here, tracked, hits.stepVS);
-        else if (!isShortened(there, theirs) || !curvedImagePixelBefore(px, here, tracked, hits.stepVS, at))
+            at = lobeImagePixelBefore(px, mirror, here, tracked, hits.stepVS);
+        else if (isMirrored || !isShortened(there, theirs) ||
+                 !curvedImagePixelBefore(px, here, tracked, hits.stepVS, at))
             break;
     }
     vec4 sharp;
@@ -257,7 +346,7 @@ void main() {
         return; // stabilize.comp reads takenFrom only where a ray was sent
     }
     vec4 answer = texelFetch(reused, px, 0);
-    LobeSurface here = lobeSurfaceAt(px);
+    LobeSurface here = averagedSurfaceAt(px);
     bool hasHistory = hasLobeHistory();
     if (learnt == 0.0 && hasHistory && wasInFrame(px))
         near = texelFetch(metaBefore, px, 0).w; // places the sample of the history that this frame keeps
@@ -290,7 +379,7 @@ void main() {
             float fastFrames = min(frames, settings.fastFrames - 1.0);
             fastMean = mix(before.fast, fastMean, learnt / max(learnt + fastFrames, 1e-6));
             meanSpeed = sqrt(mix(square(before.speed), square(meanSpeed), share));
-            if (before.share > 0.99) // nothing else is mixed into what was shown there
+            if (before.share > 0.99 && !here.isMirrored) // nothing else is mixed into what was shown there
                 from = before.at - (vec2(px) + 0.5);
         }
     }
@@ -304,5 +393,6 @@ void main() {
         imageStore(speed, px, vec4(meanSpeed));
     if (settings.stableFrames > 0.0)
         imageStore(takenFrom, px, vec4(from, 0.0, 0.0));
-    imageStore(place, px, uvec4(floatBitsToUint(here.viewZ), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
+    float kept = here.isMirrored ? imageIn(lobeSurfaceAt(px), here).positionVS.z : here.viewZ;
+    imageStore(place, px, uvec4(floatBitsToUint(kept), packSnorm2x16(encodeOctahedral(here.normalVS)), 0u, 0u));
 }

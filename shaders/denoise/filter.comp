@@ -13,7 +13,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3) uniform sampler2D mean; // weight * radiance, weight
 layout(set = 0, binding = 4) uniform sampler2D meta; // frames; luminance: mean, mean square; nearness
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D answer; // radiance, weight
+// lib/mirrored.glsl, if settings.mirrored
+layout(set = 0, binding = 6) uniform usampler2D mirroredSurface;
+layout(set = 0, binding = 7) uniform usampler2D mirroredLight;
 DenoiseConstants settings = frame.settings.denoise;
+
+#include "denoise/averaged_surface.glsl"
 
 const uint kTaps = 16u;
 const uint kYoungTaps = 32u; // in the first frames, which look twice as far
@@ -40,7 +45,7 @@ void main() {
         return;
     }
     vec4 sum = texelFetch(mean, px, 0);
-    LobeSurface here = lobeSurfaceAt(px);
+    LobeSurface here = averagedSurfaceAt(px);
     if (!isMirror(here.perceptualRoughness) && settings.filterRadius > 0.0) {
         float noise = deviation(moments);
         float strength = noise / max(settings.noiseTarget * moments.y, 1e-6);
@@ -63,7 +68,7 @@ void main() {
                 if (tap == px || !isInFrame(tap))
                     continue;
                 vec4 theirs = texelFetch(meta, tap, 0);
-                if (theirs.x == 0.0 || !isSameSurface(here, lobeSurfaceAt(tap)))
+                if (theirs.x == 0.0 || !isSameSurface(here, averagedSurfaceAt(tap)))
                     continue;
                 vec4 other = texelFetch(mean, tap, 0);
                 float theirNoise = deviation(theirs);
@@ -74,6 +79,10 @@ void main() {
             }
             sum /= total;
         }
+    }
+    if (here.isMirrored) {
+        MirroredLight light = unpackMirroredLight(texelFetch(mirroredLight, px, 0));
+        sum = vec4(light.exact + light.share * sum.rgb / max(sum.a, 1e-6), uintBitsToFloat(light.last));
     }
     imageStore(answer, px, vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), sum.a));
 }

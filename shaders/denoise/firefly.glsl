@@ -1,5 +1,5 @@
 // The limit for single bright answers: settings' denoise.firefly.
-// Needs reused, reusedMeta and settings.
+// Needs reused, reusedMeta, settings and denoise/averaged_surface.glsl.
 
 /// Luminance that this frame's answer may have: some times that of the history, what the history's scatter explains, or
 /// some times that of the pixels around. Those that share rays with this one are no witnesses. `history` holds what
@@ -24,7 +24,7 @@ float mostBrightness(ivec2 px, LobeSurface here, float near, vec4 answer, vec4 h
     for (uint i = 0u; i < 8u; ++i) {
         nextPoint(spiral, i);
         ivec2 tap = floorToInt(vec2(px) + 0.5 + disc * spiral.direction);
-        if (isInFrame(tap) && texelFetch(reusedMeta, tap, 0).g > 0.0 && isSameSurface(here, lobeSurfaceAt(tap)))
+        if (isInFrame(tap) && texelFetch(reusedMeta, tap, 0).g > 0.0 && isSameSurface(here, averagedSurfaceAt(tap)))
             around += texelFetch(reused, tap, 0);
     }
     return around.a > 0.0 ? max(most, settings.firefly * luminance(around.rgb) * answer.a / around.a) : brightness;

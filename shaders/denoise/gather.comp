@@ -9,6 +9,7 @@
 #include "frame/prepared.glsl"
 #include "generate/sampled_ray.glsl"
 #include "hierarchy/walk.glsl"
+#include "lib/mirrored.glsl"
 #include "lib/packed_motion.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/sanitize.glsl"
@@ -24,8 +25,12 @@ layout(set = 0, binding = 6) uniform usampler2D raysRecord;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D noisy;  // weight * radiance, weight
 layout(set = 0, binding = 8, rg32ui) uniform writeonly uimage2D sentRay;
 layout(set = 0, binding = 10) uniform sampler2D motion; // lib/previous_place.glsl
-/// Where the ray's end was, as a displacement from where it is: lib/packed_motion.glsl, view space. If settings.hitMotion.
+/// Where the ray's end was, as a displacement from where it is: lib/packed_motion.glsl, view space. Behind a mirror: where
+/// what it shows was. If settings.hitMotion.
 layout(set = 0, binding = 11, r32ui) uniform writeonly uimage2D hitMotion;
+// lib/mirrored.glsl, of this frame's mirrors, if settings.mirrored.
+layout(set = 0, binding = 12, rgba32ui) uniform uimage2D mirroredSurface;
+layout(set = 0, binding = 13, rgba32ui) uniform uimage2D mirroredLight;
 layout(push_constant, scalar) uniform PushBlock {
     uint sources; // kJoin*
 };
@@ -69,6 +74,10 @@ void main() {
     RayRecord raysRay = hasRays ? unpackRayRecord(routed.xy) : kNotTraced;
     RayRecord screenRay = hasScreen ? unpackRayRecord(texelFetch(screenRecord, px, 0).xy) : kNotTraced;
     float z = texelFetch(viewZ, px, 0).r;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    bool branched = settings.mirrored != 0u && (routed.z & kRaysBranched) != 0u;
+    if (settings.mirrored != 0u && !branched && isMirror(here.perceptualRoughness))
+        imageStore(mirroredSurface, px, uvec4(0u));
     SentRay ray = SentRay(vec3(0.0), 0.0, z < kBackgroundZ && (wasTraced(screenRay) || wasTraced(raysRay)), false);
     if (!ray.sent) {
         ray.awaits = screenRay.outcome == kOutcomeFromNeighbours || raysRay.outcome == kOutcomeFromNeighbours;
@@ -81,6 +90,12 @@ void main() {
     if ((routed.z & kRaysReplaceScreen) != 0u)
         screen.radianceWeight = vec4(0.0);
     bool raysFirst = (sources & kJoinRaysFirst) != 0u;
+    MirroredLight mirrored = MirroredLight(vec3(0.0), vec3(0.0), 0u);
+    vec4 sampled = rays.radianceWeight; // behind a mirror: what goes to the neighbours and into the mean
+    if (branched) {
+        mirrored = unpackMirroredLight(imageLoad(mirroredLight, px));
+        rays.radianceWeight.rgb = mirrored.exact;
+    }
     Walk walk = beginWalk();
     vec2 taken; // from the first, from the second
     for (int i = 0; i < 2; ++i) {
@@ -90,14 +105,22 @@ void main() {
     }
     ray.nearness /= max(walk.taken, 1e-6);
     vec3 positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
-    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     Direction drawn = sampledDirection(px, positionVS, here);
     // Below the surface the lobe's density is 0: neighbours take nothing from there.
     ray.directionVS = drawn.weight > 0.0 ? mat3(frame.constants.worldToView) * drawn.ws : -here.normalVS;
-    imageStore(noisy, px, vec4(walk.radiance, walk.taken));
+    vec4 found = vec4(walk.radiance, walk.taken);
+    if (branched) {
+        ray.directionVS = decodeOctahedral(unpackSnorm2x16(mirrored.last));
+        ray.nearness = unpackMirroredSurface(imageLoad(mirroredSurface, px)).nearness;
+        float share = raysFirst ? taken.x : taken.y;
+        imageStore(mirroredLight, px,
+                   packMirroredLight(MirroredLight(walk.radiance, share * mirrored.share, floatBitsToUint(walk.taken))));
+        found = vec4(sampled.rgb, 1.0);
+    }
+    imageStore(noisy, px, found);
     imageStore(sentRay, px, uvec4(packSentRay(ray), 0u, 0u));
     if (settings.hitMotion != 0u) {
-        bool fromRays = (taken.x >= taken.y) == raysFirst;
+        bool fromRays = branched || (taken.x >= taken.y) == raysFirst;
         imageStore(hitMotion, px, uvec4(fromRays ? routed.w : packMotion(screenHitMotion(px, screenRay)), 0u, 0u, 0u));
     }
 }

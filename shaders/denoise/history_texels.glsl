@@ -7,11 +7,13 @@ const float kSharpBelow = 16.0;
 
 /// This pixel's surface and its ray's end, in the previous frame's view space.
 struct Was {
-    vec3 position;
+    vec3 position; // behind a mirror: of the image, as are the normal and the end
     vec3 normal;
+    vec3 keptNormal; // as `place` keeps it: of the surface itself
     vec3 end;
     bool moved;      // by motion
-    bool knowsDepth; // false: its depth is known roughly
+    bool isMirrored;
+    float allowed;   // metres that texels of the same surface may lie beside its plane
 };
 
 /// True where the previous frame showed this pixel's surface at `texel`.
@@ -20,13 +22,13 @@ bool showedIt(Was was, ivec2 texel, out vec3 position, out vec3 normal) {
         return false;
     uvec2 packed = texelFetch(placeBefore, texel, 0).xy;
     float z = uintBitsToFloat(packed.x);
-    if (z <= 0.0 || z >= kBackgroundZ)
-        return false; // no ray there
+    bool isMirrored = z < 0.0;
+    z = abs(z);
+    if (z == 0.0 || z >= kBackgroundZ || isMirrored != was.isMirrored)
+        return false; // no ray there, or a mirror's edge
     normal = decodeOctahedral(unpackSnorm2x16(packed.y));
     position = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z);
-    float off = abs(dot(was.normal, position - was.position));
-    float allowed = (was.knowsDepth ? settings.disocclusion : 0.1) * -was.position.z;
-    return off <= allowed && dot(normal, was.normal) >= 0.7;
+    return abs(dot(was.normal, position - was.position)) <= was.allowed && dot(normal, was.keptNormal) >= 0.7;
 }
 
 /// The mean between four texels that show this pixel's surface, by a cubic: a linear mix blurs a little in each frame of

@@ -10,19 +10,23 @@
 struct LobeSurface {
     vec3 positionVS;
     vec3 normalVS;
-    vec3 toEyeVS;
-    float viewZ;
+    vec3 shownNormalVS; // as the picture shows it: of the image, behind a mirror (denoise/averaged_surface.glsl)
+    vec3 toEyeVS;       // behind a mirror: to the mirror
+    float viewZ;        // at which a pixel is as wide as on the surface
     float perceptualRoughness;
+    bool isMirrored;
 };
 
+/// Of the surface that the pixel shows.
 LobeSurface lobeSurfaceAt(ivec2 px) {
     LobeSurface at;
     at.viewZ = texelFetch(viewZ, px, 0).r;
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     at.positionVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, at.viewZ);
-    at.normalVS = here.normalVS;
+    at.normalVS = at.shownNormalVS = here.normalVS;
     at.toEyeVS = -viewDirection(frame.constants, at.positionVS);
     at.perceptualRoughness = here.perceptualRoughness;
+    at.isMirrored = false;
     return at;
 }
 
@@ -77,7 +81,7 @@ vec2 nextPoint(inout Spiral spiral, uint i) {
 /// across.
 mat2 lobeDisc(LobeSurface at, float radius) {
     float NoV = clamp(dot(at.normalVS, at.toEyeVS), 0.1, 1.0);
-    vec2 along = vec2(at.normalVS.x, -at.normalVS.y); // pixels: y down
+    vec2 along = vec2(at.shownNormalVS.x, -at.shownNormalVS.y); // pixels: y down
     float tilt = length(along);
     along = tilt > 1e-3 ? along / tilt : vec2(0.0, 1.0);
     vec2 across = vec2(-along.y, along.x);

@@ -17,6 +17,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3) uniform sampler2D noisy;     // weight * radiance, weight
 layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.glsl
 layout(set = 0, binding = 7) uniform sampler2D rayRates;
+layout(set = 0, binding = 10) uniform usampler2D mirroredSurface; // lib/mirrored.glsl, if settings.mirrored
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
 /// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 with an own ray; less
 /// where few of the neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect, and
@@ -28,6 +29,7 @@ layout(set = 0, binding = 8) uniform usampler2D hitMotion; // denoise/gather.com
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D reusedMotion;
 DenoiseConstants settings = frame.settings.denoise;
 
+#include "denoise/averaged_surface.glsl"
 #include "denoise/ray_rate.glsl"
 
 /// A pixel's lobe and the ray that it sent.
@@ -84,8 +86,10 @@ struct Found {
     vec3 stepVS; // where its end was - where it is
 };
 
-Found foundAt(ivec2 px, SentRay sent) {
-    vec3 step = settings.hitMotion != 0u ? unpackMotion(texelFetch(hitMotion, px, 0).r) : vec3(0.0);
+/// What further rays behind mirrors met counts as resting: their pixel's motion is that of what the mirror shows.
+Found foundAt(ivec2 px, LobeSurface at, SentRay sent) {
+    bool knowsMotion = settings.hitMotion != 0u && !at.isMirrored;
+    vec3 step = knowsMotion ? unpackMotion(texelFetch(hitMotion, px, 0).r) : vec3(0.0);
     return Found(texelFetch(noisy, px, 0), sent.nearness, step);
 }
 
@@ -125,8 +129,11 @@ void addNearest(ivec2 px, LobeSurface here, inout Sums sums) {
         if (!isInFrame(tap))
             continue;
         SentRay theirRay = unpackSentRay(texelFetch(sentRay, tap, 0).xy);
-        if (theirRay.sent && isSameSurface(here, lobeSurfaceAt(tap)))
-            add(sums, foundAt(tap, theirRay), 1.0);
+        if (!theirRay.sent)
+            continue;
+        LobeSurface there = averagedSurfaceAt(tap);
+        if (isSameSurface(here, there))
+            add(sums, foundAt(tap, there, theirRay), 1.0);
     }
 }
 
@@ -139,18 +146,19 @@ void main() {
         imageStore(reusedMeta, px, vec4(0.0, -1.0, 0.0, 0.0));
         return;
     }
-    Found found = ray.sent ? foundAt(px, ray) : Found(vec4(0.0), 0.0, vec3(0.0));
+    LobeSurface here = averagedSurfaceAt(px);
+    Found found = ray.sent ? foundAt(px, here, ray) : Found(vec4(0.0), 0.0, vec3(0.0));
     vec4 answer = found.answer;
     float near = found.nearness;
     vec4 motion = vec4(found.stepVS, dot(found.stepVS, found.stepVS));
-    LobeSurface here = lobeSurfaceAt(px);
+    float ratedRoughness = here.isMirrored ? 0.0 : here.perceptualRoughness; // mirrors send rays in every frame
     float learnt = ray.sent ? 1.0 : 0.0;
     if (!isMirror(here.perceptualRoughness)) {
         Lobe own = lobeOf(here, ray);
         // Without an own ray nothing bounds f / p: a part of the own density, so that no neighbour counts more than four
         // times.
         float ownPart = ray.sent ? 1.0 : 0.25;
-        ivec2 sender = senderAt(px, here.perceptualRoughness);
+        ivec2 sender = senderAt(px, ratedRoughness);
         if (ray.awaits && isInFrame(sender))
             near = unpackSentRay(texelFetch(sentRay, sender, 0).xy).nearness; // for the radius
         float ownDensity = densityOf(own, ray.directionVS);
@@ -163,11 +171,11 @@ void main() {
             beginSpiral(max(settings.reuseSamples, 1u), hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).x);
         for (uint i = 0u; i < settings.reuseSamples; ++i) {
             ivec2 tap = floorToInt(vec2(px) + 0.5 + disc * nextPoint(spiral, i));
-            tap = senderAt(tap, here.perceptualRoughness);
+            tap = senderAt(tap, ratedRoughness);
             if (tap == px || !isInFrame(tap))
                 continue;
             SentRay theirRay = unpackSentRay(texelFetch(sentRay, tap, 0).xy);
-            LobeSurface there = lobeSurfaceAt(tap);
+            LobeSurface there = averagedSurfaceAt(tap);
             if (!theirRay.sent || !isSameSurface(here, there) || isMirror(there.perceptualRoughness))
                 continue;
             Lobe other = lobeOf(there, theirRay);
@@ -176,7 +184,7 @@ void main() {
             float theirs = densityOf(other, theirRay.directionVS) / shrink;
             float density = densityOf(own, wi);
             float weight = density * shadowing(own, wi) / max(theirs + ownPart * density, 1e-20);
-            add(sums, foundAt(tap, theirRay), theirs > 0.0 ? weight : 0.0);
+            add(sums, foundAt(tap, there, theirRay), theirs > 0.0 ? weight : 0.0);
             if (ray.sent && ownDensity > 0.0) {
                 vec3 across = carried(own, there, shrink);
                 ownWeight += ownResponse / (densityOf(other, across) * shrink + ownDensity);

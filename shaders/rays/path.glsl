@@ -17,6 +17,20 @@
 /// Paths with less throughput end: half of what an 8-bit image can show.
 const float kLeastThroughput = 1.0 / 512.0;
 
+/// Where a mirror's path went on from a rough surface, which is where its noise begins (lib/mirrored.glsl).
+struct Branch {
+    bool exists;
+    vec3 exact; // radiance found until then
+    vec3 share; // throughput from there on
+    vec3 normalWS;
+    float perceptualRoughness;
+    vec3 directionWS;
+    float width;       // metres, of the cone
+    float endDistance; // metres from there to what the path met next; 0: nothing
+};
+
+const Branch kNoBranch = Branch(false, vec3(0.0), vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0);
+
 struct Path {
     vec3 radiance;
     vec3 lights;       // that the first vertex's rays to lights found, weighted
@@ -40,15 +54,19 @@ struct Path {
     float regularization; // fraction of the spread by which hits are blurred
     Medium medium;
     uint transparents; // transparent surfaces that it may still pass through
+    Branch branch;
 };
+
+uint mostTransparents() {
+    return isOn(kRaysTransparents) ? settings.transparents : 0u;
+}
 
 /// `lobeRoughness`: perceptual, of the lobe that the direction was drawn from.
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
     PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
     Ray ray = viewRay(originWS, directionWS);
-    uint transparents = isOn(kRaysTransparents) ? settings.transparents : 0u;
     return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
-                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, transparents);
+                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch);
 }
 
 /// `ownRoughness`: before regularization. `emissionWeight`: fraction of the emission that the path counts.
@@ -126,6 +144,10 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
         return;
     }
     path.throughput *= met.response;
+    bool isDirect = bounce == 0u && path.transparents == mostTransparents();
+    if (isDirect && sampledRoughness(met.lobeRoughness) > 0.0)
+        path.branch = Branch(true, path.radiance, path.throughput, met.normalWS, met.lobeRoughness, next.ws,
+                             path.cone.width, 0.0);
     path.spread = reflected(path.spread, met.bend, sampledRoughness(met.lobeRoughness));
     continueFrom(met, next.ws, path);
     path.density = 0.0;
@@ -249,6 +271,8 @@ void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
             leaveScene(bounce, path);
             return;
         }
+        if (bounce == 1u && path.branch.endDistance == 0.0)
+            path.branch.endDistance = hit.distance;
         LitSurface met;
         if (meetSurface(hit, transparent, bounce, px, sampleIndex, path, met))
             continue;

@@ -12,6 +12,7 @@
 #include "rays/path.glsl"
 
 #include "denoise/lobe_history.glsl"
+#include "lib/mirrored.glsl"
 #include "lib/packed_motion.glsl"
 #include "rays/hit_motion.glsl"
 
@@ -24,6 +25,9 @@ layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(set = 0, binding = 11, rgba32f) uniform image2D raysSum;  // all samples: weighted radiance, known weight
 layout(set = 0, binding = 12, r32f) uniform image2D raysWeights; // all samples: weight (both: kRaysAccumulate)
 layout(set = 0, binding = 27) uniform sampler2D metaBefore; // denoise/accumulate.comp's; one black texel without
+// lib/mirrored.glsl, where the record says kRaysBranched; one texel each without kRaysBranches.
+layout(set = 0, binding = 28, rgba32ui) uniform writeonly uimage2D mirroredSurface;
+layout(set = 0, binding = 29, rgba32ui) uniform writeonly uimage2D mirroredLight;
 
 /// A path whose first hit is the hit of the screen's ray.
 Path pathFromScreen(PixelRays from, RayRecord screen, uint i, float regularization) {
@@ -56,9 +60,11 @@ Path pathFromScreen(PixelRays from, RayRecord screen, uint i, float regularizati
 /// Frames in the mean that the denoiser will join this pixel's answer to: those of the mean that the previous frame left
 /// here. In motion the mean comes from some pixels away, where it is as long unless there is an edge between them.
 float framesBefore(PixelRays from) {
-    if (!hasLobeHistory() || isMirror(from.perceptualRoughness))
+    if (!hasLobeHistory())
         return 0.0;
     float frames = texelFetch(metaBefore, ivec2(from.uv * frame.constants.prevSize), 0).x;
+    if (frames <= 1.0 && isMirror(from.perceptualRoughness))
+        return 0.0; // nothing is averaged
     return min(frames, frame.settings.denoise.historyFrames - 1.0);
 }
 
@@ -66,6 +72,21 @@ float framesBefore(PixelRays from) {
 bool startsOnScreen(bool mirror, RayRecord screen) {
     return mirror && isAfterScreen() && isCertain(screen) && metReflector(screen) &&
            frame.constants.traceSize == frame.constants.size;
+}
+
+/// Stores where a mirror's path branched, but for what was found from there on, which is returned.
+vec3 storeBranch(PixelRays from, Branch branch, float distance, vec3 radiance) {
+    const float kLeastShare = 1e-4; // below, the quotient is rounding
+    mat3 toView = mat3(frame.constants.worldToView);
+    float metresAtOne = pixelExtent(frame.constants, frame.constants.uvToView, 1.0).y;
+    MirroredSurface met = MirroredSurface(distance, toView * branch.normalWS, branch.perceptualRoughness,
+                                          branch.width / metresAtOne,
+                                          branch.endDistance > 0.0 ? 1.0 / branch.endDistance : 0.0);
+    vec3 exact = sanitize(branch.exact);
+    uint direction = packSnorm2x16(encodeOctahedral(toView * branch.directionWS));
+    imageStore(mirroredSurface, from.px, packMirroredSurface(met));
+    imageStore(mirroredLight, from.px, packMirroredLight(MirroredLight(exact, branch.share, direction)));
+    return max(radiance - exact, vec3(0.0)) / max(branch.share, vec3(kLeastShare));
 }
 
 /// Without an environment, rays to lights may find light where no path found a surface. The answer then has a small
@@ -96,6 +117,8 @@ void main() {
     float hits = 0.0;
     uint reused = 0u;
     uint motion = kNoMotion; // of the first sample's hit, view space
+    Branch branch = kNoBranch;
+    float branchDistance = 0.0;
     bool lights =
         isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
@@ -124,6 +147,10 @@ void main() {
         if (first.weight <= 0.0)
             continue;
         sum += first.weight * path.weight * vec4(sanitize(path.radiance), 1.0);
+        if (i == 0u && isOn(kRaysBranches) && isMirror(from.perceptualRoughness)) {
+            branch = path.branch;
+            branchDistance = path.hitDistance;
+        }
         record.lookups += path.rays;
         reused += path.reused;
         if (path.hit) {
@@ -144,8 +171,10 @@ void main() {
     if (lights)
         sum.a = max(sum.a, leastKnownWeight(sum.rgb, weights));
     vec4 answer = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a / weights) : vec4(0.0);
+    if (branch.exists)
+        answer.rgb = storeBranch(from, branch, branchDistance, answer.rgb);
     imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));
-    uint route = min(reused, kRaysReusedMask) | (fromScreen ? kRaysStartOnScreen : 0u) |
-                 (takesBack(screen) ? kRaysReplaceScreen : 0u);
+    uint route = (branch.exists ? kRaysBranched : 0u) | min(reused, kRaysReusedMask) |
+                 (fromScreen ? kRaysStartOnScreen : 0u) | (takesBack(screen) ? kRaysReplaceScreen : 0u);
     imageStore(raysRecord, from.px, uvec4(packRayRecord(record), route, motion));
 }

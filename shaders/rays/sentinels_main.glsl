@@ -115,7 +115,7 @@ bool wantsSentinel(ivec2 px) {
         return false;
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     return here.reflectivity > settings.threshold && here.perceptualRoughness <= settings.maxRoughness &&
-           !isMirror(here.perceptualRoughness);
+           (isOn(kRaysBranches) || !isMirror(here.perceptualRoughness));
 }
 
 /// The pixel of the tile that starts its sentinel. x < 0: none.

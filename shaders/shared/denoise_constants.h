@@ -33,6 +33,7 @@ struct DenoiseConstants {
     uint hitMotion;       // 1: what moves in reflections is followed
     uint virtualMotion;   // kVirtual*
     float stableFrames;   // most frames in the stabilized brightness; 0: it is not stabilized
+    uint mirrored;        // 1: what mirrors show is averaged as well, behind them: lib/mirrored.glsl
     uint historyExpected; // number of the recording that the history should hold; 0: there is none
     uint historyTag;      // number of the one that it holds: written by the GPU
 };

@@ -91,7 +91,7 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.hierarchy = hierarchy_->constants();
     resolved.blur = blurConstants(settings);
     if (denoisesLobes())
-        resolved.denoise = lobeDenoise_->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0);
+        resolved.denoise = lobeDenoise_->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0, averagesMirrored());
     resolved.composite = composite_->constants();
     return resolved;
 }
@@ -257,6 +257,10 @@ bool FrameStages::meetsTransparents() const {
     return TransparentTrace::isWanted(stages_.settings()) && host_.images.transparentDepth && colors_.valid();
 }
 
+bool FrameStages::averagesMirrored() const {
+    return usesRays() && raysSource_->branches();
+}
+
 /// Joins and denoises the answers of screen and rays.
 gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
     const Traced traced = trace_->traced();
@@ -268,7 +272,10 @@ gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
                                usesRays() ? &raysSource_->answer() : nullptr,
                                usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
                                hierarchy_->raysComeFirst(),
+                               {},
                                {}};
+    if (averagesMirrored())
+        lobes.mirrored.emplace(raysSource_->mirrored());
     if (followsSentinels())
         lobes.followPaths = [this](gpu::Frame& f, const SentinelImages& images) {
             raysSource_->recordSentinels(f, inputs(), prepared(), images);

@@ -123,6 +123,7 @@ private:
     void prepare(gpu::Frame& frame, const View& view);
     shared::SettingsConstants resolveSettings(const View& view);
     gpu::Image& denoiseLobes(gpu::Frame& frame);
+    bool averagesMirrored() const;
     void clear(gpu::Frame& frame);
     void bringUpToDate(gpu::Frame& frame);
     void countRays(gpu::Frame& frame);

@@ -79,6 +79,12 @@ struct PreviousFrame {
     gpu::Image& viewZ;      ///< its viewZ
 };
 
+/// What mirrors show of rough surfaces (shaders/lib/mirrored.glsl).
+struct MirroredImages {
+    gpu::Image& surface;
+    gpu::Image& light;
+};
+
 /// Images of the sentinels (rays/sentinels_main.glsl), a texel for each tile.
 struct SentinelImages {
     gpu::Image& rayBefore;

@@ -62,6 +62,10 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     const uint32_t tilesY = tiles(h, shared::kSentinelTile);
     GLINT_CHECK(makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
+    constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
+    GLINT_CHECK(
+        makeImage(stages.gpu, denoise->noMirroredSurface_, {"glint/noMirroredSurface", kWords, 1, 1, kCleared}));
+    GLINT_CHECK(makeImage(stages.gpu, denoise->noMirroredLight_, {"glint/noMirroredLight", kWords, 1, 1, kCleared}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->hitMotion_, {"glint/hitMotion", VK_FORMAT_R32_UINT, w, h}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->reusedMotion_, {"glint/reusedMotion", kHalf, w, h}));
     return denoise;
@@ -131,6 +135,11 @@ void LobeDenoise::begin(gpu::Frame& frame, bool followsPaths) {
         history_.reset(HistoryReset::Asked); // a history without sentinels holds what older frames left there
     followed_ = followed;
     history_.begin(frame, denoises(settings));
+    if (blank_.isNeeded(stages_.progress)) {
+        frame.clear(noMirroredSurface_, {});
+        frame.clear(noMirroredLight_, {});
+        blank_.recorded(stages_.progress);
+    }
     recorded_ = false;
 }
 
@@ -140,7 +149,7 @@ bool LobeDenoise::comparesMeans() const {
     return antilag == Antilag::Mean || (antilag == Antilag::Gradient && followed_ == Sentinels::None);
 }
 
-shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
+shared::DenoiseConstants LobeDenoise::constants(double seconds, bool mirrored) const {
     const Settings& settings = stages_.settings();
     const double frames = settings.denoise.historySeconds / seconds;
     return {static_cast<uint32_t>(settings.reuse.samples),
@@ -157,6 +166,7 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds) const {
             settings.denoise.hitMotion ? 1u : 0u,
             static_cast<uint32_t>(settings.denoise.virtualMotion),
             static_cast<float>(std::min(settings.denoise.stabilizeSeconds / seconds, 1024.0)),
+            mirrored ? 1u : 0u,
             history_.valid() ? history_.expectedTag() : 0,
             0};
 }
@@ -180,8 +190,13 @@ gpu::Image& LobeDenoise::metaBefore() {
     return history_.before(kMeta);
 }
 
+MirroredImages LobeDenoise::mirroredOf(const LobeDenoiseInputs& inputs) {
+    return inputs.mirrored.value_or(MirroredImages{noMirroredSurface_, noMirroredLight_});
+}
+
 void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
     gpu::Image& black = inputs.frame.standIns.black;
+    const MirroredImages mirrored = mirroredOf(inputs);
     const uint32_t sources = (inputs.screenAnswer ? shared::kJoinScreen : 0) |
                              (inputs.raysAnswer ? shared::kJoinRays : 0) |
                              (inputs.raysFirst ? shared::kJoinRaysFirst : 0);
@@ -198,6 +213,8 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .write("noisy", noisy_)
         .write("sentRay", sentRay_)
         .write("hitMotion", hitMotion_)
+        .readWrite("mirroredSurface", mirrored.surface)
+        .readWrite("mirroredLight", mirrored.light)
         .push(sources)
         .dispatch(stages_.extent.x, stages_.extent.y);
 }
@@ -266,6 +283,7 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     recorded_ = true;
     gpu::Image& reused = inputs.screenAnswer && reusesTarget(stages_.settings()) ? *inputs.screenAnswer : reused_;
     gpu::Image& answer = stages_.desc.views ? answer_ : noisy_; // what gather wrote is read no more then
+    const MirroredImages mirrored = mirroredOf(inputs);
     gather(frame, inputs);
     gpu::Image& changed = findChange(frame, inputs);
     shownChange_ = &changed;
@@ -284,6 +302,7 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .read("rayRates", rayRates(), kTexels)
         .write("reused", reused)
         .read("hitMotion", hitMotion_)
+        .read("mirroredSurface", mirrored.surface)
         .write("reusedMeta", reusedMeta_)
         .write("reusedMotion", reusedMotion_)
         .dispatch(w, h);
@@ -299,6 +318,8 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .read("placeBefore", history_.before(kPlace))
         .read("changed", changed)
         .read("speedBefore", history_.before(kSpeed))
+        .read("mirroredSurface", mirrored.surface)
+        .read("hitMotion", hitMotion_)
         .write("mean", history_.now(kMean))
         .write("meta", history_.now(kMeta))
         .write("fast", history_.now(kFast))
@@ -314,6 +335,8 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
     begin(filter_)
         .read("mean", history_.now(kMean))
         .read("meta", history_.now(kMeta))
+        .read("mirroredSurface", mirrored.surface)
+        .read("mirroredLight", mirrored.light)
         .write("answer", answer)
         .dispatch(w, h);
     return stabilizes() ? stabilize(frame, inputs, answer, reused) : answer;

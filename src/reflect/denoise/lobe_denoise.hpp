@@ -19,6 +19,7 @@ struct LobeDenoiseInputs {
     gpu::Image* raysAnswer; ///< null: the source takes no part
     gpu::Image& raysRecord;
     bool raysFirst;
+    std::optional<MirroredImages> mirrored; ///< of `rays`; empty if nothing behind mirrors is to be averaged
     /// Records the pass whose sentinels are paths (denoise.antilag gradient); empty: there are none.
     std::function<void(gpu::Frame& frame, const SentinelImages& images)> followPaths;
 };
@@ -45,7 +46,8 @@ public:
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { history_.reset(reason); }
     /// `seconds`: since the previous frame.
-    shared::DenoiseConstants constants(double seconds) const;
+    /// `mirrored`: this frame's mirrors show what is to be averaged.
+    shared::DenoiseConstants constants(double seconds, bool mirrored) const;
     /// Copies the history's tag to `offset` of the frame's constants.
     void copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset);
 
@@ -81,6 +83,7 @@ private:
     Result<void> makeHistory(const Kept& kept);
     bool reusesTarget(const Settings& settings) const;
     bool comparesMeans() const;
+    MirroredImages mirroredOf(const LobeDenoiseInputs& inputs);
     void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
     gpu::Image& findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
     bool stabilizes() const;
@@ -95,14 +98,17 @@ private:
     gpu::Pipeline accumulate_;
     gpu::Pipeline filter_;
     gpu::Pipeline rate_;
-    gpu::Pipeline stabilize_;           ///< these three from the first settings that stabilize
-    gpu::Image takenFrom_;              ///< RG16F: denoise/taken_from.glsl
-    gpu::Image stabilized_;             ///< as answer_; with views, which also show what else it could be written to
-    gpu::Image noisy_;                  ///< RGBA16F: weight * radiance, weight, of one ray; then the answer
-    gpu::Image reused_;                 ///< as noisy_, with the rays of neighbours; absent if the screen's image serves
-    gpu::Image sentRay_;                ///< RG32UI: denoise/sent_ray.glsl
-    gpu::Image reusedMeta_;             ///< RG16F: denoise/reuse.comp
-    gpu::Image hitMotion_;              ///< R32UI: lib/packed_motion.glsl
+    gpu::Pipeline stabilize_;      ///< these three from the first settings that stabilize
+    gpu::Image takenFrom_;         ///< RG16F: denoise/taken_from.glsl
+    gpu::Image stabilized_;        ///< as answer_; with views, which also show what else it could be written to
+    gpu::Image noisy_;             ///< RGBA16F: weight * radiance, weight, of one ray; then the answer
+    gpu::Image reused_;            ///< as noisy_, with the rays of neighbours; absent if the screen's image serves
+    gpu::Image sentRay_;           ///< RG32UI: denoise/sent_ray.glsl
+    gpu::Image reusedMeta_;        ///< RG16F: denoise/reuse.comp
+    gpu::Image hitMotion_;         ///< R32UI: lib/packed_motion.glsl
+    gpu::Image noMirroredSurface_; ///< one texel, for absent LobeDenoiseInputs::mirrored
+    gpu::Image noMirroredLight_;
+    gpu::Standing blank_;               ///< those two are initialized
     gpu::Image reusedMotion_;           ///< RGBA16F: denoise/reuse.comp
     gpu::Image sentinelChange_;         ///< RGBA16F, a texel for each tile: denoise/sentinels.comp
     gpu::Image changed_;                ///< RGBA16F, a texel for each tile: denoise/change.comp

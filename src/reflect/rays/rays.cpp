@@ -22,6 +22,12 @@ Bounds transparentBounds(const rays::Scene& scene, const SurfaceTableState& surf
     return all;
 }
 
+/// True if mirrors' paths go on from rough surfaces, and the denoiser averages what that brings. Rays to lights bring
+/// light from other directions than the path's, which the denoiser cannot tell apart.
+bool wantsBranches(const Settings& settings) {
+    return denoises(settings) && settings.rays.bounces > 1 && !settings.rays.sampleLights;
+}
+
 } // namespace
 
 static_assert(sizeof(RayHit) == sizeof(shared::RayHitRecord));
@@ -41,6 +47,7 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
     };
     GLINT_TRY(radianceWeight, makeImage("glint/raysRadianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT));
     GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32B32A32_UINT));
+    GLINT_CHECK(source->makeMirrored(false));
     GLINT_TRY(lister, RayLister::create(context, width, height));
     GLINT_TRY(rays, RayLister::makeList(context, "glint/raysList", width, height));
     source->radianceWeight_ = std::move(radianceWeight);
@@ -51,6 +58,7 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
 }
 
 Result<void> RaysSource::setSettings(const Settings& settings) {
+    GLINT_CHECK(makeMirrored(wantsBranches(settings)));
     wantsSentinels_ = denoises(settings) && settings.denoise.antilag == Antilag::Gradient;
     GLINT_CHECK(makeSentinels());
     sampleLights_ = settings.rays.sampleLights;
@@ -67,6 +75,19 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
     sumsWidth_ = width;
     sumsHeight_ = height;
     return {};
+}
+
+Result<void> RaysSource::makeMirrored(bool whole) {
+    const uint32_t width = whole ? radianceWeight_.width() : 1;
+    const uint32_t height = whole ? radianceWeight_.height() : 1;
+    constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
+    GLINT_CHECK(growImage(stages_, mirroredSurface_, {"glint/mirroredSurface", kWords, width, height}));
+    GLINT_CHECK(growImage(stages_, mirroredLight_, {"glint/mirroredLight", kWords, width, height}));
+    return {};
+}
+
+bool RaysSource::branches() const {
+    return surfaces_ && wantsBranches(stages_.settings());
 }
 
 /// Creates the pipeline of sentinels once settings want it and there is a scene that lights hits.
@@ -178,6 +199,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     flag(static_cast<bool>(host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
     flag(rays.accumulate, shared::kRaysAccumulate);
     flag(rays.environmentOcclusion, shared::kRaysEnvironmentOcclusion);
+    flag(branches(), shared::kRaysBranches);
     flag(sampleLights_, shared::kRaysSampleLights);
     // The denoiser uses a pixel's answer as the light along its one ray.
     flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLightsFirst);
@@ -270,6 +292,8 @@ void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool s
         .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .write("raysRecord", record_, 0, true)
+        .write("mirroredSurface", mirroredSurface_)
+        .write("mirroredLight", mirroredLight_)
         .readWrite("raysSum", sums_.now(0))
         .readWrite("raysWeights", sums_.now(1));
     if (sampleLights)

@@ -63,9 +63,15 @@ public:
     gpu::Image& answer() { return radianceWeight_; }
     gpu::Image& rayRecord() { return record_; }
 
+    /// True if the settings and the scene have paths that go on behind mirrors, for the denoiser to average.
+    bool branches() const;
+    /// Valid if `branches`, where rayRecord says kRaysBranched; one texel each otherwise.
+    MirroredImages mirrored() { return {mirroredSurface_, mirroredLight_}; }
+
 private:
     explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
     Result<void> makeShading();
+    Result<void> makeMirrored(bool whole);
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
     void recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights);
     bool followsHits() const;
@@ -92,7 +98,9 @@ private:
     gpu::Buffer hits_; ///< shared::RayHitRecord; absent unless a host shades hits
     RayLister lister_;
     Rays rays_;
-    gpu::Image radianceWeight_; ///< RGBA16F: radiance, weight [0, 1]
+    gpu::Image radianceWeight_;  ///< RGBA16F: radiance, weight [0, 1]
+    gpu::Image mirroredSurface_; ///< RGBA32UI, lib/mirrored.glsl; one texel until settings need it
+    gpu::Image mirroredLight_;   ///< as that
     uint32_t sumsWidth_ = 0;
     uint32_t sumsHeight_ = 0;
     History sums_;      ///< RGBA32F and R32F, one texel each unless rays.accumulate: reflect_main.glsl

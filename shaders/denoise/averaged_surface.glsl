@@ -1,0 +1,35 @@
+// The surface whose lobe a pixel's signal is of: the one that the pixel shows, or behind a mirror the one that the mirror
+// shows (lib/mirrored.glsl). There it is the surface itself and not its image, so that what neighbours found is weighed by
+// true places and directions, whatever the mirror's shape.
+// Include after `mirroredSurface`, a usampler2D.
+#ifndef GLINT_DENOISE_AVERAGED_SURFACE_GLSL
+#define GLINT_DENOISE_AVERAGED_SURFACE_GLSL
+
+#include "denoise/lobe_surface.glsl"
+#include "lib/mirrored.glsl"
+
+/// What the mirror `at` shows in its pixel: distance 0 if nothing of that is averaged.
+MirroredSurface mirroredAt(ivec2 px, LobeSurface at) {
+    if (frame.settings.denoise.mirrored == 0u || !isMirror(at.perceptualRoughness))
+        return MirroredSurface(0.0, vec3(0.0, 0.0, 1.0), 0.0, 0.0, 0.0);
+    return unpackMirroredSurface(texelFetch(mirroredSurface, px, 0));
+}
+
+LobeSurface averagedSurfaceAt(ivec2 px) {
+    LobeSurface at = lobeSurfaceAt(px);
+    MirroredSurface met = mirroredAt(px, at);
+    if (met.distance <= 0.0)
+        return at;
+    vec3 onward = reflect(-at.toEyeVS, at.normalVS);
+    LobeSurface behind;
+    behind.positionVS = at.positionVS + onward * met.distance;
+    behind.normalVS = met.normalVS;
+    behind.shownNormalVS = reflect(met.normalVS, at.normalVS);
+    behind.toEyeVS = -onward;
+    behind.viewZ = met.viewZ;
+    behind.perceptualRoughness = met.perceptualRoughness;
+    behind.isMirrored = true;
+    return behind;
+}
+
+#endif
