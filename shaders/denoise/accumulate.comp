@@ -228,7 +228,8 @@ PreviousPlace previousImage(ivec2 px, LobeSurface mirror, LobeSurface image) {
     before.positionVS = (frame.constants.viewToPrevView * vec4(image.positionVS + stepVS, 1.0)).xyz;
     before.normalVS = mat3(frame.constants.viewToPrevView) * image.normalVS;
     before.px = rests ? previousPixel(before.positionVS) : vec2(-1e4);
-    before.moved = before.movedOnScreen = stepVS != vec3(0.0);
+    before.moved = stepVS != vec3(0.0);
+    before.movedOnScreen = !rests || before.moved;
     before.knowsDepth = true;
     return before;
 }

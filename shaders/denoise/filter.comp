@@ -82,7 +82,9 @@ void main() {
     }
     if (here.isMirrored) {
         MirroredLight light = unpackMirroredLight(texelFetch(mirroredLight, px, 0));
-        sum = vec4(light.exact + light.share * sum.rgb / max(sum.a, 1e-6), uintBitsToFloat(light.last));
+        const float kLargestHalf = 6.0e4;
+        vec3 both = light.exact + light.share * sum.rgb / max(sum.a, 1e-6);
+        sum = vec4(min(both, vec3(kLargestHalf)), uintBitsToFloat(light.last));
     }
     imageStore(answer, px, vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), sum.a));
 }

@@ -120,7 +120,9 @@ void main() {
     imageStore(noisy, px, found);
     imageStore(sentRay, px, uvec4(packSentRay(ray), 0u, 0u));
     if (settings.hitMotion != 0u) {
-        bool fromRays = branched || (taken.x >= taken.y) == raysFirst;
+        bool fromRays = (taken.x >= taken.y) == raysFirst;
+        if (branched)
+            fromRays = (routed.z & kRaysStartOnScreen) == 0u; // else the screen knows how its hit moved
         imageStore(hitMotion, px, uvec4(fromRays ? routed.w : packMotion(screenHitMotion(px, screenRay)), 0u, 0u, 0u));
     }
 }

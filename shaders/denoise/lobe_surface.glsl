@@ -52,7 +52,7 @@ bool isSameSurface(LobeSurface here, LobeSurface other) {
     const float kPlane = 0.005;
     const float kNormal = 0.7;
     float fromPlane = abs(dot(here.normalVS, other.positionVS - here.positionVS));
-    return other.viewZ < kBackgroundZ && fromPlane <= kPlane * here.viewZ &&
+    return here.isMirrored == other.isMirrored && other.viewZ < kBackgroundZ && fromPlane <= kPlane * here.viewZ &&
            dot(here.normalVS, other.normalVS) > kNormal &&
            abs(here.perceptualRoughness - other.perceptualRoughness) < 0.1 + 0.2 * here.perceptualRoughness;
 }
