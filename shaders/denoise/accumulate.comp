@@ -27,7 +27,7 @@ layout(set = 0, binding = 7) uniform sampler2D metaBefore;
 layout(set = 0, binding = 8) uniform usampler2D placeBefore;
 layout(set = 0, binding = 9, rgba16f) uniform writeonly image2D mean;  // weight * radiance, weight
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D meta; // frames; luminance: mean, mean square; nearness
-/// viewZ, behind a mirror the image's, negative; normal, octahedral in view space, behind a mirror the surface's own.
+/// viewZ; normal, octahedral in view space. Behind a mirror: -viewZ of the surface's image; normal of the surface itself.
 layout(set = 0, binding = 11, rg32ui) uniform writeonly uimage2D place;
 // Luminance, the mean over few frames: kept if settings.comparesMeans.
 layout(set = 0, binding = 12) uniform sampler2D fastBefore;
@@ -220,14 +220,25 @@ vec3 mirroredStepVS(ivec2 px) {
     return settings.hitMotion != 0u ? unpackMotion(texelFetch(hitMotion, px, 0).r) : vec3(0.0);
 }
 
-/// Where the image of what a mirror shows was. Of a mirror that has moved itself, nothing is known.
+/// The pixel of the previous frame that showed what lies `distance` metres behind the mirror on this line of sight.
+vec2 mirroredPixelBefore(ivec2 px, LobeSurface mirror, float distance, vec3 stepVS) {
+    float near = 1.0 / max(distance, 1e-6);
+    vec2 at;
+    if (settings.virtualMotion < kVirtualCurved || !curvedImagePixelBefore(px, mirror, near, stepVS, at))
+        at = imagePixelBefore(mirror, near, stepVS);
+    return at;
+}
+
+/// Where the image of what a mirror shows was. If the mirror itself has moved, that is unknown: movedOnScreen, and a pixel
+/// outside the frame.
 PreviousPlace previousImage(ivec2 px, LobeSurface mirror, LobeSurface image) {
     PreviousPlace before = previousPlace(px, mirror.viewZ);
     bool rests = !before.moved;
     vec3 stepVS = reflect(mirroredStepVS(px), mirror.normalVS);
     before.positionVS = (frame.constants.viewToPrevView * vec4(image.positionVS + stepVS, 1.0)).xyz;
     before.normalVS = mat3(frame.constants.viewToPrevView) * image.normalVS;
-    before.px = rests ? previousPixel(before.positionVS) : vec2(-1e4);
+    float toImage = distance(mirror.positionVS, image.positionVS);
+    before.px = rests ? mirroredPixelBefore(px, mirror, toImage, mirroredStepVS(px)) : vec2(-1e4);
     before.moved = stepVS != vec3(0.0);
     before.movedOnScreen = !rests || before.moved;
     before.knowsDepth = true;
@@ -240,15 +251,6 @@ void moveImage(vec2 at, inout Was was) {
     vec3 moved = previousPosition(at * frame.constants.prevInvSize, -was.position.z);
     was.end += moved - was.position;
     was.position = moved;
-}
-
-/// The pixel of the previous frame that showed what lies `distance` metres behind the mirror on this line of sight.
-vec2 mirroredPixelBefore(ivec2 px, LobeSurface mirror, float distance, vec3 stepVS) {
-    float near = 1.0 / max(distance, 1e-6);
-    vec2 at;
-    if (settings.virtualMotion < kVirtualCurved || !curvedImagePixelBefore(px, mirror, near, stepVS, at))
-        at = imagePixelBefore(mirror, near, stepVS);
-    return at;
 }
 
 /// The pixel of the previous frame that showed the image of what the lobe of `here` shows.
@@ -288,12 +290,14 @@ Candidate best(ivec2 px, LobeSurface averaged, float light, float near, HitMotio
     mat4 toBefore = frame.constants.viewToPrevView;
     PreviousPlace before = isMirrored ? previousImage(px, mirror, here) : previousPlace(px, here.viewZ);
     // A sample may miss what the mean shows, such as a small lamp before a wall: the history knows its distance.
-    ivec2 about = floorToInt(lobeImagePixelBefore(px, mirror, here, near, hits.stepVS));
     float tracked = near;
     bool inMirrorToo = settings.virtualMotion >= kVirtualFlat && !before.movedOnScreen;
-    if (inMirrorToo && wasInFrame(about)) {
-        vec4 there = texelFetch(metaBefore, about, 0);
-        tracked = joined(near, light, there.w, there.x * there.y);
+    if (inMirrorToo) {
+        ivec2 about = floorToInt(lobeImagePixelBefore(px, mirror, here, near, hits.stepVS));
+        if (wasInFrame(about)) {
+            vec4 there = texelFetch(metaBefore, about, 0);
+            tracked = joined(near, light, there.w, there.x * there.y);
+        }
     }
     Was was;
     was.position = before.positionVS;
@@ -308,10 +312,8 @@ Candidate best(ivec2 px, LobeSurface averaged, float light, float near, HitMotio
     Candidate found = kNone;
     frames = 0.0;
     vec2 at = before.px;
-    if (isMirrored && wasInFrame(floorToInt(at))) {
-        at = mirroredPixelBefore(px, mirror, distance(here.positionVS, mirror.positionVS), mirroredStepVS(px));
+    if (isMirrored && wasInFrame(floorToInt(at)))
         moveImage(at, was);
-    }
     for (uint place = kVirtualSurface; place <= kVirtualCurved; ++place) { // a loop: one copy of lookUp
         Candidate there = lookUp(was, at);
         float theirs = framesOf(there, hits, here.perceptualRoughness);
@@ -384,12 +386,11 @@ void main() {
                 from = before.at - (vec2(px) + 0.5);
         }
     }
-    const float kLargestHalf = 6.0e4;
     vec3 noise = hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed);
-    imageStore(mean, px, roundToHalf(min(answer, vec4(kLargestHalf)), noise.x));
-    imageStore(meta, px, roundToHalf(min(moments, vec4(kLargestHalf)), noise.y));
+    imageStore(mean, px, roundToHalf(min(answer, vec4(kLargestStored)), noise.x));
+    imageStore(meta, px, roundToHalf(min(moments, vec4(kLargestStored)), noise.y));
     if (settings.comparesMeans != 0u)
-        imageStore(fast, px, roundToHalf(vec4(min(fastMean, kLargestHalf)), noise.z));
+        imageStore(fast, px, roundToHalf(vec4(min(fastMean, kLargestStored)), noise.z));
     if (settings.hitMotion != 0u)
         imageStore(speed, px, vec4(meanSpeed));
     if (settings.stableFrames > 0.0)

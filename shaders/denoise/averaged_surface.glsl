@@ -1,6 +1,6 @@
-// The surface whose lobe a pixel's signal is of: the one that the pixel shows, or behind a mirror the one that the mirror
-// shows (lib/mirrored.glsl). There it is the surface itself and not its image, so that what neighbours found is weighed by
-// true places and directions, whatever the mirror's shape.
+// The surface whose lobe the denoiser averages in a pixel: the pixel's own, or on a mirror the surface that the mirror shows
+// (lib/mirrored.glsl). That is the surface itself and not its image: neighbours' rays are weighed by true places and
+// directions, whatever the mirror's shape.
 // Include after `mirroredSurface`, a usampler2D.
 #ifndef GLINT_DENOISE_AVERAGED_SURFACE_GLSL
 #define GLINT_DENOISE_AVERAGED_SURFACE_GLSL

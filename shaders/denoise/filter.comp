@@ -6,6 +6,7 @@
 
 #include "denoise/lobe_surface.glsl"
 #include "lib/color.glsl"
+#include "lib/half.glsl"
 #include "lib/noise.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -82,9 +83,8 @@ void main() {
     }
     if (here.isMirrored) {
         MirroredLight light = unpackMirroredLight(texelFetch(mirroredLight, px, 0));
-        const float kLargestHalf = 6.0e4;
         vec3 both = light.exact + light.share * sum.rgb / max(sum.a, 1e-6);
-        sum = vec4(min(both, vec3(kLargestHalf)), uintBitsToFloat(light.last));
+        sum = vec4(min(both, vec3(kLargestStored)), uintBitsToFloat(light.last));
     }
     imageStore(answer, px, vec4(sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0), sum.a));
 }

@@ -8,6 +8,7 @@
 #include "denoise/lobe_history.glsl"
 #include "denoise/lobe_surface.glsl"
 #include "denoise/sentinel.glsl"
+#include "lib/half.glsl"
 #include "lib/input_color.glsl"
 #include "lib/noise.glsl"
 #include "lib/ray_record.glsl"
@@ -62,9 +63,8 @@ Sentinel unpackSentinel(uvec4 packed) {
 
 float luminanceAt(ivec2 px) {
     bool encoded = (frame.constants.flags & kInputGamma) != 0u;
-    const float kLargestHalf = 6.0e4;
     float shown = luminance(linearColor(texelFetch(litRadiance, px, 0).rgb, encoded));
-    return unpackHalf2x16(packHalf2x16(vec2(min(shown, kLargestHalf), 0.0))).x;
+    return unpackHalf2x16(packHalf2x16(vec2(min(shown, kLargestStored), 0.0))).x;
 }
 
 Shown shownAt(ivec2 px) {

@@ -40,7 +40,7 @@ float lobePixels(float perceptualRoughness, float viewZ, float nearness) {
 }
 
 /// True for surfaces whose lobe is narrower than half a pixel wherever the ray ends. They reflect one direction: nothing
-/// is sampled, reused or averaged.
+/// is sampled, and nothing averaged but what they show of rough surfaces (lib/mirrored.glsl).
 bool isMirror(float perceptualRoughness) {
     return perceptualRoughness < kMirrorRoughness || lobePixels(perceptualRoughness, 0.0, 0.0) < 0.5;
 }

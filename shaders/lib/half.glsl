@@ -1,6 +1,9 @@
-// Rounding at random to what an image of 16-bit floats can hold.
+// What an image of 16-bit floats can hold, and rounding at random to it.
 #ifndef GLINT_LIB_HALF_GLSL
 #define GLINT_LIB_HALF_GLSL
+
+/// Below 65504, the largest half, so that no rounding makes it infinite.
+const float kLargestStored = 6.0e4;
 
 /// `v`, rounded up or down to 11 significant bits, each as often as it is near: right on average. A mean over frames that
 /// is stored in 16 bits must not be rounded always alike: rounded down it loses 0.02 % in every frame (and drivers may),

@@ -5,6 +5,7 @@
 #ifndef GLINT_LIB_MIRRORED_GLSL
 #define GLINT_LIB_MIRRORED_GLSL
 
+#include "lib/half.glsl"
 #include "lib/octahedral.glsl"
 
 /// The surface that a mirror shows in a pixel.
@@ -26,9 +27,8 @@ struct MirroredLight {
 };
 
 uvec4 packMirroredSurface(MirroredSurface s) {
-    const float kLargestHalf = 6.0e4;
     return uvec4(floatBitsToUint(s.distance), packSnorm2x16(encodeOctahedral(s.normalVS)),
-                 packHalf2x16(vec2(s.perceptualRoughness, min(s.viewZ, kLargestHalf))), floatBitsToUint(s.nearness));
+                 packHalf2x16(vec2(s.perceptualRoughness, min(s.viewZ, kLargestStored))), floatBitsToUint(s.nearness));
 }
 
 MirroredSurface unpackMirroredSurface(uvec4 packed) {

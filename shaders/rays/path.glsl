@@ -139,15 +139,18 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
                           laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
     path.ended = next.weight <= 0.0;
     path.radiance += path.throughput * met.own;
+    bool isDirect = bounce == 0u && path.transparents == mostTransparents();
+    if (!last && isDirect && sampledRoughness(met.lobeRoughness) > 0.0) {
+        // Below the surface the lobe's density is 0: neighbours take nothing from there.
+        vec3 onward = path.ended ? -met.normalWS : next.ws;
+        path.branch = Branch(true, path.radiance, path.throughput * met.response, met.normalWS, met.lobeRoughness, onward,
+                             path.cone.width, 0.0);
+    }
     if (path.ended) {
         endInEnvironment(met, path);
         return;
     }
     path.throughput *= met.response;
-    bool isDirect = bounce == 0u && path.transparents == mostTransparents();
-    if (isDirect && sampledRoughness(met.lobeRoughness) > 0.0)
-        path.branch = Branch(true, path.radiance, path.throughput, met.normalWS, met.lobeRoughness, next.ws,
-                             path.cone.width, 0.0);
     path.spread = reflected(path.spread, met.bend, sampledRoughness(met.lobeRoughness));
     continueFrom(met, next.ws, path);
     path.density = 0.0;

@@ -119,6 +119,8 @@ void main() {
     uint motion = kNoMotion; // of the first sample's hit, view space
     Branch branch = kNoBranch;
     float branchDistance = 0.0;
+    vec3 exact = vec3(0.0); // sums over the samples, weighted, of both parts of lib/mirrored.glsl
+    vec3 share = vec3(0.0);
     bool lights =
         isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
@@ -147,9 +149,14 @@ void main() {
         if (first.weight <= 0.0)
             continue;
         sum += first.weight * path.weight * vec4(sanitize(path.radiance), 1.0);
-        if (i == 0u && isOn(kRaysBranches) && isMirror(from.perceptualRoughness)) {
-            branch = path.branch;
-            branchDistance = path.hitDistance;
+        if (isOn(kRaysBranches) && isMirror(from.perceptualRoughness)) {
+            exact += first.weight * path.weight * sanitize(path.branch.exists ? path.branch.exact : path.radiance);
+            if (path.branch.exists)
+                share += first.weight * path.weight * path.branch.share;
+            if (path.branch.exists && !branch.exists) {
+                branch = path.branch;
+                branchDistance = path.hitDistance;
+            }
         }
         record.lookups += path.rays;
         reused += path.reused;
@@ -171,8 +178,11 @@ void main() {
     if (lights)
         sum.a = max(sum.a, leastKnownWeight(sum.rgb, weights));
     vec4 answer = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a / weights) : vec4(0.0);
-    if (branch.exists)
+    if (branch.exists && sum.a > 0.0) {
+        branch.exact = exact / sum.a;
+        branch.share = share / sum.a;
         answer.rgb = storeBranch(from, branch, branchDistance, answer.rgb);
+    }
     imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));
     uint route = (branch.exists ? kRaysBranched : 0u) | min(reused, kRaysReusedMask) |
                  (fromScreen ? kRaysStartOnScreen : 0u) | (takesBack(screen) ? kRaysReplaceScreen : 0u);

@@ -13,6 +13,7 @@
 #define GLINT_RAYS_TABLE_LIGHT
 #include "denoise/lobe_history.glsl"
 #include "denoise/sentinel.glsl"
+#include "lib/half.glsl"
 #include "lib/octahedral.glsl"
 #include "rays/path.glsl"
 
@@ -61,8 +62,7 @@ Sentinel followed(Sentinel sentinel, ivec2 tile) {
     Path path = startPath(uintBitsToFloat(sentinel.ray.xyz), decodeOctahedral(unpackSnorm2x16(sentinel.ray.w)),
                           Cone(cone.x, cone.y), roughness, regularizationOf(settings.regularization, 1.0));
     followPath(0u, tile, sentinel.path.w & kSequence, path);
-    const float kLargestHalf = 6.0e4;
-    vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestHalf)); // in the precision that is kept
+    vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestStored)); // in the precision that is kept
     sentinel.path.xy = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, roughness)));
     sentinel.path.w &= ~kMoves;
     if (hitStepWS(path.first, path.hitWS) != vec3(0.0))

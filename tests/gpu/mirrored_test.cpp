@@ -1,6 +1,7 @@
 // What mirrors show of rough surfaces, with denoise.enabled and rays.bounces above 1: the mean over frames of what the
 // further rays find, looked for where the mirror, flat or curved, showed the surface before.
 #include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
 #include "gpu/support/surface_scene.hpp"
 
 #include <cmath>
@@ -12,19 +13,6 @@ constexpr uint32_t kWidth = 64;
 constexpr uint32_t kHeight = 64;
 constexpr uint32_t kFrames = 24;
 constexpr double kStep = 0.03; ///< metres a frame: about a pixel
-
-/// A ball of radius 1 around the origin, without roughness.
-std::optional<SyntheticSurface> mirrorBall(const glm::dvec3& origin, const glm::dvec3& direction) {
-    const double middle = -glm::dot(origin, direction);
-    const double inside = 1 - glm::dot(origin, origin) + middle * middle;
-    if (inside < 0 || middle < 0)
-        return std::nullopt;
-    SyntheticSurface hit;
-    hit.distance = middle - std::sqrt(inside);
-    hit.normalWS = origin + direction * hit.distance;
-    hit.f0 = glm::vec3(1);
-    return hit;
-}
 
 std::optional<SyntheticSurface> flatMirror(const glm::dvec3& origin, const glm::dvec3& direction) {
     if (direction.z >= 0)
@@ -119,7 +107,7 @@ protected:
 
 TEST_F(MirroredTest, atRestTheNoiseOfTheSecondBounceFalls) {
     const SurfaceScene scene = wallBefore(0.3f);
-    for (const SyntheticScene& mirror : {SyntheticScene(flatMirror), SyntheticScene(mirrorBall)}) {
+    for (const SyntheticScene& mirror : {SyntheticScene(flatMirror), unitBall(0)}) {
         const Picture right = truth(mirror, scene);
         const double raw = difference(play(mirror, scene, settings(false), 1, 0, 1).picture, right);
         const Picture shown = play(mirror, scene, settings(true), kFrames, 0, 1).picture;
@@ -140,7 +128,7 @@ TEST_F(MirroredTest, aFirstFrameUsesTheRaysOfNeighbours) {
 
 TEST_F(MirroredTest, inMotionTheMeanIsFoundWhereTheMirrorShowedIt) {
     const SurfaceScene scene = wallBefore(0.4f);
-    for (const SyntheticScene& mirror : {SyntheticScene(flatMirror), SyntheticScene(mirrorBall)}) {
+    for (const SyntheticScene& mirror : {SyntheticScene(flatMirror), unitBall(0)}) {
         const Picture right = truth(mirror, scene);
         const double raw = difference(play(mirror, scene, settings(false), 1, 0, 1).picture, right);
         const Shown rested = play(mirror, scene, settings(true), kFrames, 0, 1);
@@ -155,8 +143,8 @@ TEST_F(MirroredTest, inMotionTheMeanIsFoundWhereTheMirrorShowedIt) {
 TEST_F(MirroredTest, mirrorsThatShowNoRoughSurfaceKeepTheirBits) {
     SurfaceScene scene = wallBefore(0); // a mirror that shows a mirror that shows light
     scene.addQuad({20, -20, 4}, {-20, 0, 0}, {0, 40, 0}, emitting({0.5f, 0.25f, 2}));
-    const Picture raw = play(mirrorBall, scene, settings(false), 3, kStep, 1).picture;
-    const Picture shown = play(mirrorBall, scene, settings(true), 3, kStep, 1).picture;
+    const Picture raw = play(unitBall(0), scene, settings(false), 3, kStep, 1).picture;
+    const Picture shown = play(unitBall(0), scene, settings(true), 3, kStep, 1).picture;
     EXPECT_EQ(raw.reflection, shown.reflection);
     EXPECT_EQ(raw.weight, shown.weight);
 }

@@ -138,20 +138,6 @@ protected:
     static constexpr uint32_t kHeight = 64;
     static constexpr uint32_t kFrames = 24;
 
-    static SyntheticScene ball() {
-        return [](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
-            const double middle = -glm::dot(origin, direction);
-            const double inside = 1 - glm::dot(origin, origin) + middle * middle;
-            if (inside < 0 || middle < 0)
-                return std::nullopt;
-            SyntheticSurface hit;
-            hit.distance = middle - std::sqrt(inside);
-            hit.normalWS = origin + direction * hit.distance;
-            hit.f0 = glm::vec3(1);
-            hit.perceptualRoughness = 0.25f;
-            return hit;
-        };
-    }
     static SurfaceScene stripes() {
         SurfaceScene made;
         for (int i = -12; i < 12; ++i)
@@ -184,7 +170,7 @@ protected:
         for (uint32_t i = 0; i < frames; ++i) {
             const double x = -step * (frames - 1 - i);
             const SyntheticCamera camera = {.position = {x, 0, 3.5}, .target = {x, 0, 0}, .fovY = 0.55};
-            const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), ball(), camera, kWidth, kHeight);
+            const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), unitBall(0.25f), camera, kWidth, kHeight);
             must(made.setInputs(host.gbuffer));
             View view = camera.view(kWidth, kHeight);
             view.frameIndex = i;

@@ -203,8 +203,8 @@ TEST(DenoiserExchange, TheDumpsCamerasDepthAndMotionAgree) {
     EXPECT_GT(farthest, 1); // what is near moves by more than the 3 pixels of the centre
 }
 
-/// Our denoiser passes mirrors untouched: there the noisy signal and the rest are the reflection itself. What it
-/// averages elsewhere has the mean of the signal.
+/// Our denoiser passes mirrors untouched where rays have one bounce: there the noisy signal and the rest are the
+/// reflection itself. What it averages elsewhere has the mean of the signal.
 TEST(DenoiserExchange, TheNoisySignalAndTheRestMakeTheReflection) {
     const TempFolder temp;
     const std::string& folder = temp.path();

@@ -25,7 +25,7 @@ Bounds transparentBounds(const rays::Scene& scene, const SurfaceTableState& surf
 /// True if mirrors' paths go on from rough surfaces, and the denoiser averages what that brings. Rays to lights bring
 /// light from other directions than the path's, which the denoiser cannot tell apart.
 bool wantsBranches(const Settings& settings) {
-    return denoises(settings) && settings.rays.bounces > 1 && !settings.rays.sampleLights;
+    return denoises(settings) && settings.rays.enabled && settings.rays.bounces > 1 && !settings.rays.sampleLights;
 }
 
 } // namespace

@@ -98,7 +98,7 @@ private:
     gpu::Buffer hits_; ///< shared::RayHitRecord; absent unless a host shades hits
     RayLister lister_;
     Rays rays_;
-    gpu::Image radianceWeight_;  ///< RGBA16F: radiance, weight [0, 1]
+    gpu::Image radianceWeight_; ///< RGBA16F: radiance, weight [0, 1]; kRaysBranched: what the further ray found, weight
     gpu::Image mirroredSurface_; ///< RGBA32UI, lib/mirrored.glsl; one texel until settings need it
     gpu::Image mirroredLight_;   ///< as that
     uint32_t sumsWidth_ = 0;

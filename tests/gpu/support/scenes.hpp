@@ -56,6 +56,22 @@ inline Stage floorAndWall() {
     return stage;
 }
 
+/// A white metal ball of radius 1 around the origin.
+inline SyntheticScene unitBall(float perceptualRoughness) {
+    return [=](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
+        const double middle = -glm::dot(origin, direction);
+        const double inside = 1 - glm::dot(origin, origin) + middle * middle;
+        if (inside < 0 || middle < 0)
+            return std::nullopt;
+        SyntheticSurface hit;
+        hit.distance = middle - std::sqrt(inside);
+        hit.normalWS = origin + direction * hit.distance;
+        hit.f0 = glm::vec3(1);
+        hit.perceptualRoughness = perceptualRoughness;
+        return hit;
+    };
+}
+
 /// The same scene; what reflects nothing has this radiance.
 inline SyntheticScene litBy(const SyntheticScene& scene, const glm::vec3& radiance) {
     return [=](const glm::dvec3& origin, const glm::dvec3& direction) {
