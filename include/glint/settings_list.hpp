@@ -291,10 +291,10 @@
         "Rough surfaces also send rays to emissive triangles and bright parts of the environment: less noise",         \
         "",                                                                                                            \
         "switch; if rays.enabled=true; cost +")                                                                        \
-    SETTING(float, regularization, 0.5f, "[0, 4]", "",                                                                 \
+    SETTING(float, regularization, 0.2f, "[0, 4]", "",                                                                 \
         "After a rough bounce, minimum hit roughness is this times path spread; falls with samples; 0: fireflies",     \
         "",                                                                                                            \
-        "linear 0..2; if rays.enabled=true")                                                                           \
+        "linear 0..1; if rays.enabled=true")                                                                           \
     SETTING(float, tMin, 0, "[0, 1e3]", "m",                                                                           \
         "Minimum distance of ray hits; 0: the smallest offset that precision allows, which scales with the scene",     \
         "ray-query:ray_t_min")                                                                                         \

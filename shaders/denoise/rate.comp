@@ -1,5 +1,6 @@
 // Decides for each tile of pixels how many of its rough pixels send a ray in the next frame (reuse.rate adaptive): all
-// while histories are short, half while there is noise, a quarter where wide lobes have settled. docs/techniques/rough.md.
+// while histories are short or much noise is left, half while there is noise, a quarter where wide lobes have settled.
+// docs/techniques/rough.md.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -24,6 +25,7 @@ void main() {
     const int kStep = 3;
     const float kYoungFrames = 4.0;
     const float kWideLobePixels = 8.0;
+    const float kMuchNoise = 2.0; // of the target
     float rough = 0.0;
     float young = 0.0;
     float noise = 0.0; // standard deviations of the mean, as fractions of it
@@ -45,7 +47,7 @@ void main() {
         narrowest = min(narrowest, lobePixels(perceptualRoughness, z, moments.w));
     }
     float share = 0.5;
-    if (young > 0.125 * rough)
+    if (young > 0.125 * rough || noise > kMuchNoise * settings.noiseTarget * rough)
         share = 1.0;
     else if (noise <= settings.noiseTarget * rough && narrowest > kWideLobePixels)
         share = 0.25;

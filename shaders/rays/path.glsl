@@ -61,9 +61,14 @@ uint mostTransparents() {
     return isOn(kRaysTransparents) ? settings.transparents : 0u;
 }
 
-/// `lobeRoughness`: perceptual, of the lobe that the direction was drawn from.
-Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float lobeRoughness, float regularization) {
-    PathSpread spread = PathSpread(0.0, lobeAngle(sampledRoughness(lobeRoughness)));
+/// The part of the lobe that the path stands for: sampledAngle. `perceptualRoughness`: of the surface where it starts.
+float startAngle(vec3 N, vec3 V, vec3 directionWS, float perceptualRoughness) {
+    return sampledAngle(sampledRoughness(perceptualRoughness), N, normalizeOr(V + directionWS, N));
+}
+
+/// `angle`: startAngle.
+Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float regularization) {
+    PathSpread spread = PathSpread(0.0, angle);
     Ray ray = viewRay(originWS, directionWS);
     return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
                 vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch);
@@ -151,7 +156,7 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
         return;
     }
     path.throughput *= met.response;
-    path.spread = reflected(path.spread, met.bend, sampledRoughness(met.lobeRoughness));
+    path.spread = reflected(path.spread, met.bend, startAngle(met.normalWS, V, next.ws, met.lobeRoughness));
     continueFrom(met, next.ws, path);
     path.density = 0.0;
     if (samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {

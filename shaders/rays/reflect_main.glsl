@@ -136,9 +136,12 @@ void main() {
             continue;
         weights += first.weight;
         float regularization = regularizationOf(settings.regularization, max(weights, 1.0) * meanOver);
-        Path path = fromScreen
-                        ? pathFromScreen(from, screen, i, regularization)
-                        : startPath(from.originWS, first.ws, from.cone, from.perceptualRoughness, regularization);
+        Path path;
+        if (fromScreen)
+            path = pathFromScreen(from, screen, i, regularization);
+        else
+            path = startPath(from.originWS, first.ws, from.cone,
+                             startAngle(from.N, from.V, first.ws, from.perceptualRoughness), regularization);
         path.ended = path.ended || first.weight <= 0.0;
         if (lights && !middle) {
             path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true);

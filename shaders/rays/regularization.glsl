@@ -18,6 +18,19 @@ float lobeAngle(float perceptualRoughness) {
     return 2.0 * square(perceptualRoughness);
 }
 
+/// Angle of the part of a lobe that one direction drawn from it stands for, relative to lobeAngle in the lobe's middle: the
+/// solid angle is the inverse of the density (Křivánek and Colbert 2008, "Real-time Shading with Filtered Importance
+/// Sampling", CGF 27(4)). In GGX's tail few directions stand for much. `H`: the half vector.
+float sampledAngle(float perceptualRoughness, vec3 N, vec3 H) {
+    float alpha = square(perceptualRoughness);
+    if (alpha <= 0.0)
+        return 0.0;
+    float cosine = dot(N, H);
+    vec3 across = H - cosine * N; // not 1 - cosine^2, whose rounding is wider than narrow lobes
+    float wider = square(cosine) + dot(across, across) / square(alpha); // sqrt(D(N) / D(H))
+    return min(lobeAngle(perceptualRoughness) * wider, 0.5 * kPi);      // no part is wider than the hemisphere
+}
+
 PathSpread travelled(PathSpread spread, float distance) {
     return PathSpread(spread.width + spread.angle * distance, spread.angle);
 }
@@ -28,11 +41,11 @@ float halfVectorSpread(PathSpread spread, float bend) {
     return 0.5 * spread.angle + bend * spread.width;
 }
 
-/// Spread after a reflection by a lobe of this roughness. The curvature's part depends on the direction before; the
+/// Spread after a reflection in a direction of this sampledAngle. The curvature's part depends on the direction before; the
 /// lobe's part does not.
-PathSpread reflected(PathSpread spread, float bend, float perceptualRoughness) {
+PathSpread reflected(PathSpread spread, float bend, float angle) {
     float before = spread.angle + 2.0 * bend * spread.width;
-    return PathSpread(spread.width, length(vec2(before, lobeAngle(perceptualRoughness))));
+    return PathSpread(spread.width, length(vec2(before, angle)));
 }
 
 /// Fraction of the spread that sample number `count` of a mean is blurred by; `first` is the first sample's. The squared

@@ -33,7 +33,7 @@ layout(set = 0, binding = 12, rgba16f) uniform writeonly image2D change;
 /// A path's start, in the precision that it is kept in, and its radiance.
 struct Sentinel {
     uvec4 ray;  // originWS as bits; direction, octahedral
-    uvec4 path; // radiance and the lobe's perceptual roughness, halves; the cone's width and spread, halves; state
+    uvec4 path; // radiance and startAngle, halves; the cone's width and spread, halves; state
 };
 
 // The state holds, besides: whether what it hit moved; the number of its random sequence.
@@ -58,12 +58,12 @@ vec3 radianceOf(Sentinel sentinel) {
 /// The sentinel after its path was followed in this frame's scene.
 Sentinel followed(Sentinel sentinel, ivec2 tile) {
     vec2 cone = unpackHalf2x16(sentinel.path.z);
-    float roughness = unpackHalf2x16(sentinel.path.y).y;
+    float angle = unpackHalf2x16(sentinel.path.y).y;
     Path path = startPath(uintBitsToFloat(sentinel.ray.xyz), decodeOctahedral(unpackSnorm2x16(sentinel.ray.w)),
-                          Cone(cone.x, cone.y), roughness, regularizationOf(settings.regularization, 1.0));
+                          Cone(cone.x, cone.y), angle, regularizationOf(settings.regularization, 1.0));
     followPath(0u, tile, sentinel.path.w & kSequence, path);
     vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestStored)); // in the precision that is kept
-    sentinel.path.xy = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, roughness)));
+    sentinel.path.xy = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, angle)));
     sentinel.path.w &= ~kMoves;
     if (hitStepWS(path.first, path.hitWS) != vec3(0.0))
         sentinel.path.w |= kMoves;
@@ -151,9 +151,10 @@ Sentinel startSentinel(ivec2 tile) {
     Direction first = samplePixel(from, 0u);
     if (first.weight <= 0.0)
         return kNoSentinel;
+    float angle = min(startAngle(from.N, from.V, first.ws, from.perceptualRoughness), kLargestStored);
     Sentinel made;
     made.ray = uvec4(floatBitsToUint(from.originWS), packSnorm2x16(encodeOctahedral(first.ws)));
-    made.path = uvec4(0u, packHalf2x16(vec2(0.0, from.perceptualRoughness)),
+    made.path = uvec4(0u, packHalf2x16(vec2(0.0, angle)),
                       packHalf2x16(vec2(from.cone.width, from.cone.spread)),
                       kExists | (frame.constants.frameIndex & kSequence));
     return made;

@@ -609,7 +609,9 @@ TEST_F(LobeDenoiseTest, anAdaptiveRateFallsWhereThePictureHasSettled) {
     settings.denoise.noiseTarget = 0.5f;
     EXPECT_NEAR(rays(even, 12, 0), 0.25, 0.05) << "where that much noise may be";
     settings.denoise.noiseTarget = 0.05f;
-    EXPECT_NEAR(rays(roughFloor(0.3f), 6, 0), 0.5, 0.2) << "with noise";
+    EXPECT_GT(rays(roughFloor(0.3f), 6, 0), 0.9) << "with more than twice the noise that may be";
+    settings.denoise.noiseTarget = 0.2f;
+    EXPECT_NEAR(rays(roughFloor(0.3f), 6, 0), 0.5, 0.2) << "with some noise: narrower than eight pixels";
 }
 
 } // namespace
