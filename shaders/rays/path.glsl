@@ -61,12 +61,12 @@ uint mostTransparents() {
     return isOn(kRaysTransparents) ? settings.transparents : 0u;
 }
 
-/// The part of the lobe that the path stands for: sampledAngle. `perceptualRoughness`: of the surface where it starts.
-float startAngle(vec3 N, vec3 V, vec3 directionWS, float perceptualRoughness) {
+/// Angle of the part of a surface's lobe that a direction drawn from the lobe stands for, radians; 0: a mirror.
+float drawnAngle(vec3 N, vec3 V, vec3 directionWS, float perceptualRoughness) {
     return sampledAngle(sampledRoughness(perceptualRoughness), N, normalizeOr(V + directionWS, N));
 }
 
-/// `angle`: startAngle.
+/// `angle`: drawnAngle of the direction.
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float regularization) {
     PathSpread spread = PathSpread(0.0, angle);
     Ray ray = viewRay(originWS, directionWS);
@@ -156,7 +156,7 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
         return;
     }
     path.throughput *= met.response;
-    path.spread = reflected(path.spread, met.bend, startAngle(met.normalWS, V, next.ws, met.lobeRoughness));
+    path.spread = reflected(path.spread, met.bend, drawnAngle(met.normalWS, V, next.ws, met.lobeRoughness));
     continueFrom(met, next.ws, path);
     path.density = 0.0;
     if (samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {

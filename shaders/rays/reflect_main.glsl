@@ -141,7 +141,7 @@ void main() {
             path = pathFromScreen(from, screen, i, regularization);
         else
             path = startPath(from.originWS, first.ws, from.cone,
-                             startAngle(from.N, from.V, first.ws, from.perceptualRoughness), regularization);
+                             drawnAngle(from.N, from.V, first.ws, from.perceptualRoughness), regularization);
         path.ended = path.ended || first.weight <= 0.0;
         if (lights && !middle) {
             path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true);

@@ -7,7 +7,7 @@
 
 #include "lib/math.glsl"
 
-/// The directions that a path's random bounces could have taken, as a cone of standard deviations.
+/// The directions that a path's random bounces stand for, as a cone of standard deviations.
 struct PathSpread {
     float width; // metres, at the path's vertex
     float angle; // radians, of the path's direction
@@ -18,9 +18,10 @@ float lobeAngle(float perceptualRoughness) {
     return 2.0 * square(perceptualRoughness);
 }
 
-/// Angle of the part of a lobe that one direction drawn from it stands for, relative to lobeAngle in the lobe's middle: the
-/// solid angle is the inverse of the density (Křivánek and Colbert 2008, "Real-time Shading with Filtered Importance
-/// Sampling", CGF 27(4)). In GGX's tail few directions stand for much. `H`: the half vector.
+/// Angle of the part of a lobe that one direction drawn from the lobe stands for, radians. The part's solid angle is the
+/// inverse of the direction's density (Křivánek and Colbert 2008, "Real-time Shading with Filtered Importance Sampling",
+/// CGF 27(4)), so the angle grows from lobeAngle in the lobe's middle to its tail, where directions are rare. `H`: the half
+/// vector. D below: ggxNormals.
 float sampledAngle(float perceptualRoughness, vec3 N, vec3 H) {
     float alpha = square(perceptualRoughness);
     if (alpha <= 0.0)

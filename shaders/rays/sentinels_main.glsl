@@ -33,7 +33,7 @@ layout(set = 0, binding = 12, rgba16f) uniform writeonly image2D change;
 /// A path's start, in the precision that it is kept in, and its radiance.
 struct Sentinel {
     uvec4 ray;  // originWS as bits; direction, octahedral
-    uvec4 path; // radiance and startAngle, halves; the cone's width and spread, halves; state
+    uvec4 path; // radiance and drawnAngle (radians), halves; the cone's width and spread, halves; state
 };
 
 // The state holds, besides: whether what it hit moved; the number of its random sequence.
@@ -151,11 +151,10 @@ Sentinel startSentinel(ivec2 tile) {
     Direction first = samplePixel(from, 0u);
     if (first.weight <= 0.0)
         return kNoSentinel;
-    float angle = min(startAngle(from.N, from.V, first.ws, from.perceptualRoughness), kLargestStored);
+    float angle = drawnAngle(from.N, from.V, first.ws, from.perceptualRoughness);
     Sentinel made;
     made.ray = uvec4(floatBitsToUint(from.originWS), packSnorm2x16(encodeOctahedral(first.ws)));
-    made.path = uvec4(0u, packHalf2x16(vec2(0.0, angle)),
-                      packHalf2x16(vec2(from.cone.width, from.cone.spread)),
+    made.path = uvec4(0u, packHalf2x16(vec2(0.0, angle)), packHalf2x16(vec2(from.cone.width, from.cone.spread)),
                       kExists | (frame.constants.frameIndex & kSequence));
     return made;
 }

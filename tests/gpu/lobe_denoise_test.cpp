@@ -611,7 +611,7 @@ TEST_F(LobeDenoiseTest, anAdaptiveRateFallsWhereThePictureHasSettled) {
     settings.denoise.noiseTarget = 0.05f;
     EXPECT_GT(rays(roughFloor(0.3f), 6, 0), 0.9) << "with more than twice the noise that may be";
     settings.denoise.noiseTarget = 0.2f;
-    EXPECT_NEAR(rays(roughFloor(0.3f), 6, 0), 0.5, 0.2) << "with some noise: narrower than eight pixels";
+    EXPECT_NEAR(rays(roughFloor(0.3f), 6, 0), 0.5, 0.2) << "with less noise, on lobes narrower than eight pixels";
 }
 
 } // namespace

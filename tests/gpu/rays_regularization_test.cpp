@@ -91,7 +91,7 @@ protected:
         EXPECT_EQ(lastOf(1, 1, 0.5f), lastOf(1, 1, 0)); // a first frame has no history
     }
 
-    /// 16 samples are nearer to the truth with the default than without regularization.
+    /// The default regularization divides the error of 16 samples by `factor` or more.
     void expectLessError(double factor) {
         const std::vector<float> truth = picture(0, 256, 32, 1);
         // Few pictures hold most of the error: the mean over many of them is no matter of luck.
