@@ -47,6 +47,13 @@ function(glint_unity target)
         ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py)
 endfunction()
 
+# For code that no frame and no measurement waits for: compiling it with all optimizations takes twice as long.
+function(glint_compile_quickly target)
+    if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT MSVC AND NOT GLINT_SANITIZE)
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+    endif()
+endfunction()
+
 function(glint_common target)
     cmake_parse_arguments(arg "" "" "FOLDERS;LIBRARIES;PRIVATE" ${ARGN})
     glint_sources(${target} ${arg_FOLDERS})

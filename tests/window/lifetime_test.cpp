@@ -17,7 +17,7 @@ using testing::HasSubstr;
 /// GLINT_RESIZES=10000 makes it ten thousand of them, which takes minutes.
 TEST_F(WindowTest, ResizingLeavesMemoryAsItIs) {
     const char* const asked = std::getenv("GLINT_RESIZES");
-    const int resizes = asked ? std::max(std::atoi(asked), 30) : 1000;
+    const int resizes = asked ? std::max(std::atoi(asked), 30) : 500;
     std::string script = "still\n";
     for (int i = 0; i < resizes; ++i) // the first third warms up what keeps memory for good: the driver's own caches
         script += "resize " + std::to_string(40 + i % 7) + " " + std::to_string(30 + i % 5) + "\n" +
