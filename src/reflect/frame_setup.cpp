@@ -56,7 +56,8 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(denoise_->make(settings));
     if (refraction_ && settings.refraction.enabled)
         GLINT_CHECK(refraction_->make());
-    if ((refraction_ && settings.refraction.enabled) || techniqueFor(settings.screen.march).usesPyramid)
+    const bool marchesPyramid = settings.screen.enabled && techniqueFor(settings.screen.march).usesPyramid;
+    if (marchesPyramid || (refraction_ && settings.refraction.enabled))
         GLINT_CHECK(pyramid_->make());
     GLINT_CHECK(setDenoise(settings));
     stages_.desc.settings = settings;

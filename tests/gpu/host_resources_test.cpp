@@ -98,6 +98,34 @@ protected:
     }
 };
 
+TEST_F(HostResourcesTest, WithoutTheScreenSourceItsPassesAreNotCompiled) {
+    HostDevice lent = device();
+    CacheSpy::getInstanceProcAddr = lent.getInstanceProcAddr;
+    lent.getInstanceProcAddr = &CacheSpy::ofInstance;
+    const auto create = [&](Context& context, bool screen) {
+        CacheSpy::caches.clear();
+        ReflectionsDesc desc = {kWidth, kHeight};
+        desc.settings.denoise.enabled = false;
+        desc.settings.screen.enabled = screen;
+        return must(Reflections::create(context, desc));
+    };
+    Context all = must(Context::adopt(lent));
+    create(all, true);
+    const size_t withScreen = CacheSpy::caches.size();
+    Context few = must(Context::adopt(lent));
+    Reflections reflections = create(few, false);
+    const size_t without = CacheSpy::caches.size();
+    EXPECT_LE(without + 3, withScreen) << "trace/classify, trace/hiz, prepare/pyramid";
+    const SyntheticGBuffer given = host();
+    must(reflections.setInputs(given.gbuffer));
+    record(reflections);
+    Settings settings;
+    settings.denoise.enabled = false;
+    must(reflections.setSettings(settings));
+    EXPECT_EQ(CacheSpy::caches.size(), withScreen);
+    record(reflections);
+}
+
 TEST_F(HostResourcesTest, EveryPipelineIsCreatedWithTheHostsCache) {
     const auto getProcAddr = gpu().handles().getInstanceProcAddr;
     const auto create =

@@ -9,7 +9,7 @@ namespace glint::reflect {
 Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
     std::unique_ptr<ScreenTrace> trace(new ScreenTrace(stages));
     using gpu::Pipeline;
-    GLINT_TRY(classify, Pipeline::compute(stages.gpu, {"trace/classify", 0, {}}));
+    GLINT_TRY(classify, Pipeline::compute(stages.gpu, {"trace/classify", 0, {}}, gpu::Compile::Later));
     trace->classify_ = std::move(classify);
     for (const Technique& technique : techniques()) {
         GLINT_TRY(marcher, Pipeline::compute(stages.gpu, {technique.shader, 0, {}}, gpu::Compile::Later));
@@ -39,7 +39,10 @@ bool ScreenTrace::keepsRecord(const Settings& settings) const {
 }
 
 Result<void> ScreenTrace::make(const Settings& settings) {
-    GLINT_CHECK(marcherOf(settings).compile());
+    if (settings.screen.enabled) {
+        GLINT_CHECK(classify_.compile());
+        GLINT_CHECK(marcherOf(settings).compile());
+    }
     const uint32_t w = tracedPixels(settings, stages_.width());
     const uint32_t h = tracedPixels(settings, stages_.height());
     const auto grow = [&](gpu::Image& image, const StageImage& wanted) -> Result<void> {

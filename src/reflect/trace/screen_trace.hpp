@@ -13,7 +13,7 @@ class ScreenTrace {
 public:
     static Result<std::unique_ptr<ScreenTrace>> create(StageContext& stages);
 
-    /// Compiles the marcher and creates the images that these settings need for the first time. Errors: OutOfMemory,
+    /// Compiles the passes and creates the images that these settings need for the first time. Errors: OutOfMemory,
     /// Unsupported.
     Result<void> make(const Settings& settings);
 
