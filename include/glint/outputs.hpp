@@ -9,7 +9,7 @@ namespace glint {
 /// Images of the host for the results of Reflections::record. By default the result is an image of Glint's.
 ///
 /// Each has the size of the Reflections, format VK_FORMAT_R16G16B16A16_SFLOAT, one sample, a 2D view of one mip, and
-/// the usage STORAGE, SAMPLED and TRANSFER_SRC. It is in the stated layout when Reflections records anything, and is
+/// the usage STORAGE and SAMPLED. It is in the stated layout when Reflections records anything, and is
 /// left in that layout. It must not be an image of the G-buffer.
 struct Outputs {
     /// The image with reflections. With screen.colorSource previous the next frame reads it again, so its reflections

@@ -320,11 +320,10 @@ Result<void> checkOutput(const gpu::Context& context, const HostImage& image, co
     if (image.format != VK_FORMAT_R16G16B16A16_SFLOAT)
         return invalidArgument("the output `{}` has VkFormat {}, but must have VK_FORMAT_R16G16B16A16_SFLOAT ({})",
                                name, static_cast<int>(image.format), static_cast<int>(VK_FORMAT_R16G16B16A16_SFLOAT));
-    constexpr VkImageUsageFlags kUsage =
-        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    constexpr VkImageUsageFlags kUsage = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
     if (image.usage != 0 && (image.usage & kUsage) != kUsage)
-        return invalidArgument("the output `{}` was created with usage {:#x}: shaders write and read it, and it is "
-                               "copied, so it needs STORAGE, SAMPLED and TRANSFER_SRC ({:#x})",
+        return invalidArgument("the output `{}` was created with usage {:#x}: shaders write and read it, so "
+                               "it needs STORAGE and SAMPLED ({:#x})",
                                name, image.usage, kUsage);
     if (image.samples != 1)
         return invalidArgument("the output `{}` has {} samples a pixel, but must have 1", name, image.samples);

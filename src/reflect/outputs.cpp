@@ -22,8 +22,9 @@ Result<void> OutputImages::set(const Outputs& outputs) {
 }
 
 Result<void> OutputImages::makePrevious() {
-    return makeImage(stages_.gpu, previous_,
-                     {"glint/previous", kHalf, stages_.width(), stages_.height(), VK_IMAGE_USAGE_TRANSFER_DST_BIT});
+    GLINT_TRY(copy, gpu::Pipeline::compute(stages_.gpu, {"prefilter/picture", 0, {}}));
+    copy_ = std::move(copy);
+    return makeImage(stages_.gpu, previous_, {"glint/previous", kHalf, stages_.width(), stages_.height()});
 }
 
 void OutputImages::lend() {
@@ -43,7 +44,14 @@ void OutputImages::handOut(gpu::Frame& frame) {
 }
 
 void OutputImages::remember(gpu::Frame& frame) {
-    frame.scope("composite/remember", [&] { frame.copy(composite(), previous_); });
+    frame.scope("composite/remember", [&] {
+        frame.untimed([&] {
+            frame.pass(copy_)
+                .read("picture", composite(), kTexels)
+                .write("copy", previous_)
+                .dispatch(stages_.width(), stages_.height());
+        });
+    });
 }
 
 HostImage OutputImages::result() const {

@@ -24,7 +24,8 @@ public:
     /// As giveBack, and makes Glint's own image ready for sampling.
     void handOut(gpu::Frame& frame);
     /// Keeps the previous frame's image, with what the host drew over it. A copy, so that the image with reflections is
-    /// the same one in every frame.
+    /// the same one in every frame; by a dispatch, because a GPU took four times as long for vkCmdCopyImage
+    /// (docs/measurements/gpu.md).
     void remember(gpu::Frame& frame);
 
     bool areHosts() const { return stated_.composite || stated_.reflection; }
@@ -47,6 +48,7 @@ private:
     Borrowed hosts_;
     gpu::Image own_;      ///< RGBA16F; absent if the host has images of its own
     gpu::Image previous_; ///< RGBA16F; absent until settings need it
+    gpu::Pipeline copy_;  ///< into previous_
 };
 
 } // namespace glint::reflect

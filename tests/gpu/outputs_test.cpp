@@ -138,7 +138,10 @@ TEST_F(OutputsTest, TheHostsImageGetsTheBitsOfGlints) {
 
 TEST_F(OutputsTest, PreviousColoursShowWhatTheHostDrewOverItsImage) {
     Reflections made = make(previousSettings());
-    const HostImage output = makeOutput(VK_IMAGE_LAYOUT_GENERAL);
+    // Nothing that Glint does with it needs TRANSFER_SRC.
+    const HostImage output =
+        makeOutput(VK_IMAGE_LAYOUT_GENERAL, kHalf,
+                   VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
     must(made.setInputs(host_.gbuffer));
     must(made.setOutputs({.composite = output}));
     record(made, view());
