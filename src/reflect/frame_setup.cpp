@@ -56,7 +56,8 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(denoise_->make(settings));
     if (refraction_ && settings.refraction.enabled)
         GLINT_CHECK(refraction_->make());
-    const bool marchesPyramid = settings.screen.enabled && techniqueFor(settings.screen.march).usesPyramid;
+    const bool marches = settings.screen.enabled || stages_.desc.inspection; // inspections record its pass
+    const bool marchesPyramid = marches && techniqueFor(settings.screen.march).usesPyramid;
     if (marchesPyramid || (refraction_ && settings.refraction.enabled))
         GLINT_CHECK(pyramid_->make());
     GLINT_CHECK(setDenoise(settings));

@@ -66,8 +66,8 @@ def test_resume(tune: Tune) -> None:
 
 def test_start(tune: Tune) -> None:
     """What the page says of a point draws the picture of the settings that were found."""
-    tune.run("builtin:exact", "--budget", "0.9", "--vary", "screen.thicknessMode,hiz.minLevel", "--start", "fast+screen.step=3",
-             "--set", "fade.border=none", "--json", "curve.json", "-o", "tuned.json")
+    tune.run("builtin:exact", "--budget", "0.9", "--vary", "screen.thicknessMode,hiz.minLevel", "--start",
+             "fast+screen.step=3,screen.thicknessMode=backface", "--set", "fade.border=none", "--json", "curve.json", "-o", "tuned.json")
     tune.call("report", "builtin:exact", "--size", "64x36", "--config", "fast", "--reference", "none", "--frames", "1",
               "--motion-frames", "0", "--curve", "curve.json", "-o", "page.html", "--json", "page.json")
     curve = json.loads((tune.folder / "page.json").read_text())["curve"]
