@@ -22,6 +22,8 @@ Result<void> OutputImages::set(const Outputs& outputs) {
 }
 
 Result<void> OutputImages::makePrevious() {
+    if (previous_)
+        return {};
     GLINT_TRY(copy, gpu::Pipeline::compute(stages_.gpu, {"prefilter/picture", 0, {}}));
     copy_ = std::move(copy);
     return makeImage(stages_.gpu, previous_, {"glint/previous", kHalf, stages_.width(), stages_.height()});
