@@ -43,7 +43,7 @@ CompositeConstants settings = frame.settings.composite;
 
 /// Fraction of reflected light that this surface sends to the eye.
 vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
-    return settings.fresnel != 0u ? specularResponse(f0, 1.0, textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg) : f0;
+    return settings.fresnel != 0u ? specularResponse(f0, 1.0, dfgAt(dfg, NoV, perceptualRoughness)) : f0;
 }
 
 /// One of the surfaces that a pixel shows. With one sample a pixel there is one surface, with coverage 1.

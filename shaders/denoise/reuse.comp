@@ -9,6 +9,7 @@
 #include "denoise/lobe_surface.glsl"
 #include "denoise/sent_ray.glsl"
 #include "lib/color.glsl"
+#include "lib/environment.glsl"
 #include "lib/noise.glsl"
 #include "lib/packed_motion.glsl"
 
@@ -17,11 +18,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3) uniform sampler2D noisy;     // weight * radiance, weight
 layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.glsl
 layout(set = 0, binding = 7) uniform sampler2D rayRates;
+layout(set = 0, binding = 11) uniform sampler2D dfg; // dfgAt
 layout(set = 0, binding = 10) uniform usampler2D mirroredSurface; // lib/mirrored.glsl, if settings.mirrored
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
-/// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 with an own ray; less
-/// where few of the neighbours' rays lie in the pixel's lobe; 0: none was found; -1: the pixel does not reflect, and
-/// nothing else is written there.
+/// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 on average with an own ray,
+/// more where facets hinder little of it; less where few of the neighbours' rays lie in the pixel's lobe; 0: none was
+/// found; -1: the pixel does not reflect, and nothing else is written there.
 layout(set = 0, binding = 6, rg16f) uniform writeonly image2D reusedMeta;
 layout(set = 0, binding = 8) uniform usampler2D hitMotion; // denoise/gather.comp
 /// How what the rays met has moved: mean displacement, view space; root mean square of its length; both weighed by the
@@ -71,6 +73,12 @@ float shadowing(Lobe lobe, vec3 wiVS) {
     return reflectedGGXWeight(lobe.NoV, max(dot(lobe.at.normalVS, wiVS), 1e-6), lobe.alpha);
 }
 
+/// Mean of `shadowing` over the lobe.
+float meanPassing(Lobe lobe) {
+    vec2 parts = dfgAt(dfg, lobe.NoV, lobe.at.perceptualRoughness);
+    return max(parts.x + parts.y, 1e-3);
+}
+
 /// Where `from`'s ray ended, as seen from `to`: its direction, and by how much solid angles shrink on the way.
 vec3 carried(Lobe from, LobeSurface to, out float jacobian) {
     vec3 way = from.at.positionVS + from.ray.directionVS * from.distance - to.positionVS;
@@ -100,11 +108,14 @@ struct Sums {
     vec4 motion; // steps, squares of their lengths
     float light;
     float weight;
+    float share; // the weights without what facets hinder
 };
 
-const Sums kNoSums = Sums(vec4(0.0), 0.0, 0.0, vec4(0.0), 0.0, 0.0);
+const Sums kNoSums = Sums(vec4(0.0), 0.0, 0.0, vec4(0.0), 0.0, 0.0, 0.0);
 
-void add(inout Sums sums, Found found, float weight) {
+/// `passing`: fraction of the light from there that leaves the facets.
+void add(inout Sums sums, Found found, float share, float passing) {
+    float weight = share * passing;
     sums.answer += weight * found.answer;
     sums.near += weight * found.nearness;
     float light = weight * luminance(found.answer.rgb);
@@ -112,14 +123,10 @@ void add(inout Sums sums, Found found, float weight) {
     sums.light += light;
     sums.lightNear += light * found.nearness;
     sums.weight += weight;
+    sums.share += share;
 }
 
-Sums scaled(Sums sums, float factor) {
-    return Sums(sums.answer * factor, sums.near * factor, sums.lightNear * factor, sums.motion * factor, sums.light * factor,
-                sums.weight * factor);
-}
-
-/// Of a frame: what a pixel learns from rays that are not in its lobe.
+/// Of a frame: what a pixel learns from each ray that is not in its lobe.
 const float kLeastLearnt = 0.01;
 
 /// The mean of the nearest senders' answers on this surface, whatever their lobes.
@@ -133,7 +140,7 @@ void addNearest(ivec2 px, LobeSurface here, inout Sums sums) {
             continue;
         LobeSurface there = averagedSurfaceAt(tap);
         if (isSameSurface(here, there))
-            add(sums, foundAt(tap, there, theirRay), 1.0);
+            add(sums, foundAt(tap, there, theirRay), 1.0, 1.0);
     }
 }
 
@@ -162,9 +169,10 @@ void main() {
         if (ray.awaits && isInFrame(sender))
             near = unpackSentRay(texelFetch(sentRay, sender, 0).xy).nearness; // for the radius
         float ownDensity = densityOf(own, ray.directionVS);
-        float ownResponse = ownDensity * shadowing(own, ray.directionVS);
-        float ownWeight = 0.0; // of the pixel's own ray: a part from each pair
+        float ownPassing = shadowing(own, ray.directionVS);
+        float ownShare = 0.0; // of the pixel's own ray: a part from each pair
         Sums sums = kNoSums;
+        float pairs = 0.0; // of the own ray and a neighbour's
         float radius = clamp(0.5 * lobePixels(here.perceptualRoughness, here.viewZ, near), 1.0, settings.reuseRadius);
         mat2 disc = lobeDisc(here, radius);
         Spiral spiral =
@@ -179,33 +187,36 @@ void main() {
             if (!theirRay.sent || !isSameSurface(here, there) || isMirror(there.perceptualRoughness))
                 continue;
             Lobe other = lobeOf(there, theirRay);
+            pairs += 1.0;
             float shrink;
             vec3 wi = carried(other, here, shrink);
             float theirs = densityOf(other, theirRay.directionVS) / shrink;
             float density = densityOf(own, wi);
-            float weight = density * shadowing(own, wi) / max(theirs + ownPart * density, 1e-20);
-            add(sums, foundAt(tap, there, theirRay), theirs > 0.0 ? weight : 0.0);
+            float share = density / max(theirs + ownPart * density, 1e-20);
+            add(sums, foundAt(tap, there, theirRay), theirs > 0.0 ? share : 0.0, shadowing(own, wi));
             if (ray.sent && ownDensity > 0.0) {
                 vec3 across = carried(own, there, shrink);
-                ownWeight += ownResponse / (densityOf(other, across) * shrink + ownDensity);
+                ownShare += ownDensity / (densityOf(other, across) * shrink + ownDensity);
             }
         }
-        if (sums.weight > 0.0) {
-            add(sums, found, ownWeight);
-        } else if (ray.awaits) {
+        if (ray.sent) {
+            bool isAlone = pairs == 0.0;
+            add(sums, found, isAlone ? float(ownDensity > 0.0) : ownShare, ownPassing);
+            learnt = sums.weight / max(pairs, 1.0);
+        } else if (sums.weight > 0.0) {
+            learnt = min(1.0, 1.0 / sums.share) * sums.weight;
+        } else {
             addNearest(px, here, sums);
-            sums = scaled(sums, kLeastLearnt);
+            learnt = kLeastLearnt * sums.weight;
         }
+        // Pairs share one ray on average, of which the facets let the mean pass. So over frames the mean is a ratio of sums,
+        // and no mean of ratios, in which light that facets hinder would count for too much.
+        learnt = ray.sent || sums.weight > 0.0 ? max(learnt / meanPassing(own), kLeastLearnt) : 0.0;
         if (sums.weight > 0.0) {
             answer = sums.answer / sums.weight;
             near = sums.light > 0.0 ? sums.lightNear / sums.light : sums.near / sums.weight;
             motion = sums.motion / max(sums.light, 1e-20);
         }
-        // Over frames a ratio of sums then, and no mean of ratios: those of small sums are wrong (rough.md).
-        if (ray.awaits && sums.weight > 0.0)
-            learnt = clamp(sums.weight, kLeastLearnt, 1.0);
-        else if (ray.sent && sums.weight == 0.0)
-            learnt = clamp(ownDensity > 0.0 ? ownResponse / ownDensity : 0.0, kLeastLearnt, 1.0);
     }
     imageStore(reused, px, answer);
     imageStore(reusedMeta, px, vec4(near, learnt, 0.0, 0.0));

@@ -45,4 +45,9 @@ vec2 dfgUV(vec2 argument, int size) {
     return (argument * float(size - 1) + 0.5) / float(size);
 }
 
+/// The table's entry, filtered: what lib/dfg.glsl integrates.
+vec2 dfgAt(sampler2D table, float NoV, float perceptualRoughness) {
+    return textureLod(table, dfgUV(vec2(NoV, perceptualRoughness), textureSize(table, 0).x), 0.0).rg;
+}
+
 #endif

@@ -59,7 +59,7 @@ vec3 loadEnvironmentDiffuse(vec3 normalWS) {
 }
 
 vec2 loadDfg(float NoV, float perceptualRoughness) {
-    return textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg;
+    return dfgAt(dfg, NoV, perceptualRoughness);
 }
 
 #endif

@@ -18,10 +18,11 @@ struct LobeVertex {
     LobeFrame lobe;
     vec3 faceNormalWS; // unit
     float leastCosine; // with that normal: the path draws no direction below, or turns it
-    bool weighted;     // light counts with the fraction that leaves the facets; at hits the response has that
+    bool isFirst;      // the pixel's own surface
+    vec3 throughput;   // of light that the facets let pass
 };
 
-const LobeVertex kNoVertex = LobeVertex(false, LobeFrame(mat3(1.0), vec3(0.0), 1.0), vec3(0.0), 0.0, false);
+const LobeVertex kNoVertex = LobeVertex(false, LobeFrame(mat3(1.0), vec3(0.0), 1.0), vec3(0.0), 0.0, false, vec3(1.0));
 
 #ifdef GLINT_SAMPLE_LIGHTS
 
@@ -87,9 +88,8 @@ float reflectedShare(LobeVertex at, vec3 directionWS, float density) {
     if (dot(directionWS, at.faceNormalWS) < at.leastCosine)
         return 0.0;
     vec3 wi = directionWS * at.lobe.axes;
-    float ownDensity = lobeDensity(at.lobe.wo, wi, at.lobe.alpha);
-    float reflected = at.weighted ? lobeResponse(at.lobe.wo, wi, at.lobe.alpha) : ownDensity;
-    return reflected > 0.0 ? reflected / (ownDensity + density) : 0.0;
+    float reflected = lobeResponse(at.lobe.wo, wi, at.lobe.alpha);
+    return reflected > 0.0 ? reflected / (lobeDensity(at.lobe.wo, wi, at.lobe.alpha) + density) : 0.0;
 }
 
 /// A direction to a light.

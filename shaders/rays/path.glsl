@@ -25,11 +25,12 @@ struct Branch {
     vec3 normalWS;
     float perceptualRoughness;
     vec3 directionWS;
+    float weight;      // of that direction, 1 on average: the path has it in its throughput, the share has not
     float width;       // metres, of the cone
     float endDistance; // metres from there to what the path met next; 0: nothing
 };
 
-const Branch kNoBranch = Branch(false, vec3(0.0), vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0);
+const Branch kNoBranch = Branch(false, vec3(0.0), vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0);
 
 struct Path {
     vec3 radiance;
@@ -133,38 +134,46 @@ void endInEnvironment(LitSurface met, inout Path path) {
     continueFrom(met, reflect(path.ray.directionWS, met.normalWS), path);
 }
 
+/// Mean of sampleLobe's weights over the lobe: the part of a surface's response that its facets leave. A path multiplies by
+/// the response, and by a direction's weight over this mean, so that directions which facets hinder count for less.
+float meanLobeWeight(LitSurface met, vec3 V) {
+    vec2 dfg = loadDfg(clampedNoV(met.normalWS, V), met.lobeRoughness);
+    return max(dfg.x + dfg.y, 1e-3);
+}
+
 /// Adds the light of the surface that bounce number `bounce` hit, and continues from there while bounces remain.
 void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     bool last = bounce + 1u == settings.bounces || met.perceptualRoughness > settings.maxRoughness ||
                 maxComponent(path.throughput * met.response) < kLeastThroughput;
     vec3 V = -path.ray.directionWS;
-    Direction next = Direction(vec3(0.0), 0.0);
-    if (!last)
-        next = sampleLobe(met.normalWS, V, sampledRoughness(met.lobeRoughness),
-                          laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
-    path.ended = next.weight <= 0.0;
     path.radiance += path.throughput * met.own;
-    bool isDirect = bounce == 0u && path.transparents == mostTransparents();
-    if (!last && isDirect && sampledRoughness(met.lobeRoughness) > 0.0) {
-        // Below the surface the lobe's density is 0: neighbours take nothing from there.
-        vec3 onward = path.ended ? -met.normalWS : next.ws;
-        path.branch = Branch(true, path.radiance, path.throughput * met.response, met.normalWS, met.lobeRoughness, onward,
-                             path.cone.width, 0.0);
-    }
-    if (path.ended) {
+    if (last) {
+        path.ended = true;
         endInEnvironment(met, path);
         return;
     }
+    float roughness = sampledRoughness(met.lobeRoughness);
+    Direction next =
+        sampleLobe(met.normalWS, V, roughness, laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
+    bool isBelow = next.weight <= 0.0; // the surface; neighbours take nothing from there
+    vec3 onwardWS = isBelow ? -met.normalWS : next.ws;
+    float meanWeight = roughness > 0.0 ? meanLobeWeight(met, V) : 1.0;
+    float weight = next.weight / meanWeight;
     path.throughput *= met.response;
-    path.spread = reflected(path.spread, met.bend, drawnAngle(met.normalWS, V, next.ws, met.lobeRoughness));
-    continueFrom(met, next.ws, path);
+    if (bounce == 0u && path.transparents == mostTransparents() && roughness > 0.0)
+        path.branch = Branch(true, path.radiance, path.throughput, met.normalWS, met.lobeRoughness, onwardWS, weight,
+                             path.cone.width, 0.0);
     path.density = 0.0;
     if (samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {
         LobeFrame lobe = makeLobeFrame(met.normalWS, V, met.lobeRoughness);
-        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, false);
+        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, false, path.throughput / meanWeight);
         if (dot(next.ws, met.faceNormalWS) >= kLeastCosine)
             path.density = lobeDensity(lobe.wo, next.ws * lobe.axes, lobe.alpha);
     }
+    path.ended = isBelow;
+    path.throughput *= weight;
+    path.spread = reflected(path.spread, met.bend, drawnAngle(met.normalWS, V, next.ws, met.lobeRoughness));
+    continueFrom(met, next.ws, path);
 }
 
 void leaveScene(uint bounce, inout Path path) {
@@ -223,10 +232,10 @@ Hit traceSegment(inout Path path, out bool transparent) {
 /// Sends rays to lights from the path's vertex.
 void addLights(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     vec3 found = sampleLights(path.vertex, path.ray, path.cone, path.transparents > 0u, px, sampleIndex, bounce);
-    if (path.vertex.weighted)
+    if (path.vertex.isFirst)
         path.lights += found;
     else
-        path.radiance += path.throughput * found;
+        path.radiance += path.vertex.throughput * found;
     path.vertex.sendsRays = false;
 }
 

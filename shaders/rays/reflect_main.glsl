@@ -74,7 +74,8 @@ bool startsOnScreen(bool mirror, RayRecord screen) {
            frame.constants.traceSize == frame.constants.size;
 }
 
-/// Stores where a mirror's path branched, but for what was found from there on, which is returned.
+/// Stores where a mirror's path branched, but for what was found from there on, which is returned. The branch's weight is
+/// that of all samples, by which what they found is divided: the denoiser weighs directions itself.
 vec3 storeBranch(PixelRays from, Branch branch, float distance, vec3 radiance) {
     const float kLeastShare = 1e-4; // below, the quotient is rounding
     mat3 toView = mat3(frame.constants.worldToView);
@@ -86,7 +87,7 @@ vec3 storeBranch(PixelRays from, Branch branch, float distance, vec3 radiance) {
     uint direction = packSnorm2x16(encodeOctahedral(toView * branch.directionWS));
     imageStore(mirroredSurface, from.px, packMirroredSurface(met));
     imageStore(mirroredLight, from.px, packMirroredLight(MirroredLight(exact, branch.share, direction)));
-    return max(radiance - exact, vec3(0.0)) / max(branch.share, vec3(kLeastShare));
+    return max(radiance - exact, vec3(0.0)) / max(branch.share * branch.weight, vec3(kLeastShare));
 }
 
 /// Without an environment, rays to lights may find light where no path found a surface. The answer then has a small
@@ -121,6 +122,7 @@ void main() {
     float branchDistance = 0.0;
     vec3 exact = vec3(0.0); // sums over the samples, weighted, of both parts of lib/mirrored.glsl
     vec3 share = vec3(0.0);
+    float branchWeights = 0.0;
     bool lights =
         isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
@@ -144,7 +146,7 @@ void main() {
                              drawnAngle(from.N, from.V, first.ws, from.perceptualRoughness), regularization);
         path.ended = path.ended || first.weight <= 0.0;
         if (lights && !middle) {
-            path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true);
+            path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true, vec3(1.0));
             path.density = lobeDensity(lobe.wo, first.ws * lobe.axes, lobe.alpha);
         }
         followPath(fromScreen ? 1u : 0u, from.px, sampleNumber(i), path);
@@ -154,9 +156,11 @@ void main() {
         sum += first.weight * path.weight * vec4(sanitize(path.radiance), 1.0);
         if (isOn(kRaysBranches) && isMirror(from.perceptualRoughness)) {
             exact += first.weight * path.weight * sanitize(path.branch.exists ? path.branch.exact : path.radiance);
-            if (path.branch.exists)
+            if (path.branch.exists) {
                 share += first.weight * path.weight * path.branch.share;
-            if (path.branch.exists && !branch.exists) {
+                branchWeights += first.weight * path.weight * path.branch.weight;
+            }
+            if (path.branch.exists && (!branch.exists || branch.weight <= 0.0)) {
                 branch = path.branch;
                 branchDistance = path.hitDistance;
             }
@@ -184,6 +188,7 @@ void main() {
     if (branch.exists && sum.a > 0.0) {
         branch.exact = exact / sum.a;
         branch.share = share / sum.a;
+        branch.weight = branchWeights / sum.a;
         answer.rgb = storeBranch(from, branch, branchDistance, answer.rgb);
     }
     imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));

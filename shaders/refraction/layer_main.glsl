@@ -524,9 +524,9 @@ Light followRays(LayerSurface s, ivec2 px, float exitReflectance, bool transmits
 vec3 surfaceResponse(LayerSurface s) {
     if (frame.settings.composite.fresnel == 0u)
         return s.here.f0;
-    vec2 argument = vec2(clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0), s.here.perceptualRoughness);
+    float NoV = clamp(dot(s.here.normalVS, s.toEyeVS), 1e-3, 1.0);
     float f90 = edgeReflectance(maxComponent(s.here.f0));
-    return specularResponse(s.here.f0, f90, textureLod(dfg, dfgUV(argument, textureSize(dfg, 0).x), 0.0).rg);
+    return specularResponse(s.here.f0, f90, dfgAt(dfg, NoV, s.here.perceptualRoughness));
 }
 
 vec3 layered(LayerSurface s, ivec2 px) {

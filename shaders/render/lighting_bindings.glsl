@@ -40,7 +40,7 @@ vec3 loadEnvironmentDiffuse(vec3 normal) {
 }
 
 vec2 loadDfg(float NoV, float perceptualRoughness) {
-    return textureLod(dfg, dfgUV(vec2(NoV, perceptualRoughness), textureSize(dfg, 0).x), 0.0).rg;
+    return dfgAt(dfg, NoV, perceptualRoughness);
 }
 
 /// Lighting as this view shows it: images that are sampled from elsewhere have no highlights. `V`: unit, towards the

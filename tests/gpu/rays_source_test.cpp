@@ -155,14 +155,20 @@ TEST_P(RaysSourceTest, aWhiteFurnaceStaysWhite) {
         scene.addQuad({-4, 0, 4}, {8, 0, 0}, {0, 0, -8}, whiteMetal(roughness));
         scene.addQuad({-1, 0, -2}, {2, 0, 0}, {0, 2, 0}, whiteMetal(roughness)); // stands on it, reflected in it
         Settings settings = raySettings();
-        settings.rays.samples = 16;
+        settings.rays.samples = 64;
         settings.rays.bounces = 3;
         const Picture picture =
             look(scene, {.position = {0, 1, 4}, .target = {0, 0.5, 0}}, 32, 24, settings, environment.map);
+        double sum = 0;
+        size_t reflecting = 0;
         for (size_t i = 0; i < picture.pixels(); ++i)
             if (picture.outcome(i) != shared::kOutcomeNone) {
-                EXPECT_NEAR(picture.color(i).r, 1, 0.01) << "roughness " << roughness;
+                // Later bounces weigh directions by what the facets let pass: noise, for few samples.
+                EXPECT_NEAR(picture.color(i).r, 1, 0.03) << "roughness " << roughness;
+                sum += double(picture.color(i).r);
+                ++reflecting;
             }
+        EXPECT_NEAR(sum / double(reflecting), 1, 0.005) << "roughness " << roughness; // of lib/dfg.glsl's table
     }
 }
 

@@ -300,6 +300,7 @@ gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inpu
         .read("noisy", noisy_)
         .read("sentRay", sentRay_)
         .read("rayRates", rayRates(), kTexels)
+        .read("dfg", inputs.frame.standIns.dfg)
         .write("reused", reused)
         .read("hitMotion", hitMotion_)
         .read("mirroredSurface", mirrored.surface)
