@@ -241,11 +241,11 @@
     SETTING(FadeBorder, border, FadeBorder::Linear, "", "",                                                            \
         "Fade of hits near the screen border: none, smooth (wide, as Babylon.js), or linear (over fade.borderWidth)",  \
         "babylon:attenuateScreenBorders=none|smooth hdrp:screenWeightDistance=linear",                                 \
-        "choice; if screen.enabled=true")                                                                              \
+        "choice; if screen.enabled=true; motion")                                                                      \
     SETTING(float, borderWidth, 0.05f, "[0, 0.5]", "UV",                                                               \
         "Width of the linear border fade: weight is 0 at the border and 1 from this distance inward",                  \
         "hdrp:screenWeightDistance",                                                                                   \
-        "linear 0..0.3; if fade.border=linear")                                                                        \
+        "linear 0..0.3; if fade.border=linear; motion")                                                                \
     SETTING(bool, distance, false, "", "",                                                                             \
         "Fade hits by 1 - hit distance / screen.maxDistance",                                                          \
         "babylon:attenuateIntersectionDistance",                                                                       \
@@ -288,7 +288,7 @@
         "",                                                                                                            \
         "choice; if rays.enabled=true")                                                                                \
     SETTING(bool, sampleLights, false, "", "",                                                                         \
-        "Rough surfaces also send rays to emissive triangles and bright parts of the environment: less noise",         \
+        "Rough surfaces also send rays to emissive triangles and bright parts of the environment: less noise; with denoise.enabled to the environment alone, once a pixel", \
         "",                                                                                                            \
         "switch; if rays.enabled=true; cost +")                                                                        \
     SETTING(float, regularization, 0.2f, "[0, 4]", "",                                                                 \

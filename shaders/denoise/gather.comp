@@ -109,6 +109,8 @@ void main() {
     // Below the surface the lobe's density is 0: neighbours take nothing from there.
     ray.directionVS = drawn.weight > 0.0 ? mat3(frame.constants.worldToView) * drawn.ws : -here.normalVS;
     vec4 found = vec4(walk.radiance, walk.taken);
+    if ((routed.z & kRaysSkyApart) != 0u)
+        found.rgb += unpackMirroredLight(imageLoad(mirroredLight, px)).exact;
     if (branched) {
         ray.directionVS = decodeOctahedral(unpackSnorm2x16(mirrored.last));
         ray.nearness = unpackMirroredSurface(imageLoad(mirroredSurface, px)).nearness;

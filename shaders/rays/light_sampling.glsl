@@ -18,7 +18,7 @@ struct LobeVertex {
     LobeFrame lobe;
     vec3 faceNormalWS; // unit
     float leastCosine; // with that normal: the path draws no direction below, or turns it
-    bool isFirst;      // the pixel's own surface
+    bool isAveraged;   // the pixel's own surface, or the one that its mirror shows
     vec3 throughput;   // of light that the facets let pass
 };
 
@@ -31,9 +31,6 @@ const LobeVertex kNoVertex = LobeVertex(false, LobeFrame(mat3(1.0), vec3(0.0), 1
 #include "rays/emitters.glsl"
 #include "rays/light_tree.glsl"
 
-/// Smoother lobes find every light that they can reflect.
-const float kSmoothestSampled = 0.05;
-
 // Seeds of the draws at a vertex, apart from those of laterBounceNoise.
 const uint kEnvironmentSeed = 0x5bd1e995u;
 const uint kEmitterSeed = 0x68e31da4u;
@@ -41,6 +38,16 @@ const uint kPointSeed = 8u; // after the seeds of drawLight
 
 bool samplesLights(float perceptualRoughness) {
     return isOn(kRaysSampleLights) && perceptualRoughness >= kSmoothestSampled;
+}
+
+/// True if the denoiser averages this surface, and it sends a ray to the environment.
+bool samplesSky(float perceptualRoughness) {
+    return isOn(kRaysSampleSky) && perceptualRoughness >= kSmoothestSampled;
+}
+
+/// As samplesLights, of the pixel's own surface.
+bool samplesLightsFirst(float perceptualRoughness) {
+    return isOn(kRaysSampleLightsFirst) && perceptualRoughness >= kSmoothestSampled;
 }
 
 // ---------------------------------------------------------------- densities over solid angle
@@ -73,12 +80,13 @@ float environmentShare(vec3 directionWS, float density) {
 
 /// Weight of a hit's emission.
 float emissionShare(Hit hit, HitSurface met, vec3 directionWS, float density) {
-    return density > 0.0 ? density / (density + emitterDensity(hit, met, directionWS)) : 1.0;
+    bool found = density > 0.0 && !isOn(kRaysSampleSky); // by rays to lights, too
+    return found ? density / (density + emitterDensity(hit, met, directionWS)) : 1.0;
 }
 
 /// True if the path must tell this hit's emission from its other light.
 bool isSampledEmitter(uint instance, float density) {
-    return density > 0.0 && emitterLeaf(instance) != kNoEmitter;
+    return density > 0.0 && !isOn(kRaysSampleSky) && emitterLeaf(instance) != kNoEmitter;
 }
 
 // ---------------------------------------------------------------- light that rays to lights find
@@ -159,7 +167,8 @@ vec3 emissionOf(Hit hit, vec3 directionWS, Cone cone) {
 /// continues, but for the direction. `meetsTransparents`: the path stops at transparent surfaces.
 vec3 sampleLights(LobeVertex at, Ray ray, Cone cone, bool meetsTransparents, ivec2 px, uint sampleIndex, uint bounce) {
     vec3 sum = vec3(0.0);
-    for (uint kind = 0u; kind < 2u; ++kind) { // a loop, so that the program holds one copy of the ray
+    uint kinds = isOn(kRaysSampleSky) ? 1u : 2u;
+    for (uint kind = 0u; kind < kinds; ++kind) { // a loop, so that the program holds one copy of the ray
         bool environment = kind == 0u;
         uint seed = frame.constants.seed + (environment ? kEnvironmentSeed : kEmitterSeed);
         ToLight light =
@@ -184,6 +193,14 @@ vec3 sampleLights(LobeVertex at, Ray ray, Cone cone, bool meetsTransparents, ive
 #else
 
 bool samplesLights(float perceptualRoughness) {
+    return false;
+}
+
+bool samplesLightsFirst(float perceptualRoughness) {
+    return false;
+}
+
+bool samplesSky(float perceptualRoughness) {
     return false;
 }
 

@@ -30,6 +30,11 @@ uint whyNoRay(ivec2 px, Surface here) {
     return sendsRay(px, here.perceptualRoughness) ? kOutcomeNone : kOutcomeFromNeighbours;
 }
 
+/// True if the pixel's surface sends a ray to the environment, whatever its own ray meets.
+bool samplesSky(Surface here) {
+    return (settings.flags & kRaysSampleSky) != 0u && here.perceptualRoughness >= kSmoothestSampled;
+}
+
 /// Bit s of `sources`: source s.
 bool takeAll(uint sources, ivec2 px) {
     return takenBefore(sources, px) >= kAll; // what remains is less than a ray could add
@@ -42,7 +47,8 @@ void main() {
     if (all(lessThan(px, ivec2(frame.constants.size)))) {
         RayRecord record = RayRecord((vec2(px) + 0.5) * frame.constants.invSize, 0.0, 0u, kOutcomeNone, false);
         if (texelFetch(viewZ, px, 0).r < kBackgroundZ) {
-            record.outcome = whyNoRay(px, unpackSurface(texelFetch(surface, px, 0).xy));
+            Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+            record.outcome = whyNoRay(px, here);
             bool reflects = record.outcome == kOutcomeNone;
             needsRay = reflects && !takeAll(settings.before, px);
             // True if rays may replace the screen's answer where the sources before took all weight and no ray is
@@ -52,9 +58,13 @@ void main() {
                 needsRay = !takeAll(settings.before & ~(1u << kSourceScreen), px);
                 route = kRaysReplaceScreen;
             }
+            if (reflects && !needsRay && samplesSky(here)) {
+                needsRay = true;
+                route |= kRaysLightsOnly;
+            }
         }
         imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer each pixel
-        if (!needsRay)
+        if (!needsRay || (route & kRaysLightsOnly) != 0u)
             imageStore(raysRecord, px, uvec4(packRayRecord(record), route, 0u));
     }
     needRay(needsRay);

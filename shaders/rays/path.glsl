@@ -26,15 +26,16 @@ struct Branch {
     float perceptualRoughness;
     vec3 directionWS;
     float weight;      // of that direction, 1 on average: the path has it in its throughput, the share has not
+    float meanWeight;  // meanLobeWeight
     float width;       // metres, of the cone
     float endDistance; // metres from there to what the path met next; 0: nothing
 };
 
-const Branch kNoBranch = Branch(false, vec3(0.0), vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0.0, 0.0, 0.0);
+const Branch kNoBranch = Branch(false, vec3(0.0), vec3(1.0), vec3(0.0), 0.0, vec3(0.0), 0.0, 1.0, 0.0, 0.0);
 
 struct Path {
     vec3 radiance;
-    vec3 lights;       // that the first vertex's rays to lights found, weighted
+    vec3 lights;       // that rays to lights found from the surface whose light is averaged, weighted
     float weight;      // 0: the path's radiance is unknown
     float hitDistance; // metres, of the first ray
     vec3 hitWS;
@@ -56,6 +57,7 @@ struct Path {
     Medium medium;
     uint transparents; // transparent surfaces that it may still pass through
     Branch branch;
+    bool splits; // at its branch, for the denoiser
 };
 
 uint mostTransparents() {
@@ -72,7 +74,7 @@ Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float re
     PathSpread spread = PathSpread(0.0, angle);
     Ray ray = viewRay(originWS, directionWS);
     return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
-                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch);
+                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch, false);
 }
 
 /// `ownRoughness`: before regularization. `emissionWeight`: fraction of the emission that the path counts.
@@ -136,8 +138,8 @@ void endInEnvironment(LitSurface met, inout Path path) {
 
 /// Mean of sampleLobe's weights over the lobe: the part of a surface's response that its facets leave. A path multiplies by
 /// the response, and by a direction's weight over this mean, so that directions which facets hinder count for less.
-float meanLobeWeight(LitSurface met, vec3 V) {
-    vec2 dfg = loadDfg(clampedNoV(met.normalWS, V), met.lobeRoughness);
+float meanLobeWeight(vec3 N, vec3 V, float perceptualRoughness) {
+    vec2 dfg = loadDfg(clampedNoV(N, V), perceptualRoughness);
     return max(dfg.x + dfg.y, 1e-3);
 }
 
@@ -157,16 +159,18 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
         sampleLobe(met.normalWS, V, roughness, laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed));
     bool isBelow = next.weight <= 0.0; // the surface; neighbours take nothing from there
     vec3 onwardWS = isBelow ? -met.normalWS : next.ws;
-    float meanWeight = roughness > 0.0 ? meanLobeWeight(met, V) : 1.0;
+    float meanWeight = roughness > 0.0 ? meanLobeWeight(met.normalWS, V, met.lobeRoughness) : 1.0;
     float weight = next.weight / meanWeight;
     path.throughput *= met.response;
-    if (bounce == 0u && path.transparents == mostTransparents() && roughness > 0.0)
+    bool branches = bounce == 0u && path.transparents == mostTransparents() && roughness > 0.0;
+    if (branches)
         path.branch = Branch(true, path.radiance, path.throughput, met.normalWS, met.lobeRoughness, onwardWS, weight,
-                             path.cone.width, 0.0);
+                             meanWeight, path.cone.width, 0.0);
     path.density = 0.0;
-    if (samplesLights(met.lobeRoughness) && path.medium.body == kNoInstance) {
+    bool isAveraged = path.splits && branches && samplesSky(met.lobeRoughness);
+    if ((isAveraged || samplesLights(met.lobeRoughness)) && path.medium.body == kNoInstance) {
         LobeFrame lobe = makeLobeFrame(met.normalWS, V, met.lobeRoughness);
-        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, false, path.throughput / meanWeight);
+        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, isAveraged, path.throughput / meanWeight);
         if (dot(next.ws, met.faceNormalWS) >= kLeastCosine)
             path.density = lobeDensity(lobe.wo, next.ws * lobe.axes, lobe.alpha);
     }
@@ -232,7 +236,7 @@ Hit traceSegment(inout Path path, out bool transparent) {
 /// Sends rays to lights from the path's vertex.
 void addLights(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
     vec3 found = sampleLights(path.vertex, path.ray, path.cone, path.transparents > 0u, px, sampleIndex, bounce);
-    if (path.vertex.isFirst)
+    if (path.vertex.isAveraged)
         path.lights += found;
     else
         path.radiance += path.vertex.throughput * found;

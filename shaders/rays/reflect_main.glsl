@@ -21,17 +21,23 @@
 layout(local_size_x = 64) in; // kRaysPerGroup
 
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D raysRadianceWeight;
-layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
+layout(set = 0, binding = 8, rgba32ui) uniform uimage2D raysRecord;
 layout(set = 0, binding = 11, rgba32f) uniform image2D raysSum;  // all samples: weighted radiance, known weight
 layout(set = 0, binding = 12, r32f) uniform image2D raysWeights; // all samples: weight (both: kRaysAccumulate)
 layout(set = 0, binding = 27) uniform sampler2D metaBefore; // denoise/accumulate.comp's; one black texel without
-// lib/mirrored.glsl, where the record says kRaysBranched; one texel each without kRaysBranches.
+// lib/mirrored.glsl, where the record says kRaysBranched or kRaysSkyApart; one texel each without either flag.
 layout(set = 0, binding = 28, rgba32ui) uniform writeonly uimage2D mirroredSurface;
 layout(set = 0, binding = 29, rgba32ui) uniform writeonly uimage2D mirroredLight;
+
+/// True if the pixel's paths are stored in two parts: lib/mirrored.glsl.
+bool splitsPaths(PixelRays from) {
+    return isOn(kRaysBranches) && isMirror(from.perceptualRoughness);
+}
 
 /// A path whose first hit is the hit of the screen's ray.
 Path pathFromScreen(PixelRays from, RayRecord screen, uint i, float regularization) {
     Path path = startPath(from.originWS, reflect(-from.V, from.N), from.cone, 0.0, regularization);
+    path.splits = splitsPaths(from);
     ivec2 px = hitPixel(screen);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     vec3 shownVS = viewPosition(frame.constants, uv, texelFetch(viewZ, px, 0).r);
@@ -87,6 +93,8 @@ vec3 storeBranch(PixelRays from, Branch branch, float distance, vec3 radiance) {
     uint direction = packSnorm2x16(encodeOctahedral(toView * branch.directionWS));
     imageStore(mirroredSurface, from.px, packMirroredSurface(met));
     imageStore(mirroredLight, from.px, packMirroredLight(MirroredLight(exact, branch.share, direction)));
+    if (branch.weight <= 0.0)
+        return vec3(0.0);
     return max(radiance - exact, vec3(0.0)) / max(branch.share * branch.weight, vec3(kLeastShare));
 }
 
@@ -123,8 +131,11 @@ void main() {
     vec3 exact = vec3(0.0); // sums over the samples, weighted, of both parts of lib/mirrored.glsl
     vec3 share = vec3(0.0);
     float branchWeights = 0.0;
-    bool lights =
-        isOn(kRaysSampleLightsFirst) && samplesLights(sampledRoughness(from.perceptualRoughness)) && !fromScreen;
+    float roughness = sampledRoughness(from.perceptualRoughness);
+    bool skyApart = samplesSky(roughness) && !fromScreen;
+    bool lights = skyApart || (samplesLightsFirst(roughness) && !fromScreen);
+    bool lightsOnly = skyApart && (imageLoad(raysRecord, from.px).z & kRaysLightsOnly) != 0u;
+    vec3 skyLight = vec3(0.0);
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
     float meanOver = 1.0 + framesBefore(from);
     for (uint i = 0u; i < samples; ++i) {
@@ -144,17 +155,21 @@ void main() {
         else
             path = startPath(from.originWS, first.ws, from.cone,
                              drawnAngle(from.N, from.V, first.ws, from.perceptualRoughness), regularization);
-        path.ended = path.ended || first.weight <= 0.0;
+        path.splits = splitsPaths(from);
+        path.ended = path.ended || first.weight <= 0.0 || lightsOnly;
         if (lights && !middle) {
             path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true, vec3(1.0));
             path.density = lobeDensity(lobe.wo, first.ws * lobe.axes, lobe.alpha);
         }
         followPath(fromScreen ? 1u : 0u, from.px, sampleNumber(i), path);
-        sum.rgb += sanitize(path.lights);
-        if (first.weight <= 0.0)
+        if (isOn(kRaysSampleSky))
+            skyLight += sanitize(path.lights);
+        else
+            sum.rgb += sanitize(path.lights);
+        if (first.weight <= 0.0 || lightsOnly)
             continue;
         sum += first.weight * path.weight * vec4(sanitize(path.radiance), 1.0);
-        if (isOn(kRaysBranches) && isMirror(from.perceptualRoughness)) {
+        if (path.splits) {
             exact += first.weight * path.weight * sanitize(path.branch.exists ? path.branch.exact : path.radiance);
             if (path.branch.exists) {
                 share += first.weight * path.weight * path.branch.share;
@@ -177,22 +192,33 @@ void main() {
             record.outcome = kOutcomeHit;
         }
     }
+    if (skyApart) {
+        // Not over this frame's weights: they and this light do not depend on each other.
+        float mean = meanLobeWeight(from.N, from.V, from.perceptualRoughness);
+        vec3 apart = min(skyLight / (float(samples) * mean), vec3(kLargestStored));
+        imageStore(mirroredLight, from.px, packMirroredLight(MirroredLight(apart, vec3(0.0), 0u)));
+        if (lightsOnly) {
+            record.outcome = kOutcomeNone;
+            imageStore(raysRecord, from.px, uvec4(packRayRecord(record), kRaysSkyApart, 0u));
+            return;
+        }
+    }
     record.hitDistance /= max(hits, 1.0);
     if (isOn(kRaysAccumulate)) {
         imageStore(raysSum, from.px, sum);
         imageStore(raysWeights, from.px, vec4(weights));
     }
-    if (lights)
+    if (lights && !skyApart)
         sum.a = max(sum.a, leastKnownWeight(sum.rgb, weights));
     vec4 answer = sum.a > 0.0 ? vec4(sum.rgb / sum.a, sum.a / weights) : vec4(0.0);
     if (branch.exists && sum.a > 0.0) {
         branch.exact = exact / sum.a;
         branch.share = share / sum.a;
         branch.weight = branchWeights / sum.a;
-        answer.rgb = storeBranch(from, branch, branchDistance, answer.rgb);
+        answer.rgb = storeBranch(from, branch, branchDistance, answer.rgb) + skyLight / (sum.a * branch.meanWeight);
     }
     imageStore(raysRadianceWeight, from.px, vec4(sanitize(answer.rgb), answer.a));
-    uint route = (branch.exists ? kRaysBranched : 0u) | min(reused, kRaysReusedMask) |
+    uint route = (branch.exists ? kRaysBranched : 0u) | (skyApart ? kRaysSkyApart : 0u) | min(reused, kRaysReusedMask) |
                  (fromScreen ? kRaysStartOnScreen : 0u) | (takesBack(screen) ? kRaysReplaceScreen : 0u);
     imageStore(raysRecord, from.px, uvec4(packRayRecord(record), route, motion));
 }

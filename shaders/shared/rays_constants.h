@@ -37,11 +37,17 @@ GLINT_CONSTANT(uint, kRaysSampleLights, 256);          // rays to lights from ev
 GLINT_CONSTANT(uint, kRaysSampleLightsFirst, 512);     // and from the pixel's surface
 GLINT_CONSTANT(uint, kRaysEnvironmentOcclusion, 1024); // a last ray tells if the last surface's environment is hidden
 
-GLINT_CONSTANT(uint, kRaysBranches, 2048); // what mirrors show is stored in two parts: lib/mirrored.glsl
+GLINT_CONSTANT(uint, kRaysSampleSky, 4096); // one ray to the environment from each rough pixel that sends a ray, apart
+GLINT_CONSTANT(uint, kRaysBranches, 2048);  // what mirrors show is stored in two parts: lib/mirrored.glsl
+
+// Smoother lobes find every light that they can reflect: perceptual.
+GLINT_CONSTANT(float, kSmoothestSampled, 0.05f);
 
 // Fourth word of the source's record: where the first hit was in the previous frame, lib/packed_motion.glsl. Third
 // word, after the words of lib/ray_record.glsl: number of hits lit from the frame (low 12 bits), and
 GLINT_CONSTANT(uint, kRaysReusedMask, 0xfff);
+GLINT_CONSTANT(uint, kRaysLightsOnly, 0x08000000);     // from rays/list: no path is needed, but rays to lights are
+GLINT_CONSTANT(uint, kRaysSkyApart, 0x10000000);       // mirroredLight's exact part is light of the environment
 GLINT_CONSTANT(uint, kRaysBranched, 0x20000000);       // the answer is stored in two parts, too
 GLINT_CONSTANT(uint, kRaysStartOnScreen, 0x40000000);  // the first hit is the screen's hit
 GLINT_CONSTANT(uint, kRaysReplaceScreen, 0x80000000u); // the answer replaces the screen's too

@@ -274,7 +274,7 @@ gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
                                hierarchy_->raysComeFirst(),
                                {},
                                {}};
-    if (averagesMirrored())
+    if (usesRays() && raysSource_->storesApart())
         lobes.mirrored.emplace(raysSource_->mirrored());
     if (followsSentinels())
         lobes.followPaths = [this](gpu::Frame& f, const SentinelImages& images) {

@@ -32,8 +32,8 @@ protected:
         scene_.addQuad({-0.5f * side, 2, -1 - 0.5f * side}, {side, 0, 0}, {0, 0, side}, material);
     }
     /// A sky that is dim but for a sun of `degrees` across.
-    void addSun(double degrees, float radiance) {
-        const glm::dvec3 sun = glm::normalize(glm::dvec3(0.4, 0.8, -0.6));
+    void addSun(double degrees, float radiance, const glm::dvec3& towards = {0.4, 0.8, -0.6}) {
+        const glm::dvec3 sun = glm::normalize(towards);
         const double cosine = std::cos(degrees / 360 * 3.14159265);
         environment_ = TestEnvironment::make(gpu(), 128, 1, [=](const glm::dvec3& direction, uint32_t) {
             return glm::vec3(glm::dot(direction, sun) > cosine ? radiance : 0.1f + 0.1f * float(direction.y > 0));
@@ -70,6 +70,17 @@ protected:
             run([&](VkCommandBuffer commands) { reflections.record(commands, view); });
         run([&](VkCommandBuffer commands) { shown = must(reflections.recordView(commands, "reflection")); });
         return download(gpu(), shown);
+    }
+
+    /// One ray a pixel, averaged over 24 frames and neighbours.
+    std::vector<float> denoised(bool sampleLights, bool screen) {
+        const Settings before = settings_;
+        settings_.rays.accumulate = false;
+        settings_.denoise.enabled = true;
+        settings_.screen.enabled = screen;
+        std::vector<float> found = picture(sampleLights, 1, 24, 3);
+        settings_ = before;
+        return found;
     }
 
     /// Mean of several pictures, in blocks of pixels, with the standard error of that mean.
@@ -187,6 +198,46 @@ TEST_P(RaysSampleLightsTest, ASunHasLessNoise) {
     addSun(1.5, 20000);
     build();
     EXPECT_GT(gain(), 20);
+}
+
+/// Also where the screen has answered the pixel's ray: the ray to the sun is sent all the same.
+TEST_P(RaysSampleLightsTest, TheDenoiserJoinsASun) {
+    addFloor(0.5f);
+    addSun(3, 3000);
+    scene_.addQuad({-3, 0, -3}, {6, 0, 0}, {0, 0.6f, 0}, emitting({0.5f, 0.5f, 0.5f}));
+    build();
+    const SyntheticScene all = SurfaceScene::seenBy(scene_); // the screen sees the panel in the floor
+    gbuffer_ = SyntheticGBuffer::render(gpu(), all, camera_, kWidth, kHeight);
+    settings_.denoise.enabled = false;
+    const std::vector<float> truth = picture(true, 128, 2, 1);
+    const auto sum = [](const std::vector<float>& of) {
+        double light = 0;
+        for (size_t i = 1; i < of.size(); i += 4)
+            light += double(of[i]);
+        return light;
+    };
+    const std::vector<float> without = denoised(false, true);
+    for (const bool screen : {false, true}) {
+        const std::vector<float> with = denoised(true, screen);
+        std::cout << "denoised, relative MSE: " << error(without, truth) << ", rays to the sky " << error(with, truth)
+                  << "; energy " << sum(with) / sum(truth) << "\n";
+        EXPECT_LT(error(with, truth), error(without, truth) / 4);
+        EXPECT_NEAR(sum(with) / sum(truth), 1, 0.015);
+    }
+}
+
+/// A mirror shows a rough wall in the sun: the wall sends the ray.
+TEST_P(RaysSampleLightsTest, TheDenoiserJoinsASunBehindMirrors) {
+    addFloor(0);
+    addSun(3, 3000, {0.4, 0.8, 0.6});
+    scene_.addQuad({-3, 0, -3}, {6, 0, 0}, {0, 4, 0}, whiteMetal(0.5f));
+    build();
+    settings_.denoise.enabled = false;
+    const std::vector<float> truth = picture(true, 128, 2, 1);
+    const double with = error(denoised(true, false), truth);
+    const double without = error(denoised(false, false), truth);
+    std::cout << "denoised, relative MSE: " << without << ", rays to the sky " << with << "\n";
+    EXPECT_LT(with, without / 4);
 }
 
 /// Light through glass, through holes and past single-sided faces reaches the path and the rays to lights alike.

@@ -121,8 +121,7 @@ TEST(TuneSearchSpace, GenesCoverTheIntervalOnItsScale) {
 }
 
 TEST(TuneSearchSpace, ValuesHaveThreeDigits) {
-    const SearchSpace space =
-        must(SearchSpace::create(Settings(), std::vector<std::string>{"fade.borderWidth"}, false));
+    const SearchSpace space = must(SearchSpace::create(Settings(), std::vector<std::string>{"fade.borderWidth"}, true));
     EXPECT_EQ(space.decode({0.41152263})[0], double(0.123f));
 }
 

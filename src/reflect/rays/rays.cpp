@@ -22,10 +22,15 @@ Bounds transparentBounds(const rays::Scene& scene, const SurfaceTableState& surf
     return all;
 }
 
-/// True if mirrors' paths go on from rough surfaces, and the denoiser averages what that brings. Rays to lights bring
-/// light from other directions than the path's, which the denoiser cannot tell apart.
+/// True if mirrors' paths go on from rough surfaces, and the denoiser averages what that brings.
 bool wantsBranches(const Settings& settings) {
-    return denoises(settings) && settings.rays.enabled && settings.rays.bounces > 1 && !settings.rays.sampleLights;
+    return denoises(settings) && settings.rays.enabled && settings.rays.bounces > 1;
+}
+
+/// True if rough pixels send a ray to the environment, whose light the denoiser joins. Emissive surfaces are left to
+/// the paths, as the screen's hits have their light already.
+bool wantsSkyApart(const Settings& settings) {
+    return denoises(settings) && settings.rays.enabled && settings.rays.sampleLights;
 }
 
 } // namespace
@@ -47,7 +52,7 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
     };
     GLINT_TRY(radianceWeight, makeImage("glint/raysRadianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT));
     GLINT_TRY(record, makeImage("glint/raysRecord", VK_FORMAT_R32G32B32A32_UINT));
-    GLINT_CHECK(source->makeMirrored(false));
+    GLINT_CHECK(source->makeMirrored(false, false));
     GLINT_TRY(lister, RayLister::create(context, width, height));
     GLINT_TRY(rays, RayLister::makeList(context, "glint/raysList", width, height));
     source->radianceWeight_ = std::move(radianceWeight);
@@ -58,7 +63,7 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
 }
 
 Result<void> RaysSource::setSettings(const Settings& settings) {
-    GLINT_CHECK(makeMirrored(wantsBranches(settings)));
+    GLINT_CHECK(makeMirrored(wantsBranches(settings), wantsSkyApart(settings)));
     wantsSentinels_ = denoises(settings) && settings.denoise.antilag == Antilag::Gradient;
     GLINT_CHECK(makeSentinels());
     sampleLights_ = settings.rays.sampleLights;
@@ -77,17 +82,23 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
     return {};
 }
 
-Result<void> RaysSource::makeMirrored(bool whole) {
-    const uint32_t width = whole ? radianceWeight_.width() : 1;
-    const uint32_t height = whole ? radianceWeight_.height() : 1;
-    constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
-    GLINT_CHECK(growImage(stages_, mirroredSurface_, {"glint/mirroredSurface", kWords, width, height}));
-    GLINT_CHECK(growImage(stages_, mirroredLight_, {"glint/mirroredLight", kWords, width, height}));
+Result<void> RaysSource::makeMirrored(bool surfaces, bool skyApart) {
+    const auto grow = [&](gpu::Image& image, const char* name, bool whole) {
+        return growImage(stages_, image,
+                         {name, VK_FORMAT_R32G32B32A32_UINT, whole ? radianceWeight_.width() : 1,
+                          whole ? radianceWeight_.height() : 1});
+    };
+    GLINT_CHECK(grow(mirroredSurface_, "glint/mirroredSurface", surfaces));
+    GLINT_CHECK(grow(mirroredLight_, "glint/mirroredLight", surfaces || skyApart));
     return {};
 }
 
 bool RaysSource::branches() const {
     return surfaces_ && wantsBranches(stages_.settings());
+}
+
+bool RaysSource::storesApart() const {
+    return surfaces_ && (wantsBranches(stages_.settings()) || wantsSkyApart(stages_.settings()));
 }
 
 /// Creates the pipeline of sentinels once settings want it and there is a scene that lights hits.
@@ -200,9 +211,9 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     flag(rays.accumulate, shared::kRaysAccumulate);
     flag(rays.environmentOcclusion, shared::kRaysEnvironmentOcclusion);
     flag(branches(), shared::kRaysBranches);
-    flag(sampleLights_, shared::kRaysSampleLights);
+    flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLights | shared::kRaysSampleLightsFirst);
     // The denoiser uses a pixel's answer as the light along its one ray.
-    flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLightsFirst);
+    flag(wantsSkyApart(settings) && surfaces_ && host.environment && settings.sky.enabled, shared::kRaysSampleSky);
     const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;
     flag(rays.reuseLight && afterScreen, shared::kRaysReuseLight);
     const Bounds transparents = surfaces_ ? transparentBounds(*scene_, *surfaces_) : Bounds();
@@ -291,7 +302,7 @@ void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool s
         .read("litRadiance", host.litRadiance, kTexels)
         .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
-        .write("raysRecord", record_, 0, true)
+        .readWrite("raysRecord", record_)
         .write("mirroredSurface", mirroredSurface_)
         .write("mirroredLight", mirroredLight_)
         .readWrite("raysSum", sums_.now(0))

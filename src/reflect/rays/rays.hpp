@@ -65,13 +65,15 @@ public:
 
     /// True if the settings and the scene have paths that go on behind mirrors, for the denoiser to average.
     bool branches() const;
-    /// Valid if `branches`, where rayRecord says kRaysBranched; one texel each otherwise.
+    /// True if paths store a part of their light apart, for the denoiser: behind mirrors, or the sky's.
+    bool storesApart() const;
+    /// Valid if `storesApart`, where rayRecord says kRaysBranched or kRaysSkyApart; else one texel each.
     MirroredImages mirrored() { return {mirroredSurface_, mirroredLight_}; }
 
 private:
     explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
     Result<void> makeShading();
-    Result<void> makeMirrored(bool whole);
+    Result<void> makeMirrored(bool surfaces, bool skyApart);
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
     void recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights);
     bool followsHits() const;
