@@ -64,7 +64,7 @@ void main() {
             }
         }
         imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer each pixel
-        if (!needsRay || (route & kRaysLightsOnly) != 0u)
+        if (!needsRay || (settings.flags & kRaysSampleSky) != 0u) // rays/reflect reads it with that flag
             imageStore(raysRecord, px, uvec4(packRayRecord(record), route, 0u));
     }
     needRay(needsRay);

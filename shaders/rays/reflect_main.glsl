@@ -134,7 +134,8 @@ void main() {
     float roughness = sampledRoughness(from.perceptualRoughness);
     bool skyApart = samplesSky(roughness) && !fromScreen;
     bool lights = skyApart || (samplesLightsFirst(roughness) && !fromScreen);
-    bool lightsOnly = skyApart && (imageLoad(raysRecord, from.px).z & kRaysLightsOnly) != 0u;
+    uint listed = skyApart ? imageLoad(raysRecord, from.px).z : 0u;
+    bool lightsOnly = (listed & kRaysLightsOnly) != 0u;
     vec3 skyLight = vec3(0.0);
     LobeFrame lobe = makeLobeFrame(from.N, from.V, from.perceptualRoughness);
     float meanOver = 1.0 + framesBefore(from);
@@ -199,7 +200,7 @@ void main() {
         imageStore(mirroredLight, from.px, packMirroredLight(MirroredLight(apart, vec3(0.0), 0u)));
         if (lightsOnly) {
             record.outcome = kOutcomeNone;
-            imageStore(raysRecord, from.px, uvec4(packRayRecord(record), kRaysSkyApart, 0u));
+            imageStore(raysRecord, from.px, uvec4(packRayRecord(record), kRaysSkyApart | (listed & kRaysReplaceScreen), 0u));
             return;
         }
     }
