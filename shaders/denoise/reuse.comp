@@ -18,8 +18,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 3) uniform sampler2D noisy;     // weight * radiance, weight
 layout(set = 0, binding = 4) uniform usampler2D sentRay; // denoise/sent_ray.glsl
 layout(set = 0, binding = 7) uniform sampler2D rayRates;
-layout(set = 0, binding = 11) uniform sampler2D dfg; // dfgAt
 layout(set = 0, binding = 10) uniform usampler2D mirroredSurface; // lib/mirrored.glsl, if settings.mirrored
+layout(set = 0, binding = 11) uniform sampler2D dfg;              // dfgAt
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D reused;
 /// 1 / metres to the rays' ends, weighed by light; how much of a frame the answer counts for: 1 on average with an own ray,
 /// more where facets hinder little of it; less where few of the neighbours' rays lie in the pixel's lobe; 0: none was
@@ -209,8 +209,8 @@ void main() {
             addNearest(px, here, sums);
             learnt = kLeastLearnt * sums.weight;
         }
-        // Pairs share one ray on average, of which the facets let the mean pass. So over frames the mean is a ratio of sums,
-        // and no mean of ratios, in which light that facets hinder would count for too much.
+        // A pair's shares add up to 1 on average, and the facets let meanPassing of that through: `learnt` is 1 on average.
+        // Weighed by it, the mean over frames is a ratio of sums. In a mean of ratios, light that facets hinder counts too much.
         learnt = ray.sent || sums.weight > 0.0 ? max(learnt / meanPassing(own), kLeastLearnt) : 0.0;
         if (sums.weight > 0.0) {
             answer = sums.answer / sums.weight;

@@ -45,11 +45,6 @@ bool samplesSky(float perceptualRoughness) {
     return isOn(kRaysSampleSky) && perceptualRoughness >= kSmoothestSampled;
 }
 
-/// As samplesLights, of the pixel's own surface.
-bool samplesLightsFirst(float perceptualRoughness) {
-    return isOn(kRaysSampleLightsFirst) && perceptualRoughness >= kSmoothestSampled;
-}
-
 // ---------------------------------------------------------------- densities over solid angle
 
 float environmentDensity(vec3 directionWS) {
@@ -193,10 +188,6 @@ vec3 sampleLights(LobeVertex at, Ray ray, Cone cone, bool meetsTransparents, ive
 #else
 
 bool samplesLights(float perceptualRoughness) {
-    return false;
-}
-
-bool samplesLightsFirst(float perceptualRoughness) {
     return false;
 }
 

@@ -133,7 +133,7 @@ void main() {
     float branchWeights = 0.0;
     float roughness = sampledRoughness(from.perceptualRoughness);
     bool skyApart = samplesSky(roughness) && !fromScreen;
-    bool lights = skyApart || (samplesLightsFirst(roughness) && !fromScreen);
+    bool lights = skyApart || (samplesLights(roughness) && !fromScreen);
     uint listed = skyApart ? imageLoad(raysRecord, from.px).z : 0u;
     bool lightsOnly = (listed & kRaysLightsOnly) != 0u;
     vec3 skyLight = vec3(0.0);

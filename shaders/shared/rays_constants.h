@@ -33,12 +33,11 @@ GLINT_CONSTANT(uint, kRaysAccumulate, 16);             // previous frames of the
 GLINT_CONSTANT(uint, kRaysReuseLight, 32);             // of surfaces that the frame shows
 GLINT_CONSTANT(uint, kRaysTransparentScene, 128);      // some materials are transparent, however rays treat them
 GLINT_CONSTANT(uint, kRaysTransparents, 64);           // some surfaces let rays pass
-GLINT_CONSTANT(uint, kRaysSampleLights, 256);          // rays to lights from every hit that a path continues from
-GLINT_CONSTANT(uint, kRaysSampleLightsFirst, 512);     // and from the pixel's surface
+GLINT_CONSTANT(uint, kRaysSampleLights, 256);          // rays to lights wherever a path continues from
+GLINT_CONSTANT(uint, kRaysSampleSky, 512);             // to the environment alone, from what the denoiser averages
 GLINT_CONSTANT(uint, kRaysEnvironmentOcclusion, 1024); // a last ray tells if the last surface's environment is hidden
 
-GLINT_CONSTANT(uint, kRaysSampleSky, 4096); // one ray to the environment from each rough pixel that sends a ray, apart
-GLINT_CONSTANT(uint, kRaysBranches, 2048);  // what mirrors show is stored in two parts: lib/mirrored.glsl
+GLINT_CONSTANT(uint, kRaysBranches, 2048); // what mirrors show is stored in two parts: lib/mirrored.glsl
 
 // Smoother lobes find every light that they can reflect: perceptual.
 GLINT_CONSTANT(float, kSmoothestSampled, 0.05f);

@@ -14,16 +14,6 @@ constexpr uint32_t kHeight = 64;
 constexpr uint32_t kFrames = 24;
 constexpr double kStep = 0.03; ///< metres a frame: about a pixel
 
-std::optional<SyntheticSurface> flatMirror(const glm::dvec3& origin, const glm::dvec3& direction) {
-    if (direction.z >= 0)
-        return std::nullopt;
-    SyntheticSurface hit;
-    hit.distance = -origin.z / direction.z;
-    hit.normalWS = {0, 0, 1};
-    hit.f0 = glm::vec3(1);
-    return hit;
-}
-
 /// Behind the camera a metal wall of this roughness, and stripes of light far behind the mirror, which it reflects.
 SurfaceScene wallBefore(float perceptualRoughness) {
     SurfaceScene made;

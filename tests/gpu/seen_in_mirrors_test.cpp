@@ -1,6 +1,7 @@
 // A mirror shows a rough surface as bright as an eye behind the mirror sees it: a path's further bounces weigh the
 // directions of a lobe as its first bounce does.
 #include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
 #include "gpu/support/surface_scene.hpp"
 
 #include <cmath>
@@ -12,16 +13,6 @@ constexpr uint32_t kSize = 48;
 constexpr float kWallZ = 5;
 constexpr SyntheticCamera kEye = {.position = {0, 0, 3.5}, .target = {0, 0, 0}, .fovY = 0.55};
 constexpr SyntheticCamera kEyeBehind = {.position = {0, 0, -3.5}, .target = {0, 0, 0}, .fovY = 0.55};
-
-std::optional<SyntheticSurface> mirror(const glm::dvec3& origin, const glm::dvec3& direction) {
-    if (direction.z >= 0)
-        return std::nullopt;
-    SyntheticSurface hit;
-    hit.distance = -origin.z / direction.z;
-    hit.normalWS = {0, 0, 1};
-    hit.f0 = glm::vec3(1);
-    return hit;
-}
 
 /// A rough metal wall, lit from the side: facets hinder light that comes along the wall.
 SurfaceScene wallBesideALamp(float perceptualRoughness) {
@@ -76,7 +67,7 @@ TEST_F(SeenInMirrorsTest, roughSurfacesAreAsBrightAsWithoutTheMirror) {
     for (const float perceptualRoughness : {0.5f, 0.9f})
         for (const bool sampleLights : {false, true}) {
             const SurfaceScene scene = wallBesideALamp(perceptualRoughness);
-            const double inMirror = meanReflection(scene, mirror, kEye, many(sampleLights));
+            const double inMirror = meanReflection(scene, flatMirror, kEye, many(sampleLights));
             const double direct = meanReflection(scene, SurfaceScene::seenBy(scene), kEyeBehind, many(sampleLights));
             std::cout << "roughness " << perceptualRoughness << ": " << inMirror << " in the mirror, " << direct
                       << " without it\n";
@@ -95,7 +86,7 @@ TEST_F(SeenInMirrorsTest, theDenoiserKeepsThatBrightness) {
         const SyntheticScene wall = SurfaceScene::seenBy(scene);
         const double truth = meanReflection(scene, wall, kEyeBehind, many(false));
         const double direct = meanReflection(scene, wall, kEyeBehind, denoised, 30);
-        const double inMirror = meanReflection(scene, mirror, kEye, denoised, 30);
+        const double inMirror = meanReflection(scene, flatMirror, kEye, denoised, 30);
         std::cout << "roughness " << perceptualRoughness << ": " << truth << ", denoised " << direct
                   << ", in the mirror " << inMirror << "\n";
         EXPECT_NEAR(direct, truth, 0.02 * truth) << perceptualRoughness;

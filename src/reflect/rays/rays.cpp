@@ -211,7 +211,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     flag(rays.accumulate, shared::kRaysAccumulate);
     flag(rays.environmentOcclusion, shared::kRaysEnvironmentOcclusion);
     flag(branches(), shared::kRaysBranches);
-    flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLights | shared::kRaysSampleLightsFirst);
+    flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLights);
     // The denoiser uses a pixel's answer as the light along its one ray.
     flag(wantsSkyApart(settings) && surfaces_ && host.environment && settings.sky.enabled, shared::kRaysSampleSky);
     const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;

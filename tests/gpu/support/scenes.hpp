@@ -56,6 +56,17 @@ inline Stage floorAndWall() {
     return stage;
 }
 
+/// A white mirror in the plane z = 0, seen from above it.
+inline std::optional<SyntheticSurface> flatMirror(const glm::dvec3& origin, const glm::dvec3& direction) {
+    if (direction.z >= 0)
+        return std::nullopt;
+    SyntheticSurface hit;
+    hit.distance = -origin.z / direction.z;
+    hit.normalWS = {0, 0, 1};
+    hit.f0 = glm::vec3(1);
+    return hit;
+}
+
 /// A white metal ball of radius 1 around the origin.
 inline SyntheticScene unitBall(float perceptualRoughness) {
     return [=](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
