@@ -5,25 +5,57 @@
 
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
+#extension GL_EXT_control_flow_attributes : require
 
 #include "lib/bvh_node.glsl"
 #include "lib/ray.glsl"
 #include "lib/triangle_ray.glsl"
 
-layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhNodes {
-    BvhNode item[];
+/// Two words, declared as an address: it is read as one value of 64 bits, without the feature shaderInt64. Software drivers
+/// load a word of one ray after another, and spent half of the traversal on it. GPUs merge neighbouring loads either way.
+layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer WordPair {
+    uint unused;
 };
-layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhTriangles {
-    BvhTriangle item[];
-};
-layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhInstances {
-    BvhInstance item[];
+layout(buffer_reference, std430, buffer_reference_align = 16) readonly buffer BvhArray {
+    WordPair pairs[];
 };
 // Bindings 16 to 18 belong to the scene in both back ends (RayScene's bind).
 layout(std430, set = 0, binding = 16) readonly buffer BvhBlock {
     BvhAddresses at;
 }
 bvh;
+
+uvec4 loadWords(BvhArray array, uint at) {
+    return uvec4(uvec2(array.pairs[2u * at]), uvec2(array.pairs[2u * at + 1u]));
+}
+
+BvhNode loadNode(uint index) {
+    const uint kQuads = 5u;
+    BvhArray nodes = BvhArray(bvh.at.nodes);
+    BvhNode node;
+    [[unroll]] for (uint i = 0u; i < kQuads; ++i)
+        node.words[i] = loadWords(nodes, kQuads * index + i);
+    return node;
+}
+
+BvhTriangle loadTriangleOfLeaf(uint index) {
+    const uint kQuads = 3u;
+    BvhArray triangles = BvhArray(bvh.at.triangles);
+    BvhTriangle triangle;
+    [[unroll]] for (uint i = 0u; i < kQuads; ++i)
+        triangle.vertices[i] = uintBitsToFloat(loadWords(triangles, kQuads * index + i));
+    return triangle;
+}
+
+BvhInstance loadInstance(uint index) {
+    const uint kQuads = 4u;
+    BvhArray instances = BvhArray(bvh.at.instances);
+    vec4 rows[3];
+    [[unroll]] for (uint i = 0u; i < 3u; ++i)
+        rows[i] = uintBitsToFloat(loadWords(instances, kQuads * index + i));
+    uvec4 rest = loadWords(instances, kQuads * index + 3u);
+    return BvhInstance(rows, rest.x, rest.y, rest.z, rest.w);
+}
 
 /// A ray in one space: world space, or the local space of the current instance.
 struct BvhRay {
@@ -56,9 +88,6 @@ Hit traverseBvh(Ray ray, bool any) {
     Hit hit = missOf(ray);
     if (!isTraceable(ray))
         return hit;
-    BvhNodes allNodes = BvhNodes(bvh.at.nodes);
-    BvhTriangles allTriangles = BvhTriangles(bvh.at.triangles);
-    BvhInstances allInstances = BvhInstances(bvh.at.instances);
     BvhRay current = makeBvhRay(ray.originWS, ray.directionWS);
     bool inInstance = false;
     uint instanceNumber = kNoInstance;
@@ -77,7 +106,7 @@ Hit traverseBvh(Ray ray, bool any) {
                 stack[height++] = nodes;
             uint slot = (bit - 24u) ^ current.boxes.order;
             uint before = bitCount(nodes.y & 0xffu & ((1u << slot) - 1u));
-            BvhNode node = allNodes.item[nodes.x + before];
+            BvhNode node = loadNode(nodes.x + before);
             uint hits = intersectChildren(node, current.boxes, ray.tMin, hit.distance);
             nodes = uvec2(node.words[1].x, (hits & 0xff000000u) | node.words[0].w >> 24);
             primitives = uvec2(node.words[1].y, hits & 0x00ffffffu);
@@ -87,7 +116,7 @@ Hit traverseBvh(Ray ray, bool any) {
             uint index = primitives.x + uint(findLSB(primitives.y));
             primitives.y &= primitives.y - 1u;
             if (!inInstance) {
-                BvhInstance instance = allInstances.item[index];
+                BvhInstance instance = loadInstance(index);
                 if ((instance.maskAndFlags & ray.mask & 0xffu) == 0u)
                     continue;
                 if (nodes.y >= kFirstNodeBit)
@@ -108,7 +137,7 @@ Hit traverseBvh(Ray ray, bool any) {
                 primitives.y = 0u;
                 continue;
             }
-            BvhTriangle triangle = allTriangles.item[index];
+            BvhTriangle triangle = loadTriangleOfLeaf(index);
             uint numberAndAxis = floatBitsToUint(triangle.vertices[0].w);
             TriangleHit met =
                 intersectTriangle(current.triangles, triangle.vertices[0].xyz, triangle.vertices[1].xyz,
