@@ -287,6 +287,10 @@
         "Ray directions: ggx (spread by roughness), mirror, or mirrorIfOne (mirror if rays.samples is 1, else ggx)",   \
         "",                                                                                                            \
         "choice; if rays.enabled=true")                                                                                \
+    SETTING(int, shadowRays, 1, "[1, 256]", "",                                                                        \
+        "Maximum shadow rays from a hit whose light the denoiser averages; its lights share them. Mirrors, and rays without the denoiser, send one to each light", \
+        "",                                                                                                            \
+        "log 1..8; if rays.enabled=true; if denoise.enabled=true; cost +")                                             \
     SETTING(bool, sampleLights, false, "", "",                                                                         \
         "Rough surfaces also send rays to emissive triangles and bright parts of the environment: less noise; with denoise.enabled to the environment alone, once a pixel", \
         "",                                                                                                            \

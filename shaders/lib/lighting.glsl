@@ -12,7 +12,11 @@
 
 uint loadLightCount();
 Light loadLight(uint index);
-/// Fraction of the light that is not shadowed, [0, 1].
+/// So many lights share one test of visibility. 1: each light has its own.
+uint loadLightsTogether();
+/// Uniform in [0, 1), for the lights that share a test from number `first` on: it draws the one that is tested.
+float loadLightNoise(uint first);
+/// Fraction of the light that is not shadowed, [0, 1]. Asked of lights that cast shadows.
 float loadLightVisibility(Light light, vec3 positionWS, vec3 geometricNormalWS, vec3 L);
 /// Radiance from the environment around `directionWS`, filtered for the roughness.
 vec3 loadEnvironmentRadiance(vec3 directionWS, float perceptualRoughness);
@@ -44,23 +48,75 @@ vec3 specularLobe(vec3 N, vec3 V, vec3 L, vec3 f0, float f90, float perceptualRo
            F_Schlick(f0, f90, saturate(dot(V, H))) * NoL;
 }
 
-void addPunctualLight(inout Lighting sum, MaterialSample m, SurfacePoint point, vec3 V, Light light, vec3 compensation,
-                      float coat) {
-    Incidence incidence = lightAt(light, point.positionWS);
+/// What a punctual light adds where nothing shadows it.
+struct Unshadowed {
+    vec3 diffuse;
+    vec3 specular;
+};
+
+Unshadowed unshadowedLight(MaterialSample m, vec3 V, Incidence incidence, vec3 compensation, float coat) {
     vec3 L = incidence.L;
     float NoL = saturate(dot(m.normalWS, L));
-    float coatNoL = m.clearcoat > 0.0 ? saturate(dot(m.clearcoatNormalWS, L)) : 0.0;
-    if (max(NoL, coatNoL) == 0.0 || maxComponent(incidence.irradiance) == 0.0)
-        return;
-    vec3 light_ = incidence.irradiance * loadLightVisibility(light, point.positionWS, m.geometricNormalWS, L);
     float VoH = saturate(dot(V, normalizeOr(V + L, m.normalWS)));
     float reflected = maxComponent(F_Schlick(m.dielectricF0, m.dielectricF90, VoH));
-    sum.diffuse += light_ * m.diffuseColor * ((1.0 - reflected) * Fd_Lambert() * NoL * (1.0 - coat));
-    sum.directSpecular += light_ * compensation * (1.0 - coat) *
-                          specularLobe(m.normalWS, V, L, m.f0, m.f90, m.perceptualRoughness);
+    Unshadowed result;
+    result.diffuse =
+        incidence.irradiance * m.diffuseColor * ((1.0 - reflected) * Fd_Lambert() * NoL * (1.0 - coat));
+    result.specular = incidence.irradiance * compensation * (1.0 - coat) *
+                      specularLobe(m.normalWS, V, L, m.f0, m.f90, m.perceptualRoughness);
     if (coat > 0.0)
-        sum.directSpecular += light_ * coat * specularLobe(m.clearcoatNormalWS, V, L, vec3(1.0), 1.0,
-                                                           m.clearcoatPerceptualRoughness);
+        result.specular += incidence.irradiance * coat * specularLobe(m.clearcoatNormalWS, V, L, vec3(1.0), 1.0,
+                                                                      m.clearcoatPerceptualRoughness);
+    return result;
+}
+
+/// Adds the lights from `first` to before `end`. Of those that cast shadows one is drawn, by what each would add, and its
+/// visibility stands for that of all. The mean is right; where all are visible or none is, only the lights' colours differ
+/// from draw to draw. Talbot, Cline and Egbert 2005, "Importance Resampling for Global Illumination", with one sample.
+/// Drawn while counting: Chao 1982, "A General Purpose Unequal Probability Sampling Plan".
+void addPunctualLights(inout Lighting sum, MaterialSample m, SurfacePoint point, vec3 V, uint first, uint end,
+                       vec3 compensation, float coat) {
+    float noise = end - first > 1u ? loadLightNoise(first) : 0.0;
+    float total = 0.0; // sizes of the lights so far
+    float drawnSize = 0.0;
+    uint drawn = first;
+    vec3 drawnL = vec3(0.0);
+    Unshadowed share = Unshadowed(vec3(0.0), vec3(0.0));
+    for (uint i = first; i < end; ++i) {
+        Light light = loadLight(i);
+        Incidence incidence = lightAt(light, point.positionWS);
+        float cosine = dot(m.normalWS, incidence.L);
+        if (m.clearcoat > 0.0)
+            cosine = max(cosine, dot(m.clearcoatNormalWS, incidence.L));
+        if (cosine <= 0.0 || maxComponent(incidence.irradiance) <= 0.0)
+            continue;
+        Unshadowed added = unshadowedLight(m, V, incidence, compensation, coat);
+        if (light.castsShadow == 0u) {
+            sum.diffuse += added.diffuse;
+            sum.directSpecular += added.specular;
+            continue;
+        }
+        float size = maxComponent(added.diffuse + added.specular);
+        if (size <= 0.0)
+            continue;
+        total += size;
+        float part = size / total;
+        bool take = drawnSize == 0.0 || noise < part;
+        noise = take ? noise / part : (noise - part) / (1.0 - part);
+        if (take) {
+            drawn = i;
+            drawnL = incidence.L;
+            drawnSize = size;
+            share = added;
+        }
+    }
+    if (drawnSize == 0.0)
+        return;
+    float visible = loadLightVisibility(loadLight(drawn), point.positionWS, m.geometricNormalWS, drawnL);
+    if (drawnSize < total)
+        visible *= total / drawnSize;
+    sum.diffuse += visible * share.diffuse;
+    sum.directSpecular += visible * share.specular;
 }
 
 void addEnvironment(inout Lighting sum, MaterialSample m, vec3 V, vec2 dfg, float coat) {
@@ -91,8 +147,10 @@ Lighting lightSurface(MaterialSample m, SurfacePoint point, vec3 V) {
         return sum; // unlit or black: no lobe to light
     vec2 dfg = loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness);
     vec3 compensation = energyCompensation(m.f0, dfg);
-    for (uint i = 0u; i < loadLightCount(); ++i)
-        addPunctualLight(sum, m, point, V, loadLight(i), compensation, coat);
+    uint lights = loadLightCount();
+    uint together = loadLightsTogether();
+    for (uint first = 0u; first < lights; first += together)
+        addPunctualLights(sum, m, point, V, first, min(first + together, lights), compensation, coat);
     addEnvironment(sum, m, V, dfg, coat);
     return sum;
 }

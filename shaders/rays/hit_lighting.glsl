@@ -5,6 +5,7 @@
 
 #include "lib/environment.glsl"
 #include "lib/lighting.glsl"
+#include "lib/noise.glsl"
 #include "lib/ray_start.glsl"
 #include "lib/sanitize.glsl"
 
@@ -19,6 +20,23 @@ layout(set = 0, binding = 5) uniform sampler2D dfg;
 /// Face normal of the lit surface: shadow rays start off the triangle, not off its bent normal.
 vec3 litFaceNormalWS;
 
+/// How the lit surface's lights share shadow rays, and what their random numbers depend on.
+struct LightDraw {
+    uint together;
+    ivec2 px;
+    uint index; // of the surface on its path, and of the path
+};
+LightDraw lightDraw = LightDraw(1u, ivec2(0), 0u);
+
+uint loadLightsTogether() {
+    return lightDraw.together;
+}
+
+float loadLightNoise(uint first) {
+    const uint kShadowSeed = 0x2c1b3c6du; // apart from those of the path's other draws
+    return hashNoise(uvec2(lightDraw.px), lightDraw.index, (frame.constants.seed ^ kShadowSeed) + first).x;
+}
+
 vec3 toEnvironment(vec3 directionWS) {
     return mat3(frame.constants.worldToEnvironment) * directionWS;
 }
@@ -32,8 +50,6 @@ Light loadLight(uint index) {
 }
 
 float loadLightVisibility(Light light, vec3 positionWS, vec3 geometricNormalWS, vec3 L) {
-    if (light.castsShadow == 0u)
-        return 1.0;
     float offset = hitUncertainty(positionWS);
     float reach = settings.tMax;
     if (light.type != kLightDirectional)

@@ -58,6 +58,7 @@ struct Path {
     uint transparents; // transparent surfaces that it may still pass through
     Branch branch;
     bool splits; // at its branch, for the denoiser
+    bool isAveraged; // by the denoiser, what it finds from now on: lights may share shadow rays
 };
 
 uint mostTransparents() {
@@ -74,7 +75,7 @@ Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float re
     PathSpread spread = PathSpread(0.0, angle);
     Ray ray = viewRay(originWS, directionWS);
     return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
-                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch, false);
+                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch, false, false);
 }
 
 /// `ownRoughness`: before regularization. `emissionWeight`: fraction of the emission that the path counts.
@@ -166,6 +167,7 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
     if (branches)
         path.branch = Branch(true, path.radiance, path.throughput, met.normalWS, met.lobeRoughness, onwardWS, weight,
                              meanWeight, path.cone.width, 0.0);
+    path.isAveraged = path.isAveraged || (path.splits && branches);
     path.density = 0.0;
     bool isAveraged = path.splits && branches && samplesSky(met.lobeRoughness);
     if ((isAveraged || samplesLights(met.lobeRoughness)) && path.medium.body == kNoInstance) {
@@ -264,6 +266,7 @@ bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIn
     m.perceptualRoughness = regularized(ownRoughness, path.regularization, spread);
     m.clearcoatPerceptualRoughness = regularized(m.clearcoatPerceptualRoughness, path.regularization, spread);
     litFaceNormalWS = met.faceNormalWS;
+    lightDraw = LightDraw(path.isAveraged ? settings.lightsTogether : 1u, px, sampleIndex * 8u + bounce);
     Lighting lighting = lightSurface(m, met.point, -directionWS);
     if (transparent) {
         passTransparent(

@@ -61,6 +61,8 @@ Sentinel followed(Sentinel sentinel, ivec2 tile) {
     float angle = unpackHalf2x16(sentinel.path.y).y;
     Path path = startPath(uintBitsToFloat(sentinel.ray.xyz), decodeOctahedral(unpackSnorm2x16(sentinel.ray.w)),
                           Cone(cone.x, cone.y), angle, regularizationOf(settings.regularization, 1.0));
+    path.isAveraged = angle > 0.0;
+    path.splits = !path.isAveraged;
     followPath(0u, tile, sentinel.path.w & kSequence, path);
     vec3 radiance = min(sanitize(path.radiance) * path.weight, vec3(kLargestStored)); // in the precision that is kept
     sentinel.path.xy = uvec2(packHalf2x16(radiance.rg), packHalf2x16(vec2(radiance.b, angle)));

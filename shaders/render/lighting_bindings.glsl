@@ -28,6 +28,14 @@ Light loadLight(uint index) {
     return lights.list[index];
 }
 
+uint loadLightsTogether() {
+    return 1u;
+}
+
+float loadLightNoise(uint first) {
+    return 0.0;
+}
+
 vec3 loadEnvironmentRadiance(vec3 direction, float perceptualRoughness) {
     float mip = environmentMip(perceptualRoughness, textureQueryLevels(environmentRadiance));
     vec3 turned = rotateToEnvironment(direction, view.constants.environmentRotation);

@@ -21,8 +21,6 @@ void beginLighting() {
 }
 
 float loadLightVisibility(Light light, vec3 position, vec3 geometricNormal, vec3 L) {
-    if (light.castsShadow == 0u)
-        return 1.0;
     float offset = rasterUncertainty(position);
     float reach = light.type == kLightDirectional ? 1e30 : max(distance(light.positionWS, position) - offset, 0.0);
     Ray ray = makeRay(position + drawnFaceNormalWS * offset, L, 0.0, reach);

@@ -16,6 +16,7 @@ struct RaysConstants {
     uint flags;      ///< kRays...
     uint cullMask;
     uint lightCount;
+    uint lightsTogether; ///< so many share a shadow ray on paths that the denoiser averages
     float reuseRoughness;
     uint before;            ///< bit s: source s (shared/hierarchy.h) is asked before this one
     float regularization;   ///< of a mean's first sample

@@ -17,6 +17,7 @@ enum class Unit : uint8_t {
     Rays,      ///< screen-space rays
     Lookups,   ///< their depth lookups
     SceneRays, ///< rays through triangles
+    LitRays,   ///< these, times the shadow rays from the hit of each: rays.shadowRays
     Rough,     ///< pixels that the denoiser averages
     RoughRays, ///< those of them that send rays through triangles: rays.maxRoughness
     Reused,    ///< their neighbours' rays: reuse.samples
@@ -33,8 +34,8 @@ struct UnitCost {
 };
 
 // Measured with glint bench on builtin:hall and builtin:exact at 640x360, llvmpipe 25 on two quiet cores
-// (docs/tune.md); a floor is 11.3 ns a pixel there. Rays at 320x180: 130 to 140 floors in the hall, 35 to 40 on
-// builtin:exact.
+// (docs/tune.md); a floor is 11.3 ns a pixel there. Rays of `real-time`: 70 floors in the hall, 35 on builtin:exact;
+// with a shadow ray to each light 105 and 35.
 constexpr std::array kUnitCosts = {
     UnitCost{"render/back_faces", Unit::BackFaces, 0.4},
     UnitCost{"render/back_faces", Unit::Triangles, 3.9},
@@ -52,9 +53,11 @@ constexpr std::array kUnitCosts = {
     UnitCost{"trace/adaptive", Unit::Lookups, 0.45},
     UnitCost{"trace/proxy", Unit::Rays, 5},
     UnitCost{"rays/list", Unit::Pixels, 3},
-    UnitCost{"rays/reflect", Unit::SceneRays, 90},
-    UnitCost{"rays/reflect_lights", Unit::SceneRays, 130},
-    UnitCost{"rays/sentinels", Unit::RoughRays, 40},
+    UnitCost{"rays/reflect", Unit::SceneRays, 45},
+    UnitCost{"rays/reflect", Unit::LitRays, 6},
+    UnitCost{"rays/reflect_lights", Unit::SceneRays, 70},
+    UnitCost{"rays/reflect_lights", Unit::LitRays, 6},
+    UnitCost{"rays/sentinels", Unit::RoughRays, 28},
     UnitCost{"denoise/gather", Unit::Pixels, 1.75},
     UnitCost{"denoise/sentinels", Unit::Pixels, 0.3},
     UnitCost{"denoise/change", Unit::Pixels, 0.2},
@@ -87,6 +90,9 @@ constexpr double kOtherPass = 2;
 /// Figures count these (measure::effectSum), so they are not part of the effect.
 constexpr std::array<std::string_view, 3> kNotCounted = {"composite/statistics", "rays/statistics", "prepare/dfg"};
 
+/// Lights that reach a hit in the scenes that unit costs are measured on.
+constexpr double kLightsAtHit = 4;
+
 /// By blur.quality (src/reflect/denoise/denoise.cpp).
 constexpr std::array kBlurTaps = {9, 21, 41};
 
@@ -103,6 +109,9 @@ double amount(Unit unit, const FrameWork& work) {
     case Unit::Rays: return rays;
     case Unit::Lookups: return rays * work.stats.lookupsPerRay;
     case Unit::SceneRays: return static_cast<double>(work.stats.scene.rays) / work.pixels;
+    case Unit::LitRays:
+        return static_cast<double>(work.stats.scene.rays) / work.pixels *
+               (settings.denoise.enabled ? std::min<double>(settings.rays.shadowRays, kLightsAtHit) : kLightsAtHit);
     case Unit::Rough: return work.rough.all();
     case Unit::RoughRays: return work.rough.upTo(settings.rays.maxRoughness);
     case Unit::Reused: return work.rough.all() * settings.reuse.samples;

@@ -186,6 +186,16 @@ Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
     return {};
 }
 
+namespace {
+
+/// How many of a hit's lights share a shadow ray, where the denoiser averages.
+uint32_t lightsTogether(const Settings& settings, uint32_t lights) {
+    const auto shadowRays = static_cast<uint32_t>(settings.rays.shadowRays);
+    return denoises(settings) ? std::max((lights + shadowRays - 1) / shadowRays, 1u) : 1;
+}
+
+} // namespace
+
 shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before) const {
     const Settings& settings = stages_.settings();
     const RaysSettings& rays = settings.rays;
@@ -202,6 +212,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     constants.transparents = static_cast<uint32_t>(rays.transparents);
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
     constants.lightCount = surfaces_ ? surfaces_->lightCount() : 0;
+    constants.lightsTogether = lightsTogether(settings, constants.lightCount);
     constants.before = before;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(rays.alphaTest, shared::kRaysAlphaTest);
