@@ -7,6 +7,7 @@
 #include "comparison_output.hpp"
 #include "config_option.hpp"
 #include "file_roles.hpp"
+#include "reference_bounces.hpp"
 #include "render_options.hpp"
 #include "report_page.hpp"
 
@@ -40,13 +41,16 @@ Result<std::vector<measure::ComparedConfig>> makeConfigs(const CompareOptions& o
     return configs;
 }
 
-Result<std::optional<measure::ComparedConfig>> makeReference(const CompareOptions& options) {
+Result<std::optional<measure::ComparedConfig>> makeReference(const CompareOptions& options,
+                                                             std::span<const measure::ComparedConfig> configs) {
     if (options.reference.empty())
         return std::optional<measure::ComparedConfig>();
     GLINT_TRY(job, makeConfigJob(options.scene, options.scene.scene, options.reference));
     job.frames = options.referenceFrames > 0 ? static_cast<uint32_t>(options.referenceFrames)
                                              : defaultReferenceFrames(job.settings);
-    return std::optional<measure::ComparedConfig>(measure::ComparedConfig{options.reference, std::move(job)});
+    measure::ComparedConfig reference = {options.reference, std::move(job)};
+    followAsManyBounces(reference, configs);
+    return std::optional<measure::ComparedConfig>(std::move(reference));
 }
 
 /// `--report` with a file's name, not a folder's.
@@ -96,7 +100,7 @@ Result<void> writeReports(const CompareOptions& options, measure::Comparison com
 Result<void> compare(const CompareOptions& options) {
     GLINT_CHECK(checkOptions(options));
     GLINT_TRY(configs, makeConfigs(options));
-    GLINT_TRY(reference, makeReference(options));
+    GLINT_TRY(reference, makeReference(options, configs));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
     GLINT_TRY(comparison, measure::compareConfigs(*context, configs, reference, static_cast<uint32_t>(options.frames),
                                                   showProgress));

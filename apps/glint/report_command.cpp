@@ -7,6 +7,7 @@
 #include "config_option.hpp"
 #include "curve_file.hpp"
 #include "motion_option.hpp"
+#include "reference_bounces.hpp"
 #include "render_options.hpp"
 #include "report_figures.hpp"
 #include "report_json.hpp"
@@ -111,6 +112,7 @@ Result<measure::SequencePlan> makeMotion(const ReportOptions& options, const Ren
     }
     if (hasReference(options) && options.motionSamples > 0) {
         GLINT_TRY(reference, motionReference(moving, options.reference, options.motionSamples));
+        followAsManyBounces(reference, plan.configs);
         plan.reference = std::move(reference);
     }
     return plan;
@@ -130,6 +132,7 @@ Result<ScenePlan> makePlan(const ReportOptions& options, const std::string& name
         job.frames = accumulates ? static_cast<uint32_t>(options.referenceFrames) : 1;
         job.seed = referenceSeed(options);
         plan.reference = measure::ComparedConfig{options.reference, std::move(job)};
+        followAsManyBounces(*plan.reference, plan.configs);
     }
     if (options.motionFrames > 0) {
         GLINT_TRY(motion, makeMotion(options, scene));
@@ -140,7 +143,7 @@ Result<ScenePlan> makePlan(const ReportOptions& options, const std::string& name
 
 /// What the figures depend on besides scenes, sizes that these say, and configs. Seeds and timed frames only change the
 /// noise, which is known.
-nlohmann::ordered_json watchedOptions(const ReportOptions& options) {
+nlohmann::ordered_json watchedOptions(const ReportOptions& options, const ScenePlan& plan) {
     const RenderOptions& scene = options.scene;
     nlohmann::ordered_json json = {{"--camera", scene.camera},
                                    {"--env", scene.environment},
@@ -150,7 +153,7 @@ nlohmann::ordered_json watchedOptions(const ReportOptions& options) {
                                    {"--time", fmt::format("{}", scene.time)},
                                    {"--size", scene.size},
                                    {"--set", joinText(scene.settings.assignments, " ")},
-                                   {"--reference", options.reference}};
+                                   {"--reference", plan.reference ? plan.reference->name : options.reference}};
     if (hasReference(options))
         json["--reference-frames"] = std::to_string(options.referenceFrames);
     json["--motion-frames"] = std::to_string(options.motionFrames);
@@ -254,7 +257,7 @@ Result<void> makeReport(const ReportOptions& options) {
     }
     Report report;
     report.command = options.command;
-    report.options = watchedOptions(options);
+    report.options = watchedOptions(options, plans.front());
     if (!options.curve.empty()) {
         GLINT_TRY(curve, readCurve(options.curve));
         report.curve = std::move(curve);

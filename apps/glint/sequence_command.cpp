@@ -9,6 +9,7 @@
 #include "frames_option.hpp"
 #include "measure/sequence.hpp"
 #include "motion_option.hpp"
+#include "reference_bounces.hpp"
 #include "render_options.hpp"
 #include "sequence_files.hpp"
 #include "sequence_output.hpp"
@@ -120,10 +121,12 @@ Result<std::map<size_t, measure::StoredFrames>> sequenceStored(const SequenceOpt
     return stored;
 }
 
-Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceOptions& options) {
+Result<std::optional<measure::ComparedConfig>> sequenceReference(const SequenceOptions& options,
+                                                                 std::span<const measure::ComparedConfig> configs) {
     if (options.referenceSamples == 0)
         return std::optional<measure::ComparedConfig>();
     GLINT_TRY(reference, motionReference(options.scene, options.reference, options.referenceSamples));
+    followAsManyBounces(reference, configs);
     return std::optional<measure::ComparedConfig>(std::move(reference));
 }
 
@@ -222,7 +225,7 @@ Result<void> runSequence(const SequenceOptions& options) {
     plan.configs = std::move(configs);
     plan.measure = options.measures();
     plan.warmUp = warmUpFrames(options);
-    GLINT_TRY(reference, sequenceReference(options));
+    GLINT_TRY(reference, sequenceReference(options, plan.configs));
     plan.reference = std::move(reference);
     GLINT_TRY(stored, sequenceStored(options));
     plan.stored = std::move(stored);

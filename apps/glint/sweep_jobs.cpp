@@ -6,6 +6,7 @@
 #include "config_option.hpp"
 #include "input_files.hpp"
 #include "motion_option.hpp"
+#include "reference_bounces.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -38,10 +39,6 @@ public:
         : plan_(plan), scene_(scene), size_(size), program_(program), files_(files) {}
 
     Result<void> add(std::vector<SweepJob>& jobs) {
-        if (plan_.reference)
-            GLINT_CHECK(makeReference());
-        if (plan_.motion)
-            GLINT_CHECK(makeMotion());
         std::vector<Prepared> configs;
         for (const SweepConfig& config : plan_.configs) {
             GLINT_TRY(job, renderJob(config));
@@ -49,6 +46,12 @@ public:
             const std::string settings = hashText(render::settingsJson(job.settings));
             configs.push_back({config.name, std::move(job), dumped(view), settings});
         }
+        for (const Prepared& config : configs)
+            bounces_ = std::max(bounces_, bouncesOf(config.job.settings.reflections));
+        if (plan_.reference)
+            GLINT_CHECK(makeReference());
+        if (plan_.motion)
+            GLINT_CHECK(makeMotion());
         if (plan_.stills)
             for (const Prepared& config : configs)
                 for (const uint32_t seed : plan_.seeds)
@@ -87,6 +90,7 @@ private:
     Result<void> makeReference() {
         const SweepReference& planned = *plan_.reference;
         GLINT_TRY(job, renderJob(planned.config));
+        followAsManyBounces(job.settings.reflections, bounces_);
         job.frames = planned.frames.value_or(defaultReferenceFrames(job.settings));
         job.seed = planned.seed;
         GLINT_TRY(view, viewOf(job));
@@ -123,6 +127,7 @@ private:
         }
         if (planned.samples > 0) {
             GLINT_TRY(job, renderJob(plan_.reference->config));
+            followAsManyBounces(job.settings.reflections, bounces_);
             GLINT_TRY(frames, motionReferenceFrames(job.settings, plan_.reference->config.name, planned.samples));
             job.frames = frames;
             motionJson_["reference"] = render::settingsJson(job.settings);
@@ -194,6 +199,7 @@ private:
     const std::string& size_;
     const std::string& program_;
     InputFiles& files_;
+    int bounces_ = 0; ///< the most that a config follows
     std::shared_ptr<const SweepReferenceJob> reference_;
     std::shared_ptr<const measure::SequencePlan> motion_;
     SweepJson motionJson_;

@@ -5,6 +5,7 @@
 #include "config_option.hpp"
 #include "input_files.hpp"
 #include "program_identity.hpp"
+#include "reference_bounces.hpp"
 #include "render_options.hpp"
 #include "tune/generation.hpp"
 #include "tune_output.hpp"
@@ -130,6 +131,21 @@ Result<std::string> tuneIdentity(const std::vector<render::RenderJob>& jobs) {
     return text;
 }
 
+/// Of what the search may try.
+int mostBounces(const tune::SearchPlan& search, const tune::SearchSpace& space) {
+    int most = bouncesOf(search.start);
+    for (const auto& [name, settings] : search.presets)
+        most = std::max(most, bouncesOf(settings));
+    bool mayTrace = search.start.rays.enabled;
+    int varied = 0;
+    for (size_t i = 0; i < space.size(); ++i) {
+        mayTrace = mayTrace || space[i].info->key == "rays.enabled";
+        if (space[i].info->key == "rays.bounces")
+            varied = static_cast<int>(space[i].max);
+    }
+    return mayTrace ? std::max(most, varied) : most;
+}
+
 Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     GLINT_CHECK(checkCounts(options));
     tune::TunePlan plan;
@@ -154,7 +170,6 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
         return invalidArgument("--reference {}: {} frames need rays.enabled and rays.accumulate; give "
                                "--reference-frames 1",
                                printable(options.reference), options.referenceFrames);
-    plan.evaluation.reference = std::move(reference);
     plan.evaluation.referenceFrames = static_cast<uint32_t>(options.referenceFrames);
     plan.evaluation.metric = options.metric == "flip" ? tune::ErrorMetric::Flip : tune::ErrorMetric::RelativeMse;
     plan.search.start = plan.evaluation.jobs.front().settings.reflections;
@@ -168,7 +183,10 @@ Result<tune::TunePlan> tunePlan(const TuneOptions& options) {
     plan.search.motion = std::ranges::any_of(plan.evaluation.paths,
                                              [](scene::CameraMove move) { return move != scene::CameraMove::Still; });
     plan.search.probes = !options.scene.probes.empty();
-    GLINT_CHECK(tune::SearchSpace::create(plan.search.start, plan.search.vary, plan.search.motion, plan.search.probes));
+    GLINT_TRY(space,
+              tune::SearchSpace::create(plan.search.start, plan.search.vary, plan.search.motion, plan.search.probes));
+    followAsManyBounces(reference.reflections, mostBounces(plan.search, space));
+    plan.evaluation.reference = std::move(reference);
     plan.search.population = static_cast<uint32_t>(options.population);
     plan.search.generations = static_cast<uint32_t>(options.generations);
     plan.search.seed = options.scene.seed;
