@@ -36,6 +36,12 @@ float deviation(vec4 moments) {
     return max(overFrames, moments.y * youth(moments.x));
 }
 
+/// This mean's part of the difference that noise explains. The deviation of few frames is itself uncertain; a settled
+/// mean's neighbours share rays, and differ by less. measured: docs/techniques/rough.md.
+float tolerance(vec4 moments) {
+    return min(0.7 + 8.0 / max(moments.x, 1.0), 2.0) * deviation(moments);
+}
+
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
     if (!isInFrame(px))
@@ -62,6 +68,7 @@ void main() {
             Spiral spiral =
                 beginSpiral(taps, hashNoise(uvec2(px), frame.constants.frameIndex, frame.constants.seed).y);
             float own = luminance(sum.rgb);
+            float tolerated = tolerance(moments);
             float total = 1.0;
             for (uint i = 0u; i < taps; ++i) {
                 vec2 at = nextPoint(spiral, i);
@@ -72,8 +79,7 @@ void main() {
                 if (theirs.x == 0.0 || !isSameSurface(here, averagedSurfaceAt(tap)))
                     continue;
                 vec4 other = texelFetch(mean, tap, 0);
-                float theirNoise = deviation(theirs);
-                float apart = abs(luminance(other.rgb) - own) / (2.0 * (noise + theirNoise) + 1e-4);
+                float apart = abs(luminance(other.rgb) - own) / (tolerated + tolerance(theirs) + 1e-4);
                 float weight = exp(-1.5 * dot(at, at) - apart * apart);
                 sum += weight * other;
                 total += weight;
