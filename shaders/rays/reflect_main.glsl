@@ -157,7 +157,7 @@ void main() {
             path = startPath(from.originWS, first.ws, from.cone,
                              drawnAngle(from.N, from.V, first.ws, from.perceptualRoughness), regularization);
         path.splits = splitsPaths(from);
-        path.isAveraged = !mirror;
+        path.isAveraged = path.isAveraged || !mirror;
         path.ended = path.ended || first.weight <= 0.0 || lightsOnly;
         if (lights && !middle) {
             path.vertex = LobeVertex(true, lobe, from.N, kLeastLobeCosine, true, vec3(1.0));
