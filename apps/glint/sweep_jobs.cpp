@@ -42,12 +42,11 @@ public:
         std::vector<Prepared> configs;
         for (const SweepConfig& config : plan_.configs) {
             GLINT_TRY(job, renderJob(config));
+            bounces_ = std::max(bounces_, bouncesOf(job.settings.reflections));
             GLINT_TRY(view, viewOf(job));
             const std::string settings = hashText(render::settingsJson(job.settings));
             configs.push_back({config.name, std::move(job), dumped(view), settings});
         }
-        for (const Prepared& config : configs)
-            bounces_ = std::max(bounces_, bouncesOf(config.job.settings.reflections));
         if (plan_.reference)
             GLINT_CHECK(makeReference());
         if (plan_.motion)

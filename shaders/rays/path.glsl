@@ -75,7 +75,8 @@ Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float re
     PathSpread spread = PathSpread(0.0, angle);
     Ray ray = viewRay(originWS, directionWS);
     return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
-                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch, false, false);
+                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch, false,
+                false);
 }
 
 /// `ownRoughness`: before regularization. `emissionWeight`: fraction of the emission that the path counts.
@@ -169,10 +170,10 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
                              meanWeight, path.cone.width, 0.0);
     path.isAveraged = path.isAveraged || (path.splits && branches);
     path.density = 0.0;
-    bool isAveraged = path.splits && branches && samplesSky(met.lobeRoughness);
-    if ((isAveraged || samplesLights(met.lobeRoughness)) && path.medium.body == kNoInstance) {
+    bool skyApart = path.splits && branches && samplesSky(met.lobeRoughness);
+    if ((skyApart || samplesLights(met.lobeRoughness)) && path.medium.body == kNoInstance) {
         LobeFrame lobe = makeLobeFrame(met.normalWS, V, met.lobeRoughness);
-        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, isAveraged, path.throughput / meanWeight);
+        path.vertex = LobeVertex(true, lobe, met.faceNormalWS, kLeastCosine, skyApart, path.throughput / meanWeight);
         if (dot(next.ws, met.faceNormalWS) >= kLeastCosine)
             path.density = lobeDensity(lobe.wo, next.ws * lobe.axes, lobe.alpha);
     }

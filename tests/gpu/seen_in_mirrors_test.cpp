@@ -1,8 +1,7 @@
 // A mirror shows a rough surface as bright as an eye behind the mirror sees it: a path's further bounces weigh the
 // directions of a lobe as its first bounce does.
-#include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
-#include "gpu/support/surface_scene.hpp"
+#include "gpu/support/traced_surfaces.hpp"
 
 #include <cmath>
 
@@ -22,7 +21,7 @@ SurfaceScene wallBesideALamp(float perceptualRoughness) {
     return made;
 }
 
-class SeenInMirrorsTest : public LibraryTest {
+class SeenInMirrorsTest : public TracedSurfacesTest {
 protected:
     static Settings pathsOfTwo() {
         Settings settings = plainSettings();
@@ -43,19 +42,7 @@ protected:
     /// Mean over the picture of the light that is reflected to the camera, in the last frame.
     static double meanReflection(const SurfaceScene& scene, const SyntheticScene& shown, const SyntheticCamera& camera,
                                  const Settings& settings, uint32_t frames = 1) {
-        SurfaceScene::World world = scene.build(gpu(), library(), RayBackend::Bvh);
-        run([&](VkCommandBuffer commands) {
-            world.rays.record(commands);
-            world.surfaces.record(commands);
-        });
-        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), shown, camera, kSize, kSize);
-        Reflections made = reflections(kSize, kSize, settings);
-        must(made.setInputs(host.gbuffer));
-        must(made.setRays(world.rays, world.surfaces));
-        View view = camera.view(kSize, kSize);
-        for (; view.frameIndex + 1 < frames; ++view.frameIndex)
-            run([&](VkCommandBuffer commands) { made.record(commands, view); });
-        const Picture picture = trace(made, view);
+        const Picture picture = lastFrame(scene, shown, camera, kSize, settings, frames);
         double sum = 0;
         for (size_t i = 0; i < picture.reflection.size(); i += 4)
             sum += double(picture.reflection[i]) / double(picture.pixels());

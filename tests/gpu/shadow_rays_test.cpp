@@ -1,7 +1,6 @@
 // rays.shadowRays: lights share shadow rays where the denoiser averages, without a change of the mean, and nowhere
 // else.
-#include "gpu/support/library_test.hpp"
-#include "gpu/support/surface_scene.hpp"
+#include "gpu/support/traced_surfaces.hpp"
 
 #include <cmath>
 
@@ -26,7 +25,7 @@ SurfaceLight pointLight(const glm::vec3& positionWS, const glm::vec3& color) {
     return made;
 }
 
-class ShadowRaysTest : public LibraryTest {
+class ShadowRaysTest : public TracedSurfacesTest {
 protected:
     /// A metal plate that shows a wall behind the camera, lit by three lamps.
     static SurfaceScene wallUnderThreeLamps(float perceptualRoughness, bool colored) {
@@ -42,25 +41,13 @@ protected:
     static void addScreen(SurfaceScene& scene) { scene.addQuad({1.5f, -2, 4}, {0, 4, 0}, {0, 0, 1.5f}, matte()); }
 
     static Picture settled(const SurfaceScene& scene, int shadowRays, uint32_t frames, bool denoise = true) {
-        SurfaceScene::World world = scene.build(gpu(), library(), RayBackend::Bvh);
-        run([&](VkCommandBuffer commands) {
-            world.rays.record(commands);
-            world.surfaces.record(commands);
-        });
         Settings settings = plainSettings();
         settings.screen.enabled = false;
         settings.rays.enabled = true;
         settings.rays.shadowRays = shadowRays;
         settings.denoise.enabled = denoise;
         settings.denoise.firefly = 0; // takes light, by intent
-        const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), SurfaceScene::seenBy(scene), kEye, kSize, kSize);
-        Reflections made = reflections(kSize, kSize, settings);
-        must(made.setInputs(host.gbuffer));
-        must(made.setRays(world.rays, world.surfaces));
-        View view = kEye.view(kSize, kSize);
-        for (; view.frameIndex + 1 < frames; ++view.frameIndex)
-            run([&](VkCommandBuffer commands) { made.record(commands, view); });
-        return trace(made, view);
+        return lastFrame(scene, SurfaceScene::seenBy(scene), kEye, kSize, settings, frames);
     }
 
     static glm::vec3 reflected(const Picture& picture, size_t pixel) {

@@ -33,6 +33,12 @@ bool wantsSkyApart(const Settings& settings) {
     return denoises(settings) && settings.rays.enabled && settings.rays.sampleLights;
 }
 
+/// How many of a hit's lights share a shadow ray, where the denoiser averages.
+uint32_t lightsTogether(const Settings& settings, uint32_t lights) {
+    const auto shadowRays = static_cast<uint32_t>(settings.rays.shadowRays);
+    return denoises(settings) ? std::max((lights + shadowRays - 1) / shadowRays, 1u) : 1;
+}
+
 } // namespace
 
 static_assert(sizeof(RayHit) == sizeof(shared::RayHitRecord));
@@ -185,16 +191,6 @@ Result<void> RaysSource::setScene(rays::Scene& scene, ShadeHits shade) {
     sums_.reset(HistoryReset::Asked);
     return {};
 }
-
-namespace {
-
-/// How many of a hit's lights share a shadow ray, where the denoiser averages.
-uint32_t lightsTogether(const Settings& settings, uint32_t lights) {
-    const auto shadowRays = static_cast<uint32_t>(settings.rays.shadowRays);
-    return denoises(settings) ? std::max((lights + shadowRays - 1) / shadowRays, 1u) : 1;
-}
-
-} // namespace
 
 shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before) const {
     const Settings& settings = stages_.settings();
