@@ -157,7 +157,12 @@
     SETTING(float, factor, 0, "[0, 1]", "",                                                                            \
         "Jitters each screen-space ray by surface roughness times this factor; 0: mirror directions only",             \
         "babylon:roughnessFactor",                                                                                     \
-        "linear 0..1; if screen.enabled=true; if denoise.enabled=false")
+        "linear 0..1; if screen.enabled=true; if denoise.enabled=false")                                              \
+    SETTING(bool, cones, true, "", "",                                                                                 \
+        "Blur each screen-space hit by the width of the surface's lobe there, without noise; acts where rays take "    \
+        "mirror directions: without denoise.enabled, blur.strength and rough.factor",                                  \
+        "",                                                                                                            \
+        "switch; if screen.enabled=true; if denoise.enabled=false")
 
 #define GLINT_BLUR_SETTINGS(SETTING)                                                                                   \
     SETTING(float, strength, 0, "[0, 1]", "",                                                                          \
@@ -189,7 +194,7 @@
 
 #define GLINT_DENOISE_SETTINGS(SETTING)                                                                                \
     SETTING(bool, enabled, true, "", "",                                                                               \
-        "Sample the lobe of rough surfaces with screen and rays together, and average over neighbours and frames; off: screen hits are mirror images, so lower reflect.maxRoughness to about 0.4", \
+        "Sample the lobe of rough surfaces with screen and rays together, and average over neighbours and frames; off: rays take mirror directions, and rough.cones blurs what they hit", \
         "",                                                                                                            \
         "switch; cost +")                                                                                              \
     SETTING(float, historySeconds, 0.5f, "[0, 4]", "s",                                                                \

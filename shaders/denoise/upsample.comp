@@ -29,7 +29,7 @@ BlurConstants blur = frame.settings.blur;
 
 #include "denoise/blur_radius.glsl"
 #include "denoise/neighbourhood.glsl"
-#include "trace/hit_color.glsl" // bindings 3, 6, 7, 8
+#include "trace/hit_color.glsl" // bindings 3, 6, 7, 8, 46
 
 /// Below this similarity a pixel shows another surface.
 const float kOtherSurface = 0.01;
@@ -142,10 +142,11 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
     return false;
 }
 
-vec4 answerAt(Place here, vec2 hitPX, float weight) {
+vec4 answerAt(Place here, vec3 directionVS, vec2 hitPX, float weight) {
     uint lookups = 0u; // only rays count lookups
     vec3 hitVS = placeOf(floorToInt(hitPX)).positionVS;
-    vec3 radiance = hitRadiance(hitPX, false, here.positionVS, hitVS, lookups);
+    Cone cone = makeCone(directionVS, here.normalVS, here.perceptualRoughness);
+    vec3 radiance = hitRadiance(hitPX, false, here.positionVS, hitVS, cone, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
         radiance = scaledToOne(radiance);
     return vec4(radiance, 1.0) * weight;
@@ -178,25 +179,32 @@ FourRays gatherRays(ivec2 corner) {
     return rays;
 }
 
-/// The usual case: the answer, premultiplied, of four rays that hit. False if the frame does not show what they met.
-bool aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, FourRays rays, out vec4 answer) {
-    answer = vec4(0.0);
+/// Where a pixel's own ray ends.
+struct Aimed {
+    uint found; // one of the three below
+    vec2 hitPX;
+    float weight; // of the answer
+};
+
+const uint kAimedAtHit = 0u;
+const uint kAimedAtMiss = 1u;
+const uint kNotAimed = 2u; // mix the four
+
+/// The usual case: four rays that hit. Not aimed if the frame does not show what they met.
+Aimed aimAmongHits(Place here, vec3 directionVS, ivec2 px, ivec2 corner, FourRays rays) {
     vec2 low = vec2(tracePixelToFull(frame.constants, corner));
     vec2 high = vec2(tracePixelToFull(frame.constants, corner + 1));
     vec2 share = clamp((vec2(px) - low) / (high - low), 0.0, 1.0);
     vec4 shares = vec4((1.0 - share.x) * share.y, share.x * share.y, share.x * (1.0 - share.y),
                        (1.0 - share.x) * (1.0 - share.y));
     vec2 hitPX;
-    if (!aim(here, directionVS, dot(rays.distances, shares), hitPX))
-        return false;
-    answer = answerAt(here, hitPX, dot(rays.weights, shares));
-    return true;
+    bool found = aim(here, directionVS, dot(rays.distances, shares), hitPX);
+    return Aimed(found ? kAimedAtHit : kNotAimed, hitPX, dot(rays.weights, shares));
 }
 
-/// The answer of the pixel's own ray, premultiplied, where those of the four that show its surface give its length.
-/// False if they do not: mix them.
-bool aimOwnRay(Place here, vec3 directionVS, ivec2 px, ivec2 corner, Tap four[4], out vec4 answer) {
-    answer = vec4(0.0);
+/// Where those of the four that show the pixel's surface give its ray's length.
+Aimed aimOwnRay(Place here, vec3 directionVS, ivec2 px, ivec2 corner, Tap four[4]) {
+    const Aimed kNot = Aimed(kNotAimed, vec2(0.0), 0.0);
     float distances[4];
     float hits = 0.0;
     float misses = 0.0;
@@ -209,7 +217,7 @@ bool aimOwnRay(Place here, vec3 directionVS, ivec2 px, ivec2 corner, Tap four[4]
             continue;
         RayRecord ray = rayOf(corner + ivec2(i & 1, i >> 1));
         if (isAnswered(ray.outcome) && ray.outcome != kOutcomeHit) // the answer has no place to aim at
-            return false;
+            return kNot;
         if (ray.outcome != kOutcomeHit) {
             misses += weight;
             continue;
@@ -220,15 +228,15 @@ bool aimOwnRay(Place here, vec3 directionVS, ivec2 px, ivec2 corner, Tap four[4]
         meanDistance += weight * ray.hitDistance;
     }
     if (hits <= 0.0)
-        return false;
+        return kNot;
     vec2 hitPX;
     bool found = aim(here, directionVS, meanDistance / hits, hitPX);
     for (int i = 0; i < 4 && !found; ++i) // across an edge in the hits, a single one may be right
         found = distances[i] > 0.0 && aim(here, directionVS, distances[i], hitPX);
-    if (!found)
-        return misses > 0.0; // beside a miss, and no surface found: a miss itself
-    answer = answerAt(here, hitPX, alpha / hits);
-    return true;
+    if (!found && misses <= 0.0)
+        return kNot;
+    // Beside a miss, and no surface found: a miss itself.
+    return Aimed(found ? kAimedAtHit : kAimedAtMiss, hitPX, alpha / hits);
 }
 
 // ---------------------------------------------------------------- sharp or blurred
@@ -255,13 +263,19 @@ vec4 sharpAnswer(Place here, ivec2 px) {
     bool aims =
         settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size));
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
-    vec4 answer;
-    if (aims && rays.hit && aimAmongHits(here, directionVS, px, corner, rays, answer))
-        return answer;
-    Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner);
-    if (aims && aimOwnRay(here, directionVS, px, corner, four, answer))
-        return answer;
-    return mixFour(four, px, frame.constants.traceScale, answer) ? answer : mostSimilar(here, px);
+    Aimed aimed = Aimed(kNotAimed, vec2(0.0), 0.0);
+    if (aims && rays.hit)
+        aimed = aimAmongHits(here, directionVS, px, corner, rays);
+    if (aimed.found == kNotAimed) {
+        Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner);
+        if (aims)
+            aimed = aimOwnRay(here, directionVS, px, corner, four);
+        vec4 answer;
+        if (aimed.found == kNotAimed)
+            return mixFour(four, px, frame.constants.traceScale, answer) ? answer : mostSimilar(here, px);
+    }
+    // Pixels that came here on either way read the picture together.
+    return aimed.found == kAimedAtHit ? answerAt(here, directionVS, aimed.hitPX, aimed.weight) : vec4(0.0);
 }
 
 /// The blurred answer, premultiplied; false where none of the four around shows this surface.

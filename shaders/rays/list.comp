@@ -67,5 +67,5 @@ void main() {
         if (!needsRay || (settings.flags & kRaysSampleSky) != 0u) // rays/reflect reads it with that flag
             imageStore(raysRecord, px, uvec4(packRayRecord(record), route, 0u));
     }
-    needRay(needsRay);
+    needRay(needsRay, false);
 }

@@ -38,6 +38,7 @@ GLINT_CONSTANT(uint, kFadeBackface, 128);
 GLINT_CONSTANT(uint, kTraceBackDepth, 256); // back faces give each surface's thickness
 GLINT_CONSTANT(uint, kTraceLobe, 512);      // rays sample the lobe of rough surfaces
 GLINT_CONSTANT(uint, kTraceRecords, 1024);  // how each ray ended is kept
+GLINT_CONSTANT(uint, kTraceCones, 2048);    // hits on rough surfaces' rays are blurred by the lobe's width
 
 // Written by list.comp: the number of rays, as the arguments of the indirect dispatches that trace the rays and that
 // build their inputs. Without rays these dispatches are empty. The rays' pixels follow, x in the low half and y in the
@@ -47,7 +48,7 @@ struct RayListHeader {
     uint rayCount;
     uint pyramidGroups[3];
     uint backFaceGroups[3];
-    uint padding[2];
+    uint pictureGroups[3]; // as pyramidGroups, if any of the rays starts on a rough surface
 };
 
 GLINT_CONSTANT(uint, kRaysPerGroup, 64);
@@ -73,6 +74,10 @@ struct PyramidConstants {
 GLINT_CONSTANT(uint, kPyramidTile, 64);     // pixels a side that one group reduces
 GLINT_CONSTANT(uint, kPyramidTileLevel, 6); // into one cell of this level
 GLINT_CONSTANT(uint, kMaxPyramidLevels, 15);
+
+// The blurred copies of the picture: trace/picture.comp.
+GLINT_CONSTANT(uint, kPictureTile, 64); // pixels a side that one group reduces, as kPyramidTile
+GLINT_CONSTANT(uint, kPictureLevels, 6);
 
 struct CompositeConstants {
     uint model; // CompositeModel: 0 physical, 1 lerp

@@ -4,6 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
+#include "generate/lobe.glsl"
 #include "generate/pixel_ray.glsl"
 #include "frame/prepared.glsl"
 #include "lib/camera.glsl"
@@ -38,17 +39,20 @@ uint whyNoRay(ivec2 px, float z, Surface here, vec2 uv) {
 void main() {
     ivec2 tracePX = ivec2(gl_GlobalInvocationID.xy);
     bool needsRay = false;
+    bool isRough = false;
     if (isTracePixel(frame.constants, tracePX)) {
         ivec2 px = tracePixelToFull(frame.constants, tracePX);
         vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
         RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone, false);
         float z = texelFetch(viewZ, px, 0).r;
         if (z < kBackgroundZ) {
-            record.outcome = whyNoRay(px, z, unpackSurface(texelFetch(surface, px, 0).xy), uv);
+            Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+            record.outcome = whyNoRay(px, z, here, uv);
             needsRay = record.outcome == kOutcomeNone;
+            isRough = !isMirror(here.perceptualRoughness);
         }
         if (!needsRay)
             storeTraced(tracePX, vec3(0.0), 0.0, record);
     }
-    needRay(needsRay);
+    needRay(needsRay, isRough);
 }

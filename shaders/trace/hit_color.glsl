@@ -17,7 +17,9 @@ layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // the previous frame'
 layout(set = 0, binding = 8) uniform sampler2D motion;    // lib/previous_place.glsl
 
 #include "lib/previous_place.glsl"
+#include "trace/cone.glsl"
 #include "trace/one_surface.glsl"
+#include "trace/shown_radiance.glsl"
 
 /// A surface was at its previous place, within this fraction of its distance and a quarter of a pixel. Where motion does
 /// not tell its depth, that is known roughly.
@@ -44,9 +46,10 @@ bool showedIt(PreviousPlace before, ivec2 texel) {
 }
 
 /// Bilinear over those of the four texels that showed the same surface, so no colour bleeds in from occluders. False if
-/// the previous frame did not show the surface.
-bool previousRadiance(ivec2 px, out vec3 radiance) {
+/// the previous frame did not show the surface. `shownPX`: where it did.
+bool previousRadiance(ivec2 px, out vec3 radiance, out vec2 shownPX) {
     radiance = vec3(0.0);
+    shownPX = vec2(0.0);
     float z = texelFetch(metViewZ, px, 0).r;
     if (z >= kBackgroundZ)
         return false;
@@ -55,6 +58,7 @@ bool previousRadiance(ivec2 px, out vec3 radiance) {
     bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.prevSize));
     if (!onScreen)
         return false;
+    shownPX = before.px;
     const float kNoShare = 1.0 / 64.0; // at rest, rounding leaves a small weight on the neighbours
     vec2 corner = floor(before.px - 0.5);
     vec2 share = before.px - 0.5 - corner;
@@ -84,21 +88,6 @@ bool isMagnified(float times, vec3 hitVS, vec3 normalVS, vec3 originVS) {
     float wayOfMirror = length(originVS) + distance(originVS, hitVS);
     float growth = isOrthographic(frame.constants) ? 1.0 : wayOfMirror / length(hitVS); // of a pixel, along the way
     return abs(dot(normalVS, directionVS)) > times * growth * abs(dot(normalVS, viewDirection(frame.constants, hitVS)));
-}
-
-/// Radiance of the hit at `px` that the ray may take. The highlights of smooth surfaces are where the eye sees them and
-/// nowhere else; those of rough surfaces are wide and visible from everywhere.
-vec3 shownRadiance(ivec2 px, float perceptualRoughness) {
-    vec4 stored = texelFetch(litRadiance, px, 0);
-    vec3 radiance = linearColor(stored.rgb, (frame.constants.flags & kInputGamma) != 0u);
-    float mean = meanComponent(radiance);
-    if ((frame.constants.flags & kInputHighlights) == 0u || mean <= 0.0)
-        return radiance;
-    const float kSmooth = 0.2;
-    const float kRough = 0.6;
-    const float kHalves = 1.0 + 1.0 / 1024.0; // both are rounded; without a highlight the ratio is 1
-    float share = clamp(kHalves * sanitize(stored.a) / mean, 0.0, 1.0);
-    return radiance * mix(share, 1.0, smoothstep(kSmooth, kRough, perceptualRoughness));
 }
 
 /// This frame's radiance at `px`: one texel, or where texels look large, bilinear over those of the four texels that
@@ -149,15 +138,27 @@ const float kRim = 2.0;
 
 /// Linear, finite radiance of the surface that the frame shows at `px`, for a ray from `originVS` to `hitVS`. `mayTakeMean`:
 /// where the pixel shows the mean of several surfaces, the ray may take that, but at a rim, where the other surfaces would
-/// look as large. `lookups` grows by the number of depth samples read from this frame.
-vec3 hitRadiance(vec2 px, bool mayTakeMean, vec3 originVS, vec3 hitVS, inout uint lookups) {
+/// look as large. `cone`: the lobe around the ray. `lookups` grows by the number of depth samples read from this frame.
+vec3 hitRadiance(vec2 px, bool mayTakeMean, vec3 originVS, vec3 hitVS, Cone cone, inout uint lookups) {
     vec3 radiance;
+    float blurred =
+        cone.alpha > 0.0 ? blurredShare(coneRadius(cone, hitVS, distance(originVS, hitVS))) : 0.0;
     ivec2 at = floorToInt(px);
     if (!showsOneSurface(at) && (!mayTakeMean || isMagnified(kRim, hitVS, shownPoint(at).normalVS, originVS)))
         px = placeOfSurfaceAlone(px);
-    if (hasHistory(frame.constants) && previousRadiance(floorToInt(px), radiance))
+    vec2 shownPX;
+    vec2 shift = vec2(0.0);
+    if (hasHistory(frame.constants) && previousRadiance(floorToInt(px), radiance, shownPX))
+        shift = shownPX - px;
+    else {
+        if (hasHistory(frame.constants))
+            blurred = 0.0; // the copies are of the previous frame
+        radiance = currentRadiance(px, originVS, hitVS, lookups);
+    }
+    if (blurred <= 0.0)
         return radiance;
-    return currentRadiance(px, originVS, hitVS, lookups);
+    vec4 lobe = coneRadiance(cone, originVS, hitVS, shift);
+    return mix(radiance, lobe.rgb, blurred * lobe.a);
 }
 
 #endif

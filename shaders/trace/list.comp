@@ -27,6 +27,7 @@ layout(push_constant, scalar) uniform PushBlock {
 };
 
 shared uint blockStart;
+shared uint anyFromRough; // of the rays before the block
 shared uvec2 tileMasks[kTilesPerBlock];
 shared uint tileEnds[kTilesPerBlock]; // rays of the block up to and including each tile
 
@@ -42,14 +43,21 @@ uint raysBefore(uvec2 mask, uint pixel) {
 }
 
 void findBlockStart(uint block) {
-    if (gl_LocalInvocationIndex == 0u)
+    if (gl_LocalInvocationIndex == 0u) {
         blockStart = 0u;
+        anyFromRough = 0u;
+    }
     barrier();
     uint before = 0u;
-    for (uint i = gl_LocalInvocationIndex; i < block; i += gl_WorkGroupSize.x)
-        before += rayBlocks.counts[i];
+    bool fromRough = false;
+    for (uint i = gl_LocalInvocationIndex; i < block; i += gl_WorkGroupSize.x) {
+        before += rayBlocks.counts[i] & 0xffffu;
+        fromRough = fromRough || rayBlocks.counts[i] >> 16 != 0u;
+    }
     if (before > 0u)
         atomicAdd(blockStart, before);
+    if (fromRough)
+        atomicOr(anyFromRough, 1u);
     barrier();
 }
 
@@ -70,25 +78,27 @@ void findTiles(uint block) {
     }
 }
 
-void writeHeader(uint count) {
+void writeHeader(uint count, bool fromRough) {
     const uint kRowRays = kRaysPerGroup * kRayGroupsX;
     uvec2 pyramid = count > 0u ? settings.pyramidGroups : uvec2(0u);
     uvec2 backFaces = count > 0u ? settings.backFaceGroups : uvec2(0u);
+    uvec2 picture = fromRough ? settings.pyramidGroups : uvec2(0u);
     rays.header.rayGroups = uint[3](kRayGroupsX, (count + kRowRays - 1u) / kRowRays, 1u);
     rays.header.rayCount = count;
     rays.header.pyramidGroups = uint[3](pyramid.x, pyramid.y, 1u);
     rays.header.backFaceGroups = uint[3](backFaces.x, backFaces.y, 1u);
+    rays.header.pictureGroups = uint[3](picture.x, picture.y, 1u);
 }
 
 void main() {
     uint block = gl_WorkGroupID.x;
-    uint count = rayBlocks.counts[block];
+    uint count = rayBlocks.counts[block] & 0xffffu;
     bool last = block + 1u == gl_NumWorkGroups.x;
     if (count == 0u && !last)
         return;
     findBlockStart(block);
     if (last && gl_LocalInvocationIndex == 0u)
-        writeHeader(blockStart + count);
+        writeHeader(blockStart + count, anyFromRough != 0u || rayBlocks.counts[block] >> 16 != 0u);
     findTiles(block);
     for (uint i = gl_LocalInvocationIndex; i < kTilesPerBlock * kRayTilePixels; i += gl_WorkGroupSize.x) {
         uint tile = i / kRayTilePixels;

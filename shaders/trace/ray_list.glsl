@@ -12,14 +12,17 @@ layout(scalar, set = 0, binding = 10) buffer RayTilesBlock {
 }
 rayTiles;
 layout(scalar, set = 0, binding = 11) buffer RayBlocksBlock {
-    uint counts[]; // rays of kTilesPerBlock tiles each; zeroed. Sums, so the order of additions does not show
+    // Of kTilesPerBlock tiles each: rays in the low half, and those of them from rough surfaces in the high half; zeroed.
+    // Sums, so the order of additions does not show.
+    uint counts[];
 }
 rayBlocks;
 
 /// Each subgroup adds its bits, whichever pixels of the tile it has: a barrier for whole groups costs software devices
 /// more than the rest of such a pass.
-void needRay(bool needsRay) {
+void needRay(bool needsRay, bool fromRough) {
     uint bit = needsRay ? 1u << (gl_LocalInvocationIndex & 31u) : 0u;
+    uint fromRoughs = subgroupAdd(needsRay && fromRough ? 1u : 0u);
     bool low = gl_LocalInvocationIndex < 32u;
     uvec2 mask = subgroupOr(uvec2(low ? bit : 0u, low ? 0u : bit));
     if (mask == uvec2(0u) || !subgroupElect())
@@ -29,7 +32,7 @@ void needRay(bool needsRay) {
         atomicOr(rayTiles.masks[tile].x, mask.x);
     if (mask.y != 0u)
         atomicOr(rayTiles.masks[tile].y, mask.y);
-    atomicAdd(rayBlocks.counts[tile / kTilesPerBlock], uint(bitCount(mask.x) + bitCount(mask.y)));
+    atomicAdd(rayBlocks.counts[tile / kTilesPerBlock], uint(bitCount(mask.x) + bitCount(mask.y)) + (fromRoughs << 16));
 }
 
 #endif

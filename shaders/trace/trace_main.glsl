@@ -73,8 +73,9 @@ bool meetsFirst(ivec2 tracePX, inout RayRecord record, inout March end, out vec3
     end.lookups += solid.lookups;
     record.passedBehind = record.passedBehind || solid.passedBehind;
     radiance = vec3(0.0);
+    vec2 shownPX;
     bool nearer = !isAnswered(solid.outcome) || record.hitDistance < solid.hitDistance;
-    return nearer && hasHistory(frame.constants) && previousRadiance(floorToInt(end.hitPX), radiance);
+    return nearer && hasHistory(frame.constants) && previousRadiance(floorToInt(end.hitPX), radiance, shownPX);
 }
 
 /// What a marcher's end leaves open: which surface covers a hit's place beside a crease, and what a ray without an answer
@@ -137,7 +138,8 @@ void main() {
             // pixel by itself, and a ray from beside meets a part of the surface that the eye does not see.
             bool mayTakeMean = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
             vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
-            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, end.lookups);
+            Cone cone = makeCone(ray.directionVS, origin.normalVS, origin.perceptualRoughness);
+            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, cone, end.lookups);
         }
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
     }

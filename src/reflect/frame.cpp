@@ -26,6 +26,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
         prepare_->recordBackFaces(frame, inputs(), colors_.now(kViewZ), trace_->rays());
         if (techniqueFor(settings.screen.march).usesPyramid || expectsLayers())
             pyramid_->record(frame, inputs(), prepared(), expectsLayers() ? nullptr : &trace_->rays());
+        if (blursHits())
+            conePicture_->record(frame, traceInputs());
         const Traced traced = trace_->record(frame, traceInputs());
         if (meetsTransparents())
             transparentTrace_->record(frame, traceInputs(), trace_->target());
@@ -101,6 +103,8 @@ void FrameStages::clear(gpu::Frame& frame) {
     prepare_->clear(frame);
     pyramid_->clear(frame);
     trace_->clear(frame);
+    if (conePicture_)
+        conePicture_->clear(frame);
     if (transparentTrace_)
         transparentTrace_->clear(frame);
     tables_->record(frame, stages_.progress);
@@ -288,7 +292,14 @@ gpu::Image& FrameStages::rayRecord() {
 }
 
 TraceInputs FrameStages::traceInputs() {
-    TraceInputs trace = {inputs(), prepared(), met(), trace_->rays(), pyramid_->pyramid(), {}, probes()};
+    TraceInputs trace = {inputs(),
+                         prepared(),
+                         met(),
+                         trace_->rays(),
+                         pyramid_->pyramid(),
+                         {},
+                         probes(),
+                         blursHits() ? &conePicture_->image() : nullptr};
     if (colors_.valid())
         trace.previous.emplace(PreviousFrame{previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
                                              outputs_.previous(), colors_.before(kViewZ)});

@@ -21,6 +21,7 @@
 #include "reflect/probes/probes_source.hpp"
 #include "reflect/rays/rays.hpp"
 #include "reflect/refraction/refraction.hpp"
+#include "reflect/trace/cone_picture.hpp"
 #include "reflect/trace/screen_trace.hpp"
 #include "reflect/trace/transparents.hpp"
 
@@ -109,6 +110,7 @@ private:
     Result<void> createStages();
     Result<void> createDepths();
     Result<void> rememberColors();
+    Result<void> setCones(const Settings& settings);
     Result<void> setTransparents(const Settings& settings);
     std::vector<Source> makeSources();
     Result<void> rehearse();
@@ -139,6 +141,7 @@ private:
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
+    bool blursHits() const { return conePicture_ && ConePicture::isWanted(stages_.settings()); }
     bool meetsTransparents() const;
     bool followsSentinels() const { return usesRays() && raysSource_->followsSentinels(); }
     bool denoisesLobes() const { return lobeDenoise_ && denoises(stages_.settings()); }
@@ -161,6 +164,7 @@ private:
     std::optional<FrameBlock> block_;
     std::unique_ptr<Prepare> prepare_;
     std::unique_ptr<DepthPyramid> pyramid_;
+    std::unique_ptr<ConePicture> conePicture_; ///< absent until settings need it
     std::unique_ptr<ScreenTrace> trace_;
     std::unique_ptr<TransparentTrace> transparentTrace_; ///< absent until settings need it
     std::unique_ptr<Denoise> denoise_;

@@ -62,6 +62,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(pyramid_->make());
     GLINT_CHECK(setDenoise(settings));
     stages_.desc.settings = settings;
+    GLINT_CHECK(setCones(settings));
     GLINT_CHECK(setTransparents(settings));
     recorded_ = false;
     written_.clear();
@@ -71,6 +72,20 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
 Result<void> FrameStages::rememberColors() {
     GLINT_CHECK(outputs_.makePrevious());
     return colors_.remember();
+}
+
+/// Creates the copies of the picture once settings need them.
+Result<void> FrameStages::setCones(const Settings& settings) {
+    if (!ConePicture::isWanted(settings))
+        return {};
+    if (!conePicture_) {
+        GLINT_TRY(picture, ConePicture::create(stages_));
+        conePicture_ = std::move(picture);
+    }
+    GLINT_CHECK(conePicture_->make());
+    gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
+    conePicture_->record(frame, traceInputs());
+    return frame.firstError();
 }
 
 /// Creates the march among transparent surfaces once settings need it.

@@ -22,6 +22,7 @@ enum class Unit : uint8_t {
     RoughRays, ///< those of them that send rays through triangles: rays.maxRoughness
     Reused,    ///< their neighbours' rays: reuse.samples
     Filtered,  ///< these pixels, where denoise.maxRadius is above 0
+    Cones,     ///< rough pixels whose hits are blurred: rough.cones, reflect.maxRoughness
     BlurTaps,  ///< these pixels in the blurred image, times taps
     BackFaces, ///< pixels of the back-face image
     Triangles, ///< of the scene
@@ -45,6 +46,8 @@ constexpr std::array kUnitCosts = {
     UnitCost{"prepare/pyramid", Unit::Pixels, 1.5},
     UnitCost{"trace/classify", Unit::Traced, 0.8},
     UnitCost{"trace/list", Unit::Traced, 0.4},
+    UnitCost{"trace/picture", Unit::Pixels, 0.9},
+    UnitCost{"trace/picture", Unit::Cones, 5}, // the marchers read it
     UnitCost{"trace/hiz", Unit::Rays, 1},
     UnitCost{"trace/hiz", Unit::Lookups, 1.25},
     UnitCost{"trace/linear", Unit::Rays, 3},
@@ -71,6 +74,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"denoise/stabilize", Unit::Pixels, 1.6},
     UnitCost{"denoise/stabilize", Unit::Rough, 3},
     UnitCost{"denoise/upsample", Unit::Pixels, 3},
+    UnitCost{"denoise/upsample", Unit::Cones, 12}, // among other pixels, and so for fewer at a time
     UnitCost{"denoise/blur", Unit::Pixels, 3},
     UnitCost{"denoise/blur", Unit::BlurTaps, 0.65},
     UnitCost{"composite/combined", Unit::Pixels, 1.8},
@@ -116,6 +120,11 @@ double amount(Unit unit, const FrameWork& work) {
     case Unit::RoughRays: return work.rough.upTo(settings.rays.maxRoughness);
     case Unit::Reused: return work.rough.all() * settings.reuse.samples;
     case Unit::Filtered: return settings.denoise.maxRadius > 0 ? work.rough.all() : 0;
+    case Unit::Cones:
+        return settings.rough.cones && !settings.denoise.enabled && settings.blur.strength <= 0 &&
+                       settings.rough.factor <= 0
+                   ? work.rough.upTo(settings.reflect.maxRoughness)
+                   : 0;
     case Unit::BlurTaps:
         return work.rough.all() *
                square(settings.screen.resolutionScale / static_cast<float>(settings.blur.downsample + 1)) *

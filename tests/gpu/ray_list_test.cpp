@@ -3,6 +3,7 @@
 
 #include "reflect/trace/ray_list.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace glint::test {
@@ -83,6 +84,10 @@ TEST_F(RayListTest, isInTheOrderOfThePicture) {
             EXPECT_EQ(listed.header.backFaceGroups[0], any ? kIfAny.backFaceGroups.x : 0);
             EXPECT_EQ(listed.header.backFaceGroups[1], any ? kIfAny.backFaceGroups.y : 0);
             EXPECT_EQ(listed.header.backFaceGroups[2], 1u);
+            const bool rough = std::ranges::any_of(pixels, [](uint32_t px) { return (px & 0xffff) % 512 == 16; });
+            EXPECT_EQ(listed.header.pictureGroups[0], rough ? kIfAny.pyramidGroups.x : 0);
+            EXPECT_EQ(listed.header.pictureGroups[1], rough ? kIfAny.pyramidGroups.y : 0);
+            EXPECT_EQ(listed.header.pictureGroups[2], 1u);
         }
 }
 

@@ -153,10 +153,10 @@ void Inspector::record(gpu::Frame& frame, const InspectorInputs& inputs, uint32_
         .dispatch(1);
     const auto index = static_cast<size_t>(&technique - techniques().data());
     const TraceInputs& trace = inputs.trace;
-    technique.record(
-        frame, marchers_[index],
-        {trace.frame, trace.prepared, trace.met, rays_, trace.pyramid, trace.previous, trace.probes, &log_},
-        inputs.target);
+    technique.record(frame, marchers_[index],
+                     {trace.frame, trace.prepared, trace.met, rays_, trace.pyramid, trace.previous, trace.probes,
+                      trace.conePicture, &log_},
+                     inputs.target);
     inputs.sources.combinePass(frame, combine_, inputs.hierarchy)
         .readWrite("rayLog", log_)
         .dispatch(stages_.extent.x, stages_.extent.y);

@@ -3,6 +3,7 @@
 #include "base/assert.hpp"
 #include "reflect/denoise/denoises.hpp"
 #include "reflect/stage.hpp"
+#include "reflect/trace/cone_picture.hpp"
 
 #include <algorithm>
 
@@ -37,7 +38,8 @@ gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs) {
         .read("hitMaterial", inputs.prepared.material, kTexels)
         .read("prevColor", inputs.previous ? inputs.previous->color : black, kTexels)
         .read("prevViewZ", inputs.previous ? inputs.previous->viewZ : black, kTexels)
-        .read("motion", host.motion ? host.motion : black, kTexels);
+        .read("motion", host.motion ? host.motion : black, kTexels)
+        .read("picture", inputs.conePicture ? *inputs.conePicture : black);
 }
 
 gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out) {
@@ -109,6 +111,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
     flag(settings.fade.backface, shared::kFadeBackface);
     flag(denoises(settings), shared::kTraceLobe);
+    flag(ConePicture::isWanted(settings), shared::kTraceCones);
     flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
     return constants;
 }

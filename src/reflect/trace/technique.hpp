@@ -21,6 +21,7 @@ struct TraceInputs {
     Pyramid pyramid;                       ///< present if Technique::usesPyramid
     std::optional<PreviousFrame> previous; ///< absent: hits fetch this frame's radiance
     ProbesState* probes;                   ///< the host's; null: there are none
+    gpu::Image* conePicture;               ///< null without ConePicture
     gpu::Buffer* log = nullptr;            ///< shared::RayLogHeader and samples, for the pipelines that write them
 };
 

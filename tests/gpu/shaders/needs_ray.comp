@@ -15,5 +15,5 @@ layout(push_constant, scalar) uniform PushBlock {
 void main() {
     uvec2 px = gl_GlobalInvocationID.xy;
     uint number = (px.x * 2654435761u) ^ (px.y * 2246822519u);
-    needRay(all(lessThan(px, size)) && (number >> 8) % 100u < percent);
+    needRay(all(lessThan(px, size)) && (number >> 8) % 100u < percent, px.x % 512u == 16u);
 }

@@ -60,6 +60,7 @@ Settings LibraryTest::plainSettings(March march) {
     settings.screen.thickness = 0.1f;
     settings.screen.inferred = 0;
     settings.denoise.enabled = false;
+    settings.rough.cones = false;
     settings.screen.selfCollisionSkip = 1;
     settings.reflect.roughnessFadeStart = 0.3f;
     settings.reflect.maxRoughness = 0.6f;

@@ -1,0 +1,38 @@
+// `trace/picture`: smaller copies of the picture, from which cones of rough surfaces take a hit's mean radiance
+// (rough.cones).
+#pragma once
+
+#include "reflect/stage.hpp"
+#include "reflect/trace/technique.hpp"
+
+namespace glint::reflect {
+
+class ConePicture {
+public:
+    /// True if hits are blurred by the width of the surface's lobe: where rays take mirror directions, and nothing else
+    /// blurs them.
+    static bool isWanted(const Settings& settings);
+
+    static Result<std::unique_ptr<ConePicture>> create(StageContext& stages);
+
+    /// Compiles the pass and creates the image when settings first need them. Errors: OutOfMemory, Unsupported.
+    Result<void> make();
+    /// Initializes the image, which an inspection may read before a frame with rays wrote it.
+    void clear(gpu::Frame& frame);
+    /// Builds the copies if rays start on rough surfaces, or may: of the previous frame if hits take its colours, else
+    /// of this one.
+    void record(gpu::Frame& frame, const TraceInputs& inputs);
+
+    /// RGBA16F; level n shows 2^(n+1) pixels a side. Absent until made.
+    gpu::Image& image() { return image_; }
+
+private:
+    explicit ConePicture(StageContext& stages) : stages_(stages) {}
+
+    StageContext& stages_;
+    gpu::Pipeline pass_;
+    gpu::Image image_;
+    gpu::Standing blank_; ///< image_ is initialized
+};
+
+} // namespace glint::reflect
