@@ -12,20 +12,21 @@ namespace {
 
 /// What a pass's work grows with; all relative to the frame's pixels.
 enum class Unit : uint8_t {
-    Pixels,    ///< of the frame
-    Traced,    ///< pixels of the traced image: screen.resolutionScale
-    Rays,      ///< screen-space rays
-    Lookups,   ///< their depth lookups
-    SceneRays, ///< rays through triangles
-    LitRays,   ///< these, times the shadow rays from the hit of each: rays.shadowRays
-    Rough,     ///< pixels that the denoiser averages
-    RoughRays, ///< those of them that send rays through triangles: rays.maxRoughness
-    Reused,    ///< their neighbours' rays: reuse.samples
-    Filtered,  ///< these pixels, where denoise.maxRadius is above 0
-    Cones,     ///< rough pixels whose hits are blurred: rough.cones, reflect.maxRoughness
-    BlurTaps,  ///< these pixels in the blurred image, times taps
-    BackFaces, ///< pixels of the back-face image
-    Triangles, ///< of the scene
+    Pixels,     ///< of the frame
+    Traced,     ///< pixels of the traced image: screen.resolutionScale
+    Rays,       ///< screen-space rays
+    Lookups,    ///< their depth lookups
+    SceneRays,  ///< rays through triangles
+    LitRays,    ///< these, times the shadow rays from the hit of each: rays.shadowRays
+    Rough,      ///< pixels that the denoiser averages
+    RoughRays,  ///< those of them that send rays through triangles: rays.maxRoughness
+    Reused,     ///< their neighbours' rays: reuse.samples
+    Filtered,   ///< these pixels, where denoise.maxRadius is above 0
+    Cones,      ///< traced rough pixels whose hits are blurred: rough.cones, reflect.maxRoughness
+    AimedCones, ///< these pixels of the frame
+    BlurTaps,   ///< these pixels in the blurred image, times taps
+    BackFaces,  ///< pixels of the back-face image
+    Triangles,  ///< of the scene
 };
 
 struct UnitCost {
@@ -47,7 +48,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"trace/classify", Unit::Traced, 0.8},
     UnitCost{"trace/list", Unit::Traced, 0.4},
     UnitCost{"trace/picture", Unit::Pixels, 0.9},
-    UnitCost{"trace/picture", Unit::Cones, 5}, // the marchers read it
+    UnitCost{"trace/picture", Unit::Cones, 2.8}, // the marchers read it
     UnitCost{"trace/hiz", Unit::Rays, 1},
     UnitCost{"trace/hiz", Unit::Lookups, 1.25},
     UnitCost{"trace/linear", Unit::Rays, 3},
@@ -74,7 +75,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"denoise/stabilize", Unit::Pixels, 1.6},
     UnitCost{"denoise/stabilize", Unit::Rough, 3},
     UnitCost{"denoise/upsample", Unit::Pixels, 3},
-    UnitCost{"denoise/upsample", Unit::Cones, 12}, // among other pixels, and so for fewer at a time
+    UnitCost{"denoise/upsample", Unit::AimedCones, 7}, // among other pixels, and so for fewer at a time
     UnitCost{"denoise/blur", Unit::Pixels, 3},
     UnitCost{"denoise/blur", Unit::BlurTaps, 0.65},
     UnitCost{"composite/combined", Unit::Pixels, 1.8},
@@ -104,6 +105,14 @@ double square(double x) {
     return x * x;
 }
 
+/// Share of the frame's pixels whose hits are blurred.
+double blurredPixels(const FrameWork& work) {
+    const Settings& settings = *work.settings;
+    const bool blurs =
+        settings.rough.cones && !settings.denoise.enabled && settings.blur.strength <= 0 && settings.rough.factor <= 0;
+    return blurs ? work.rough.upTo(settings.reflect.maxRoughness) : 0;
+}
+
 double amount(Unit unit, const FrameWork& work) {
     const Settings& settings = *work.settings;
     const double rays = static_cast<double>(work.stats.rays) / work.pixels;
@@ -120,11 +129,8 @@ double amount(Unit unit, const FrameWork& work) {
     case Unit::RoughRays: return work.rough.upTo(settings.rays.maxRoughness);
     case Unit::Reused: return work.rough.all() * settings.reuse.samples;
     case Unit::Filtered: return settings.denoise.maxRadius > 0 ? work.rough.all() : 0;
-    case Unit::Cones:
-        return settings.rough.cones && !settings.denoise.enabled && settings.blur.strength <= 0 &&
-                       settings.rough.factor <= 0
-                   ? work.rough.upTo(settings.reflect.maxRoughness)
-                   : 0;
+    case Unit::Cones: return blurredPixels(work) * square(settings.screen.resolutionScale);
+    case Unit::AimedCones: return blurredPixels(work);
     case Unit::BlurTaps:
         return work.rough.all() *
                square(settings.screen.resolutionScale / static_cast<float>(settings.blur.downsample + 1)) *
