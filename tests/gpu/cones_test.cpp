@@ -92,7 +92,8 @@ Errors errorsOf(const Picture& picture, const SyntheticScene& scene, const Synth
             const glm::dvec3 direction = camera.rayThrough(x, y, kWidth, kHeight);
             if (direction.y >= 0 || !picture.hit(pixel))
                 continue;
-            const glm::dvec3 at = camera.position - direction * (camera.position.y / direction.y);
+            const glm::dvec3 eye = camera.originThrough(x, y, kWidth, kHeight);
+            const glm::dvec3 at = eye - direction * (eye.y / direction.y);
             const double error = std::abs(picture.reflection[pixel * 4] / picture.weight[pixel * 4] -
                                           meanOfLobe(scene, at, -direction, alpha));
             errors.mean += error;
@@ -126,6 +127,24 @@ TEST_F(ConesTest, theAnswerIsTheMeanOfTheLobe) {
             EXPECT_LT(blurred.largest, 0.5 * sharp.largest);
             EXPECT_LT(blurred.mean, wall.meanShare * sharp.mean);
         }
+}
+
+TEST_F(ConesTest, theAnswerIsTheMeanOfTheLobeForParallelRaysToo) {
+    SyntheticCamera camera;
+    camera.position = {0, 1.5, 3};
+    camera.target = {0, 0.3, 0};
+    camera.orthoHeight = 4;
+    const SyntheticScene scene =
+        paintedWall(0.35f, [](double, double y) { return std::abs(y - 0.6) < 0.1 ? 1.0f : 0.0f; });
+    Settings settings = coneSettings();
+    const auto errors = [&] {
+        return errorsOf(trace(scene, camera, kWidth, kHeight, settings), scene, camera, 0.35 * 0.35);
+    };
+    const Errors blurred = errors();
+    settings.rough.cones = false;
+    const Errors sharp = errors();
+    EXPECT_LT(blurred.largest, 0.5 * sharp.largest);
+    EXPECT_LT(blurred.mean, 0.35 * sharp.mean);
 }
 
 TEST_F(ConesTest, oneColourStaysThatColour) {
