@@ -1,5 +1,5 @@
-// Rough reflections without noise: the answer of a mirror ray is the mean of the picture over the lobe's width at the hit,
-// from smaller copies of the picture (trace/picture.comp). docs/techniques/cones.md
+// Rough reflections without noise: the answer of a mirror ray is the mean of the picture over the lobe's width at the
+// hit, from smaller copies of the picture (trace/picture.comp). docs/techniques/cones.md
 #ifndef GLINT_TRACE_CONE_GLSL
 #define GLINT_TRACE_CONE_GLSL
 
@@ -44,15 +44,16 @@ const float kFacets[kConeTaps] = float[kConeTaps](0.0, 0.4364, -0.4364, 1.3333, 
 const float kBeside = 0.2;
 const float kLeastShare = 0.001;
 
-/// Where such things are most of what there is, smooth surfaces take the pixel itself, and rough ones, whose answer
-/// cannot be a sharp picture, what there is. Between these values of alpha a mixture.
+/// Where such things are most of what there is, smooth surfaces take the pixel itself. Rough ones, whose answer cannot
+/// be a sharp picture, take what there is. Between these values of alpha a mixture.
 const float kSmoothAlpha = 0.09;
 const float kRoughAlpha = 0.25;
 
-/// Mean radiance of the picture over the lobe at a hit, and its share in the answer. Each of the facets sends its part of the
-/// lobe to a place of its own on a line through the hit; seen at a grazing angle, facets that tilt towards the eye are seen
-/// more of, and those that reflect below the surface not at all. Across that line a part is as wide as the whole lobe, and
-/// that is narrower by NoV. `shift`: from pixels of this frame to those of the picture.
+/// Mean radiance of the picture over the lobe at a hit, and its share in the answer. Each of the facets sends its part
+/// of the lobe to a place of its own on a line through the hit. At a grazing angle more is seen of facets that tilt
+/// towards the eye, and those that reflect below the surface do not count. Across that line a part is as wide as its
+/// facets scatter there: in units of alpha their slopes have a variance of 1 + x^2, and count by how much of them is
+/// seen. `shift`: from pixels of this frame to those of the picture.
 vec4 coneRadiance(Cone cone, vec3 originVS, vec3 hitVS, vec2 shift) {
     vec2 size = vec2(textureSize(picture, 0));
     float metres = distance(hitVS, originVS);
@@ -85,7 +86,8 @@ vec4 coneRadiance(Cone cone, vec3 originVS, vec3 hitVS, vec2 shift) {
         sum += weight * vec4(shown.rgb, 1.0);
     }
     float known = sum.a / max(whole, 1e-6);
-    return vec4(sum.rgb / max(sum.a, 1e-6), mix(known, float(whole > 0.0), smoothstep(kSmoothAlpha, kRoughAlpha, cone.alpha)));
+    float share = mix(known, float(whole > 0.0), smoothstep(kSmoothAlpha, kRoughAlpha, cone.alpha));
+    return vec4(sum.rgb / max(sum.a, 1e-6), share);
 }
 
 #endif

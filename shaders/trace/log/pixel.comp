@@ -56,6 +56,7 @@ void main() {
     rayLog.header.pixel = pixel;
 
     uint count = traced ? 1u : 0u;
-    rays.header = RayListHeader(uint[3](count, count, 1u), count, uint[3](0u, 0u, 1u), uint[3](0u, 0u, 1u), uint[3](0u, 0u, 1u));
+    const uint kNone[3] = uint[3](0u, 0u, 1u);
+    rays.header = RayListHeader(uint[3](count, count, 1u), count, kNone, kNone, kNone);
     rays.pixels[0] = uint(tracePX.x) | (uint(tracePX.y) << 16);
 }
