@@ -145,7 +145,7 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
 vec4 answerAt(Place here, vec3 directionVS, vec2 hitPX, float weight) {
     uint lookups = 0u; // only rays count lookups
     vec3 hitVS = placeOf(floorToInt(hitPX)).positionVS;
-    Cone cone = makeCone(directionVS, here.normalVS, here.perceptualRoughness);
+    LobeCone cone = makeCone(directionVS, here.normalVS, here.perceptualRoughness);
     vec3 radiance = hitRadiance(hitPX, false, here.positionVS, hitVS, cone, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
         radiance = scaledToOne(radiance);

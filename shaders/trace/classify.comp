@@ -39,7 +39,7 @@ uint whyNoRay(ivec2 px, float z, Surface here, vec2 uv) {
 void main() {
     ivec2 tracePX = ivec2(gl_GlobalInvocationID.xy);
     bool needsRay = false;
-    bool isRough = false;
+    bool fromRough = false; // asked for cones alone
     if (isTracePixel(frame.constants, tracePX)) {
         ivec2 px = tracePixelToFull(frame.constants, tracePX);
         vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
@@ -49,10 +49,10 @@ void main() {
             Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
             record.outcome = whyNoRay(px, z, here, uv);
             needsRay = record.outcome == kOutcomeNone;
-            isRough = !isMirror(here.perceptualRoughness);
+            fromRough = (settings.flags & kTraceCones) != 0u && !isMirror(here.perceptualRoughness);
         }
         if (!needsRay)
             storeTraced(tracePX, vec3(0.0), 0.0, record);
     }
-    needRay(needsRay, isRough);
+    needRay(needsRay, fromRough);
 }

@@ -10,22 +10,22 @@
 layout(set = 0, binding = 46) uniform sampler2D picture;
 
 /// A mirror ray and the lobe around it.
-struct Cone {
+struct LobeCone {
     float alpha; // 0: a line
     float NoV;
     vec3 upVS; // unit, at right angles to the ray, towards the surface's normal
 };
 
 /// A line for mirrors, and where rays sample the lobe instead.
-Cone makeCone(vec3 directionVS, vec3 normalVS, float perceptualRoughness) {
+LobeCone makeCone(vec3 directionVS, vec3 normalVS, float perceptualRoughness) {
     bool blurs = (frame.settings.trace.flags & kTraceCones) != 0u && !isMirror(perceptualRoughness);
     float NoV = clamp(dot(directionVS, normalVS), 0.0, 1.0);
-    return Cone(blurs ? lobeTangent(perceptualRoughness) : 0.0, NoV,
+    return LobeCone(blurs ? lobeTangent(perceptualRoughness) : 0.0, NoV,
                 normalizeOr(normalVS - NoV * directionVS, vec3(0.0)));
 }
 
 /// Half of the lobe lies within so many pixels of a hit at `hitVS`, along `upVS`; the ray is `metres` long.
-float coneRadius(Cone cone, vec3 hitVS, float metres) {
+float coneRadius(LobeCone cone, vec3 hitVS, float metres) {
     return 2.0 * cone.alpha * metres / pixelExtent(frame.constants, frame.constants.uvToView, -hitVS.z).y;
 }
 
@@ -54,7 +54,7 @@ const float kRoughAlpha = 0.25;
 /// towards the eye, and those that reflect below the surface do not count. Across that line a part is as wide as its
 /// facets scatter there: in units of alpha their slopes have a variance of 1 + x^2, and count by how much of them is
 /// seen. `shift`: from pixels of this frame to those of the picture.
-vec4 coneRadiance(Cone cone, vec3 originVS, vec3 hitVS, vec2 shift) {
+vec4 coneRadiance(LobeCone cone, vec3 originVS, vec3 hitVS, vec2 shift) {
     vec2 size = vec2(textureSize(picture, 0));
     float metres = distance(hitVS, originVS);
     vec3 directionVS = (hitVS - originVS) / metres;

@@ -139,7 +139,7 @@ const float kRim = 2.0;
 /// Linear, finite radiance of the surface that the frame shows at `px`, for a ray from `originVS` to `hitVS`. `mayTakeMean`:
 /// where the pixel shows the mean of several surfaces, the ray may take that, but at a rim, where the other surfaces would
 /// look as large. `cone`: the lobe around the ray. `lookups` grows by the number of depth samples read from this frame.
-vec3 hitRadiance(vec2 px, bool mayTakeMean, vec3 originVS, vec3 hitVS, Cone cone, inout uint lookups) {
+vec3 hitRadiance(vec2 px, bool mayTakeMean, vec3 originVS, vec3 hitVS, LobeCone cone, inout uint lookups) {
     vec3 radiance;
     float blurred =
         cone.alpha > 0.0 ? blurredShare(coneRadius(cone, hitVS, distance(originVS, hitVS))) : 0.0;

@@ -138,7 +138,7 @@ void main() {
             // pixel by itself, and a ray from beside meets a part of the surface that the eye does not see.
             bool mayTakeMean = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
             vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
-            Cone cone = makeCone(ray.directionVS, origin.normalVS, origin.perceptualRoughness);
+            LobeCone cone = makeCone(ray.directionVS, origin.normalVS, origin.perceptualRoughness);
             answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, cone, end.lookups);
         }
         answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);

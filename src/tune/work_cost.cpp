@@ -105,12 +105,10 @@ double square(double x) {
     return x * x;
 }
 
-/// Share of the frame's pixels whose hits are blurred.
+/// Share of the frame's pixels whose hits are blurred: some, if the copies of the picture are made.
 double blurredPixels(const FrameWork& work) {
-    const Settings& settings = *work.settings;
-    const bool blurs =
-        settings.rough.cones && !settings.denoise.enabled && settings.blur.strength <= 0 && settings.rough.factor <= 0;
-    return blurs ? work.rough.upTo(settings.reflect.maxRoughness) : 0;
+    const bool blurs = std::ranges::find(work.passes, "trace/picture") != work.passes.end();
+    return blurs ? work.rough.upTo(work.settings->reflect.maxRoughness) : 0;
 }
 
 double amount(Unit unit, const FrameWork& work) {

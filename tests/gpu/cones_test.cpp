@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace glint::test {
 namespace {
@@ -124,6 +125,8 @@ TEST_F(ConesTest, theAnswerIsTheMeanOfTheLobe) {
             const Errors blurred = errorsOf(show(scene, settings), scene, camera(), roughness * roughness);
             settings.rough.cones = false;
             const Errors sharp = errorsOf(show(scene, settings), scene, camera(), roughness * roughness);
+            std::printf("%s, roughness %.2f: mean error %.3f, largest %.2f; mirror directions %.3f, %.2f\n", wall.name,
+                        static_cast<double>(roughness), blurred.mean, blurred.largest, sharp.mean, sharp.largest);
             EXPECT_LT(blurred.largest, 0.5 * sharp.largest);
             EXPECT_LT(blurred.mean, wall.meanShare * sharp.mean);
         }
