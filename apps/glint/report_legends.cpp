@@ -31,7 +31,7 @@ constexpr LegendEntry kOutcomeLegend[] = {
     {"belowThreshold", "#262626", "not traced: reflects too little"},
     {"tooRough", "#4d4d4d", "not traced: rougher than reflect.maxRoughness"},
     {"facingCamera", "#008080", "not traced: fade.facingCamera leaves nothing"},
-    {"fromNeighbours", "#334d73", "no ray in this frame: neighbours' rays answer (reuse.rate)"},
+    {"fromNeighbours", "#334d73", "no ray in this frame: neighbours' rays answer (reuse.rate, rays.interpolate)"},
     {"none", "#000000", "no ray"},
 };
 

@@ -280,6 +280,10 @@
         "Rays per pixel through the host's triangles; their results are averaged",                                     \
         "ray-query:MAX_REFLECTIONS_SAMPLES ray-query:samples",                                                         \
         "log 1..8; if rays.enabled=true; cost +")                                                                      \
+    SETTING(float, interpolate, 0, "[0, 1]", "",                                                                       \
+        "Without the denoiser: one ray for 2 x 2 pixels; the others take the mean where rays around them differ by at most this fraction, else send their own; 0: each pixel sends one", \
+        "",                                                                                                            \
+        "linear 0..1; if rays.enabled=true; if denoise.enabled=false; cost -")                                         \
     SETTING(int, bounces, 1, "[1, 8]", "",                                                                             \
         "Maximum surfaces that a ray path hits; the last surface reflects the environment",                            \
         "ray-query:MAX_BOUNCES ray-query:bounces",                                                                     \

@@ -1,5 +1,6 @@
 // Finds the pixels that the source `rays` must answer, for trace/list to list: pixels that reflect and have remaining
-// weight after the sources before. The other pixels get an empty answer here.
+// weight after the sources before. The other pixels get an empty answer here. With rays.interpolate one pixel of 2 x 2 is
+// listed; rays/interpolate sees to those left.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -35,6 +36,11 @@ bool samplesSky(Surface here) {
     return (settings.flags & kRaysSampleSky) != 0u && here.perceptualRoughness >= kSmoothestSampled;
 }
 
+/// True for pixels that rays/interpolate answers, or lists.
+bool isLeftToNeighbours(ivec2 px) {
+    return settings.interpolate > 0.0 && ((px.x | px.y) & 1) != 0;
+}
+
 /// Bit s of `sources`: source s.
 bool takeAll(uint sources, ivec2 px) {
     return takenBefore(sources, px) >= kAll; // what remains is less than a ray could add
@@ -61,6 +67,11 @@ void main() {
             if (reflects && !needsRay && samplesSky(here)) {
                 needsRay = true;
                 route |= kRaysLightsOnly;
+            }
+            if (needsRay && isLeftToNeighbours(px)) {
+                needsRay = false;
+                record.outcome = kOutcomeFromNeighbours;
+                route = takesBack(screenRay(px)) ? kRaysReplaceScreen : 0u;
             }
         }
         imageStore(raysRadianceWeight, px, vec4(0.0)); // hosts that shade hits need not answer each pixel

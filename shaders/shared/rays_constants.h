@@ -20,6 +20,7 @@ struct RaysConstants {
     float reuseRoughness;
     uint before;            ///< bit s: source s (shared/hierarchy.h) is asked before this one
     float regularization;   ///< of a mean's first sample
+    float interpolate;      ///< largest difference of rays that answer for pixels between them; 0: each pixel sends one
     uint instancesBefore;   ///< instances that the previous frame had; 0: nobody asks what moved
     uint transparents;      ///< most transparent surfaces in a path
     float3 transparentsLow; ///< world box of all transparent surfaces

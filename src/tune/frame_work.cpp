@@ -34,6 +34,7 @@ FrameWork frameWork(const Settings& settings, const render::ReflectionSession& s
     work.pixels = double(session.inputs().width) * session.inputs().height;
     work.rough = rough;
     work.triangles = trianglesOf(session.inputs().pose);
+    work.lights = static_cast<double>(session.inputs().pose.lights.size());
     for (const auto& [name, milliseconds] : times.effectPasses)
         work.passes.push_back(name);
     for (const auto& [name, milliseconds] : times.hostPasses)

@@ -34,6 +34,7 @@ public:
         GLINT_CHECK(tryPresets());
         GLINT_CHECK(probeSettings());
         GLINT_CHECK(climbs());
+        GLINT_CHECK(probeBest());
         GLINT_TRY(population, firstPopulation());
         while (outcome_.generations < plan_.generations && (!hooks_.mayGoOn || hooks_.mayGoOn())) {
             const uint32_t generation = outcome_.generations + 1;
@@ -59,28 +60,28 @@ private:
         return {};
     }
 
-    /// The values to which a setting is moved, alone, from the start.
-    std::vector<double> probes(size_t dimension) const {
+    /// The values to which a setting is moved, alone, from this one.
+    std::vector<double> probes(size_t dimension, double from) const {
         const Dimension& d = space_[dimension];
-        const double start = space_.encode(space_.start())[dimension];
         std::vector<double> values;
         if (d.isWhole()) {
             for (int choice = 0; choice < d.choices(); ++choice)
-                if (choice != static_cast<int>(d.start) && !space_.isLeftOut(dimension, choice))
+                if (choice != std::lround(from) && !space_.isLeftOut(dimension, choice))
                     values.push_back(choice);
             return values;
         }
-        for (const double moved : {start - kProbe, start + kProbe})
+        for (const double moved : {from - kProbe, from + kProbe})
             if (moved > -kProbe / 2 && moved < 1 + kProbe / 2)
                 values.push_back(std::clamp(moved, 0.0, 1.0));
         return values;
     }
 
     uint32_t probeCount() const {
+        const Genes start = space_.encode(space_.start());
         size_t count = 0;
         for (size_t i = 0; i < space_.size(); ++i)
             if (space_.acts(i, space_.start()))
-                count += probes(i).size();
+                count += probes(i, start[i]).size();
         return static_cast<uint32_t>(count);
     }
 
@@ -92,7 +93,7 @@ private:
             if (!space_.acts(i, space_.start()))
                 continue; // it may have an effect elsewhere
             bool changes = false;
-            for (const double gene : probes(i)) {
+            for (const double gene : probes(i, space_.encode(space_.start())[i])) {
                 Genes genes = space_.encode(space_.start());
                 genes[i] = gene;
                 GLINT_CHECK(tryGenes(genes));
@@ -128,7 +129,7 @@ private:
             if (dearer == 0 || space_.acts(i, space_.start()) || !space_.acts(i, with))
                 continue;
             const double cheapest = dearer > 0 ? 0 : highest[i];
-            for (const double share : space_[i].isWhole() ? std::vector{0.0} : std::vector{0.3, 0.1}) {
+            for (const double share : space_[i].isWhole() ? std::vector{0.0} : std::vector{0.3, 0.1, 0.03}) {
                 Genes less = on;
                 less[i] = cheapest + share * (on[i] - cheapest);
                 if (less[i] == on[i])
@@ -201,6 +202,74 @@ private:
                 GLINT_CHECK(tryGenes(genes));
             }
         return {};
+    }
+
+    /// What is best at the start's cost, and what is cheapest at the start's error, may switch on what the start has not:
+    /// the settings that have an effect only there are tried there.
+    Result<void> probeBest() {
+        const Figures start = outcome_.tried.front().evaluation.figures;
+        size_t truest = 0, cheapest = 0;
+        for (size_t i = 0; i < outcome_.tried.size(); ++i) {
+            const Figures& figures = outcome_.tried[i].evaluation.figures;
+            if (figures.cost <= start.cost && figures.error < outcome_.tried[truest].evaluation.figures.error)
+                truest = i;
+            if (figures.error <= start.error && figures.cost < outcome_.tried[cheapest].evaluation.figures.cost)
+                cheapest = i;
+        }
+        GLINT_CHECK(probeFrom(truest));
+        return cheapest == truest ? Result<void>() : probeFrom(cheapest);
+    }
+
+    /// Moves, one by one, the settings that have an effect with this candidate but not with the start. Those that lessen
+    /// cost times error are then taken together, the best first, each as far as it helps.
+    Result<void> probeFrom(size_t tried) {
+        const auto product = [](const Figures& figures) { return figures.cost * figures.error; };
+        double reached = product(outcome_.tried[tried].evaluation.figures);
+        const Candidate with = space_.nearest(outcome_.tried[tried].settings);
+        Genes genes = space_.encode(with);
+        struct Better {
+            size_t dimension;
+            double gene;
+            double product;
+        };
+        std::vector<Better> better;
+        for (size_t i = 0; i < space_.size(); ++i) {
+            if (space_.acts(i, space_.start()) || !space_.acts(i, with))
+                continue;
+            for (const double gene : probes(i, genes[i])) {
+                Genes moved = genes;
+                moved[i] = gene;
+                GLINT_TRY(figures, tryOneMore(moved));
+                if (product(figures) < reached)
+                    better.push_back({i, gene, product(figures)});
+            }
+        }
+        std::ranges::stable_sort(better, {}, &Better::product);
+        const Genes before = genes;
+        for (const Better& one : better) {
+            const double from = before[one.dimension];
+            if (genes[one.dimension] != from)
+                continue; // another value of it was better
+            for (int steps = 1;; ++steps) { // on in that direction while it helps
+                const bool whole = space_[one.dimension].isWhole();
+                const double gene = whole ? one.gene : std::clamp(from + steps * (one.gene - from), 0.0, 1.0);
+                Genes moved = genes;
+                moved[one.dimension] = gene;
+                GLINT_TRY(figures, tryOneMore(moved));
+                if (product(figures) >= reached)
+                    break;
+                reached = product(figures);
+                genes = moved;
+                if (whole || gene <= 0 || gene >= 1)
+                    break;
+            }
+        }
+        return {};
+    }
+
+    Result<Figures> tryOneMore(const Genes& genes) {
+        ++progress_.toTry;
+        return tryGenes(genes);
     }
 
     bool same(const Evaluation& a, const Evaluation& b) const {

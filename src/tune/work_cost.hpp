@@ -32,6 +32,7 @@ struct FrameWork {
     double pixels = 0;               ///< of the frame
     RoughShare rough;
     double triangles = 0; ///< of the scene, which the host draws once more for back faces
+    double lights = 0;    ///< of the scene: each gets a shadow ray from what rays hit
 };
 
 /// Estimates the cost in floors (docs/truth.md): each pass by its pixels, rays, depth lookups and taps, with unit costs

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace glint::tune {
@@ -116,6 +117,30 @@ TEST(TuneSearch, WhatIsDearIsTriedWithLessOfItAndPaidForElsewhere) {
     EXPECT_TRUE(std::ranges::any_of(run.figures(), [&](const Figures& each) {
         return each.cost < 1.1 * start.cost && each.error < 0.4 * start.error;
     }));
+}
+
+TEST(TuneSearch, WhatActsOnlyWithTheBestIsTriedThereAndTakenTogether) {
+    // Rays for smooth surfaces are better; only then a second bounce and rays between which pixels interpolate matter.
+    SearchPlan plan = planOf(0);
+    plan.vary = {"hiz.minLevel", "denoise.enabled", "rays"};
+    SearchHooks hooks;
+    hooks.evaluate = [](const Settings& settings, double) -> Result<Evaluation> {
+        Figures figures = {settings.denoise.enabled ? 20.0 : 10.0, settings.denoise.enabled ? 1.0 : 1.1};
+        if (settings.rays.enabled) {
+            figures.error *= std::array{0.8, 0.6, 0.3, 0.29}[static_cast<size_t>(settings.rays.bounces) - 1];
+            const bool between = !settings.denoise.enabled && settings.rays.interpolate > 0;
+            figures.cost += settings.rays.maxRoughness * 40 * (between ? 0.5 : 1) + 0.5;
+        }
+        return Evaluation{figures, {{"view", figures}}, 0};
+    };
+    const Searched run = search(plan, hooks);
+    const auto isBest = [](const Tried& tried) {
+        const RaysSettings& rays = tried.settings.rays;
+        return !tried.settings.denoise.enabled && rays.enabled && rays.bounces >= 3 && rays.interpolate > 0 &&
+               rays.maxRoughness < 0.2f;
+    };
+    EXPECT_TRUE(std::ranges::any_of(run.outcome.tried, isBest));
+    EXPECT_EQ(run.outcome.tried.front().settings.rays.bounces, 1);
 }
 
 TEST(TuneSearch, ATimeLimitEndsItBetweenGenerations) {

@@ -62,6 +62,44 @@ TEST_F(TuneWorkCost, SentinelsCostOnlyWhereRaysAreSent) {
     EXPECT_EQ(floors(), 0);
 }
 
+TEST_F(TuneWorkCost, RaysOfTwoListsCountOnce) {
+    work_.stats.scene.rays = 3000;
+    work_.passes = {"trace/list", "rays/reflect_bvh"};
+    const double once = floors();
+    work_.passes = {"trace/list", "rays/reflect_bvh", "trace/list", "rays/reflect_bvh"};
+    const double twice = floors();
+    work_.passes = {"trace/list"};
+    EXPECT_NEAR(twice - once, floors(), 1e-9); // another list, of the same rays
+}
+
+TEST_F(TuneWorkCost, MirrorsAskEveryLightAndTheDenoiserFew) {
+    work_.stats.scene.rays = 3000;
+    work_.passes = {"rays/reflect_bvh"};
+    settings_.denoise.enabled = false;
+    const double dark = floors();
+    work_.lights = 10;
+    const double lit = floors();
+    work_.lights = 20;
+    EXPECT_GT(lit, dark);
+    EXPECT_NEAR(floors() - lit, lit - dark, 1e-9);
+    const double mirrors = floors();
+    work_.rough.add(0.5f, 0.5); // everything is rough
+    settings_.denoise.enabled = true;
+    settings_.rays.shadowRays = 1;
+    const double few = floors();
+    settings_.rays.shadowRays = 20;
+    EXPECT_GT(floors(), few);
+    EXPECT_GT(floors(), mirrors); // spread rays cost more
+}
+
+TEST_F(TuneWorkCost, ALayerOfGlassIsNoPassOverAllPixels) {
+    const double without = floors();
+    for (const char* pass : {"refraction/picture", "refraction/layer", "refraction/layers_depth"})
+        work_.passes.emplace_back(pass);
+    EXPECT_GT(floors(), without);
+    EXPECT_LT(floors(), without + 1);
+}
+
 TEST_F(TuneWorkCost, RaysCostTheSameWithEitherBackEnd) {
     work_.stats.scene.rays = 3000;
     work_.passes = {"rays/reflect_query"};

@@ -33,6 +33,12 @@ bool wantsSkyApart(const Settings& settings) {
     return denoises(settings) && settings.rays.enabled && settings.rays.sampleLights;
 }
 
+/// The most by which rays may differ that answer for the pixels between them; 0 where each pixel sends its own. The
+/// denoiser and the truth of rays.accumulate average each pixel's own rays.
+float interpolates(const Settings& settings) {
+    return settings.denoise.enabled || settings.rays.accumulate ? 0 : settings.rays.interpolate;
+}
+
 /// How many of a hit's lights share a shadow ray, where the denoiser averages.
 uint32_t lightsTogether(const Settings& settings, uint32_t lights) {
     const auto shadowRays = static_cast<uint32_t>(settings.rays.shadowRays);
@@ -49,8 +55,10 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
     const uint32_t height = stages.height();
     std::unique_ptr<RaysSource> source(new RaysSource(stages));
     GLINT_TRY(list, gpu::Pipeline::compute(context, {"rays/list", 0, {}}));
+    GLINT_TRY(interpolate, gpu::Pipeline::compute(context, {"rays/interpolate", 0, {}}, gpu::Compile::Later));
     GLINT_TRY(count, gpu::Pipeline::compute(context, {"rays/statistics", 0, {}}));
     source->list_ = std::move(list);
+    source->interpolate_ = std::move(interpolate);
     source->count_ = std::move(count);
     const auto makeImage = [&](const char* name, VkFormat format) {
         return gpu::Image::create(context, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
@@ -74,6 +82,8 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
     GLINT_CHECK(makeSentinels());
     sampleLights_ = settings.rays.sampleLights;
     GLINT_CHECK(makeShading());
+    if (interpolates(settings) > 0)
+        GLINT_CHECK(interpolate_.compile());
     const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
     const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;
     if (width == sumsWidth_ && height == sumsHeight_) {
@@ -204,6 +214,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     constants.threshold = traceConstants(settings, false).threshold;
     constants.reuseRoughness = rays.reuseRoughness;
     constants.regularization = rays.regularization;
+    constants.interpolate = surfaces_ ? interpolates(settings) : 0; // hosts shade the hits of one list
     constants.instancesBefore = followsHits() ? instancesBeforeCount_ : 0;
     constants.transparents = static_cast<uint32_t>(rays.transparents);
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
@@ -254,7 +265,23 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         recordShaded(frame, inputs);
     else
         recordHits(frame, inputs);
+    if (surfaces_ && interpolates(stages_.settings()) > 0)
+        recordBetween(frame, inputs);
     sums_.end(frame);
+}
+
+/// Answers the pixels between those that sent a ray, and traces the rays of those that need their own.
+void RaysSource::recordBetween(gpu::Frame& frame, const RaysInputs& inputs) {
+    lister_.begin(frame);
+    gpu::Pass between = frame.pass(interpolate_);
+    between.read("frame", inputs.frame.constants)
+        .read("viewZ", inputs.prepared.viewZ)
+        .read("surface", inputs.prepared.surface)
+        .readWrite("raysRadianceWeight", radianceWeight_)
+        .readWrite("raysRecord", record_);
+    lister_.bind(between).dispatch(stages_.extent.x, stages_.extent.y);
+    lister_.list(frame, rays_, stages_.extent.x, stages_.extent.y, {});
+    recordPaths(frame, inputs, sampleLights_);
 }
 
 /// True if the denoiser asks how what rays hit has moved.

@@ -76,6 +76,7 @@ private:
     Result<void> makeMirrored(bool surfaces, bool skyApart);
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
     void recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights);
+    void recordBetween(gpu::Frame& frame, const RaysInputs& inputs);
     bool followsHits() const;
     Result<void> makeInstancesBefore(SurfaceTableState& surfaces);
     void recordHits(gpu::Frame& frame, const RaysInputs& inputs);
@@ -84,6 +85,7 @@ private:
 
     StageContext& stages_;
     gpu::Pipeline list_;
+    gpu::Pipeline interpolate_; ///< with rays.interpolate
     gpu::Pipeline reflect_;
     gpu::Pipeline followSentinels_;
     bool wantsSentinels_ = false;        ///< the settings do
