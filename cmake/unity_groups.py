@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Which sources can be compiled as one: unity_groups.py SIZE FILE...  prints a line "GROUP FILE" for each file that has
-company. Most of a file's compile time goes into the headers that all of them include, so a group of eight costs little
-more than two files. Files go together in the given order, neighbours first, where no name that one of them keeps to itself
+company. Most of a file's compile time goes into the headers that all of them include, so a group of sixteen costs little
+more than four files. Files go together in the given order, neighbours first, where no name that one of them keeps to itself
 (in an unnamed namespace, or static) occurs in another one or in its headers; files with macros or an allocator of their
 own stay alone."""
 import functools

@@ -25,7 +25,7 @@ GLINT_CONSTANT(uint, kOutcomeBelowThreshold, 12); // not traced: reflects too li
 GLINT_CONSTANT(uint, kOutcomeTooRough, 13);       // not traced: rougher than reflect.maxRoughness
 GLINT_CONSTANT(uint, kOutcomeFacingCamera, 14);   // not traced: fade.facingCamera leaves nothing of it
 GLINT_CONSTANT(uint, kOutcomeFromNeighbours, 15); // not traced in this frame: neighbours' rays answer
-                                                   // (reuse.rate, rays.interpolate)
+                                                  // (reuse.rate, rays.interpolate)
 GLINT_CONSTANT(uint, kOutcomeCount, 16);
 
 GLINT_CONSTANT(uint, kMaxLookups, 4095); // as a ray record stores them: more reads count as this many

@@ -204,8 +204,8 @@ private:
         return {};
     }
 
-    /// What is best at the start's cost, and what is cheapest at the start's error, may switch on what the start has not:
-    /// the settings that have an effect only there are tried there.
+    /// What is best at the start's cost, and what is cheapest at the start's error, may switch on what the start has
+    /// not: the settings that have an effect only there are tried there.
     Result<void> probeBest() {
         const Figures start = outcome_.tried.front().evaluation.figures;
         size_t truest = 0, cheapest = 0;
@@ -220,8 +220,8 @@ private:
         return cheapest == truest ? Result<void>() : probeFrom(cheapest);
     }
 
-    /// Moves, one by one, the settings that have an effect with this candidate but not with the start. Those that lessen
-    /// cost times error are then taken together, the best first, each as far as it helps.
+    /// Moves, one by one, the settings that have an effect with this candidate but not with the start. Those that
+    /// lessen cost times error are then taken together, the best first, each as far as it helps.
     Result<void> probeFrom(size_t tried) {
         const auto product = [](const Figures& figures) { return figures.cost * figures.error; };
         double reached = product(outcome_.tried[tried].evaluation.figures);
@@ -249,7 +249,7 @@ private:
         for (const Better& one : better) {
             const double from = before[one.dimension];
             if (genes[one.dimension] != from)
-                continue; // another value of it was better
+                continue;                   // another value of it was better
             for (int steps = 1;; ++steps) { // on in that direction while it helps
                 const bool whole = space_[one.dimension].isWhole();
                 const double gene = whole ? one.gene : std::clamp(from + steps * (one.gene - from), 0.0, 1.0);

@@ -146,7 +146,8 @@ double amount(Unit unit, const FrameWork& work) {
     case Unit::Lookups: return rays * work.stats.lookupsPerRay;
     case Unit::Spread: return settings.denoise.enabled ? rays * work.stats.lookupsPerRay * work.rough.all() : 0;
     case Unit::SceneRays: return sceneRays;
-    case Unit::SpreadRays: return settings.denoise.enabled ? sceneRays * work.rough.upTo(settings.rays.maxRoughness) : 0;
+    case Unit::SpreadRays:
+        return settings.denoise.enabled ? sceneRays * work.rough.upTo(settings.rays.maxRoughness) : 0;
     case Unit::LitRays: return sceneRays * shadowRays(work);
     case Unit::Rough: return work.rough.all();
     case Unit::RoughRays: return work.rough.upTo(settings.rays.maxRoughness);

@@ -124,8 +124,9 @@ TEST(Presets, AnUnknownNameListsThem) {
     Settings settings;
     const auto done = applyPreset(settings, "babylom");
     ASSERT_FALSE(done.ok());
-    EXPECT_EQ(done.error().message, "unknown preset 'babylom'; there are babylon, balanced, compute-ssr, fast, hdrp, "
-                                    "quality, ray-query, real-time and reference");
+    EXPECT_EQ(done.error().message,
+              "unknown preset 'babylom'; there are babylon, balanced, compute-ssr, fast, hdrp, hybrid, "
+              "quality, ray-query, real-time and reference");
 }
 
 TEST(Presets, FileBeatsPresetAndSetBeatsFile) {
