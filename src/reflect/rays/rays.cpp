@@ -35,7 +35,7 @@ bool wantsSkyApart(const Settings& settings) {
 
 /// The most by which rays may differ that answer for the pixels between them; 0 where each pixel sends its own. The
 /// denoiser and the truth of rays.accumulate average each pixel's own rays.
-float interpolates(const Settings& settings) {
+float interpolation(const Settings& settings) {
     return settings.denoise.enabled || settings.rays.accumulate ? 0 : settings.rays.interpolate;
 }
 
@@ -82,7 +82,7 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
     GLINT_CHECK(makeSentinels());
     sampleLights_ = settings.rays.sampleLights;
     GLINT_CHECK(makeShading());
-    if (interpolates(settings) > 0)
+    if (interpolation(settings) > 0)
         GLINT_CHECK(interpolate_.compile());
     const uint32_t width = settings.rays.accumulate ? radianceWeight_.width() : 1;
     const uint32_t height = settings.rays.accumulate ? radianceWeight_.height() : 1;
@@ -214,7 +214,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     constants.threshold = traceConstants(settings, false).threshold;
     constants.reuseRoughness = rays.reuseRoughness;
     constants.regularization = rays.regularization;
-    constants.interpolate = surfaces_ ? interpolates(settings) : 0; // hosts shade the hits of one list
+    constants.interpolate = surfaces_ ? interpolation(settings) : 0; // hosts shade the hits of one list
     constants.instancesBefore = followsHits() ? instancesBeforeCount_ : 0;
     constants.transparents = static_cast<uint32_t>(rays.transparents);
     constants.cullMask = static_cast<uint32_t>(rays.cullMask);
@@ -265,7 +265,7 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         recordShaded(frame, inputs);
     else
         recordHits(frame, inputs);
-    if (surfaces_ && interpolates(stages_.settings()) > 0)
+    if (surfaces_ && interpolation(stages_.settings()) > 0)
         recordBetween(frame, inputs);
     sums_.end(frame);
 }
