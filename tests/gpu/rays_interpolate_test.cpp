@@ -60,12 +60,17 @@ INSTANTIATE_TEST_SUITE_P(Backends, RaysInterpolateTest, testing::Values(RayBacke
 
 TEST_P(RaysInterpolateTest, aThirdOfTheRaysGivesThePictureOfAll) {
     const SurfaceScene scene = twoColours();
-    const Picture all = look(scene, raySettings(0));
-    const Picture few = look(scene, raySettings(0.1f));
-    EXPECT_LT(mostApart(all, few), 1e-3);
-    EXPECT_EQ(all.statistics.scene.pixels, all.pixels());
-    EXPECT_GT(few.statistics.scene.pixels, all.pixels() / 4);
-    EXPECT_LT(few.statistics.scene.pixels, all.pixels() / 3);
+    for (const bool sampleLights : {false, true}) {
+        Settings settings = raySettings(0);
+        settings.rays.sampleLights = sampleLights; // a pipeline of its own
+        const Picture all = look(scene, settings);
+        settings.rays.interpolate = 0.1f;
+        const Picture few = look(scene, settings);
+        EXPECT_LT(mostApart(all, few), 1e-3) << sampleLights;
+        EXPECT_EQ(all.statistics.scene.pixels, all.pixels()) << sampleLights;
+        EXPECT_GT(few.statistics.scene.pixels, all.pixels() / 4) << sampleLights;
+        EXPECT_LT(few.statistics.scene.pixels, all.pixels() / 3) << sampleLights;
+    }
 }
 
 TEST_P(RaysInterpolateTest, atOneAnOutlineIsMixed) {

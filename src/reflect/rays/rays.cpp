@@ -36,7 +36,7 @@ bool wantsSkyApart(const Settings& settings) {
 /// The most by which rays may differ that answer for the pixels between them; 0 where each pixel sends its own. The
 /// denoiser and the truth of rays.accumulate average each pixel's own rays.
 float interpolation(const Settings& settings) {
-    return settings.denoise.enabled || settings.rays.accumulate ? 0 : settings.rays.interpolate;
+    return denoises(settings) || settings.rays.accumulate ? 0 : settings.rays.interpolate;
 }
 
 /// How many of a hit's lights share a shadow ray, where the denoiser averages.
