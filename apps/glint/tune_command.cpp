@@ -27,7 +27,7 @@ struct TuneOptions {
     std::vector<std::string> scenes;
     std::vector<std::string> cameras;
     std::vector<std::string> paths = {"still"};
-    std::vector<std::string> presets = {"fast", "balanced", "quality", "real-time"};
+    std::vector<std::string> presets = {"fast", "hybrid", "balanced", "real-time", "quality"};
     std::vector<std::string> vary;
     std::optional<double> budgetMs;
     std::optional<double> budgetFloors;
