@@ -38,11 +38,21 @@ function(glint_unity target)
     execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py ${GLINT_UNITY} ${ARGN}
         OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
     string(REPLACE "\n" ";" lines "${lines}")
+    set(own_names "")
     foreach(line ${lines})
-        string(REGEX MATCH "^([0-9]+) (.*)$" found "${line}")
-        set_source_files_properties(${CMAKE_MATCH_2} PROPERTIES UNITY_GROUP ${target}_${CMAKE_MATCH_1})
+        if(line MATCHES "^own (.*)$")
+            string(APPEND own_names "#define ${CMAKE_MATCH_1} GLINT_OWN(${CMAKE_MATCH_1}_, GLINT_UNITY_FILE)\n")
+        elseif(line MATCHES "^([0-9]+) (.*)$")
+            set_source_files_properties(${CMAKE_MATCH_2} PROPERTIES UNITY_GROUP ${target}_${CMAKE_MATCH_1})
+        endif()
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    if(own_names)
+        set_target_properties(${target} PROPERTIES
+            UNITY_BUILD_UNIQUE_ID GLINT_UNITY_FILE
+            UNITY_BUILD_CODE_BEFORE_INCLUDE
+                "#define GLINT_JOIN(a, b) a##b\n#define GLINT_OWN(a, b) GLINT_JOIN(a, b)\n${own_names}")
+    endif()
     set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
         ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py)
 endfunction()

@@ -3,7 +3,9 @@
 company. Most of a file's compile time goes into the headers that all of them include, so a group of sixteen costs little
 more than four files. Files go together in the given order, neighbours first, where no name that one of them keeps to itself
 (in an unnamed namespace, or static) occurs in another one or in its headers; files with macros or an allocator of their
-own stay alone."""
+own stay alone. Constants such as the kWidth of many tests would keep many files apart: a line "own NAME" says that several
+files have one of that name, and no header, so that each can get a name of its own by a macro."""
+import collections
 import functools
 import re
 import sys
@@ -17,8 +19,10 @@ TYPES = {"struct", "class", "enum", "union"}
 def declared(statement: list[str]) -> str:
     """The name that a statement at the level of a namespace declares, given its tokens up to ; or {."""
     said = [token for token in statement if token not in ("const", "constexpr", "static", "inline", "class", "struct")]
-    if not said or re.match(r"(TEST|TYPED_TEST|INSTANTIATE)", said[0]):
+    if not said or re.match(r"(TEST|TYPED_TEST|INSTANTIATE|static_assert)", said[0]):
         return ""  # tests have names that are theirs alone
+    if said[0] == "using" and "=" not in said and "namespace" not in said:
+        return ""  # a name of another namespace, which all may repeat
     if said[0].startswith("MATCHER") and len(said) > 2:
         return said[2]
     if statement[0] in TYPES | {"using"}:
@@ -31,9 +35,9 @@ def declared(statement: list[str]) -> str:
     return next((token for token in reversed(statement) if re.match(r"[A-Za-z_]", token)), "")
 
 
-def own_names(text: str) -> set[str]:
-    """What a source keeps to itself."""
-    names, statement, scopes = set(), [], []  # scopes: "named", "unnamed" or "body", outermost first
+def own_names(text: str) -> dict[str, str]:
+    """What a source keeps to itself. For another name of a type also which type: two files may say the same."""
+    names, statement, scopes = {}, [], []  # scopes: "named", "unnamed" or "body", outermost first
     for match in TOKENS.finditer(text):
         token = match.group()
         if scopes and scopes[-1] == "body":
@@ -46,7 +50,7 @@ def own_names(text: str) -> set[str]:
                 scopes.append("unnamed" if statement[-1] == "namespace" else "named")
             else:
                 if "unnamed" in scopes or "static" in statement:
-                    names.add(declared(statement))
+                    names[declared(statement)] = " ".join(statement) if "using" in statement[:1] else ""
                 scopes += ["body"] if token == "{" else []
             statement = []
         elif token == "}":
@@ -54,7 +58,8 @@ def own_names(text: str) -> set[str]:
             statement = []
         else:
             statement.append(token)
-    return names - {""}
+    names.pop("", None)
+    return names
 
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -85,7 +90,8 @@ def plain(path: Path) -> str:
 
 @functools.cache
 def words(path: Path) -> frozenset[str]:
-    return frozenset(re.findall(r"[A-Za-z_]\w*", plain(path)))
+    """The names by which a file may mean what another one keeps to itself: not those after a dot, an arrow or ::."""
+    return frozenset(re.findall(r"(?<![.>:\w])[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*|(?<=[^:]:)[A-Za-z_]\w*", plain(path)))
 
 
 class Source:
@@ -94,15 +100,33 @@ class Source:
         self.path = path
         self.alone = re.search(r"^\s*#\s*define|\boperator new\b", path.read_text(), re.M) is not None
         self.names = own_names(plain(path))
-        self.words = words(path).union(*map(words, all_headers(path)))
+        self.in_headers = frozenset().union(*map(words, all_headers(path)))
+        self.words = words(path) | self.in_headers
+
+    def disturbs(self, other: "Source") -> bool:
+        return any(name in other.words and not (said and other.names.get(name) == said) for name, said in self.names.items())
 
     def goes_with(self, other: "Source") -> bool:
-        return not (self.names & other.words or other.names & self.words)
+        return not self.disturbs(other) and not other.disturbs(self)
+
+
+def renamed_constants(sources: list[Source]) -> set[str]:
+    """Constants of several sources that no header mentions. The sources get names of their own for them."""
+    count = collections.Counter(name for source in sources for name in source.names)
+    shared = {name for name in count if count[name] > 1 and re.match("k[A-Z]", name)}
+    shared.difference_update(*(source.in_headers for source in sources))
+    for source in sources:
+        source.names = {name: said for name, said in source.names.items() if name not in shared}
+        source.words -= shared
+    return shared
 
 
 size = int(sys.argv[1])
+sources = list(map(Source, sys.argv[2:]))
+for name in sorted(renamed_constants(sources)):
+    print("own", name)
 groups: list[list[Source]] = []
-for source in map(Source, sys.argv[2:]):
+for source in sources:
     if source.alone:
         continue
     for group in groups:

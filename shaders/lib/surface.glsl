@@ -22,4 +22,9 @@ Surface unpackSurface(uvec2 packed) {
     return Surface(decodeOctahedral(unpackSnorm2x16(packed.x)), scalars.x, scalars.y);
 }
 
+/// Of packed surfaces, to the last bit.
+bool haveOneNormal(uvec2 packedA, uvec2 packedB) {
+    return packedA.x == packedB.x;
+}
+
 #endif

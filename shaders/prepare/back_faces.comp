@@ -43,6 +43,12 @@ ivec2 backExtent() {
     return (textureSize(backDepth, 0) * ivec2(frame.constants.size) + whole - 1) / whole;
 }
 
+/// As the host's image has it: kBackgroundZ if the surface at `z` is open.
+float backOfTexel(ivec2 texel, float z) {
+    float back = hostViewZ(frame.constants, texelFetch(backDepth, texel, 0).r);
+    return back < kBackgroundZ && back >= kAtFront * z ? max(back, z) : kBackgroundZ;
+}
+
 const float kSilent = -1.0;
 
 /// viewZ of the back of a surface at `z`, as the host's image has it at `texel`: kBackgroundZ if that surface is open,
@@ -63,14 +69,17 @@ float backAt(ivec2 texel, float z) {
                 return kSilent;
             nearest = min(nearest, frontZ);
         }
-    float back = hostViewZ(frame.constants, texelFetch(backDepth, texel, 0).r);
-    if (back < kBackgroundZ && back >= kAtFront * z)
-        return max(back, z);
+    float back = backOfTexel(texel, z);
+    if (back < kBackgroundZ)
+        return back;
     return nearest >= z * (1.0 - kStep) ? kBackgroundZ : kSilent;
 }
 
 float backOfPixel(ivec2 px, float z) {
     ivec2 size = backExtent();
+    bool oneSample = (frame.constants.flags & kInputSamples) == 0u;
+    if (oneSample && size == ivec2(frame.constants.size))
+        return backOfTexel(px, z); // the texel's point is the pixel's centre
     ivec2 own = min(ivec2((vec2(px) + 0.5) * frame.constants.invSize * vec2(size)), size - 1);
     float back = backAt(own, z);
     if (back != kSilent)

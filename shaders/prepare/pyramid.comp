@@ -74,14 +74,21 @@ float ownReach(vec3 positionVS, vec3 normalVS, vec2 slope) {
 
 /// Where a cell shows one plane, rays hit its pixels' planes on that plane. In a corner the cell's plane is none of the
 /// pixels' planes: a ray that passes close above one surface would be classified as behind it.
-void reachIntoCorner(ivec2 cell, vec2 slope, inout vec2 solids[4]) {
+void reachIntoCorner(ivec2 cell, vec2 slope, float z[4], inout vec2 solids[4]) {
     vec3 positions[4];
     vec3 normals[4];
+    uvec2 packed[4];
+    bool differ = false;
     for (int i = 0; i < 4; ++i) {
-        ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
-        positions[i] = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize,
-                                    texelFetch(viewZ, px, 0).r);
-        normals[i] = unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+        packed[i] = texelFetch(surface, cell * 2 + ivec2(i & 1, i >> 1), 0).xy;
+        differ = differ || !haveOneNormal(packed[i], packed[0]);
+    }
+    if (!differ) // most cells: one flat face
+        return;
+    for (int i = 0; i < 4; ++i) {
+        vec2 uv = (vec2(cell * 2 + ivec2(i & 1, i >> 1)) + 0.5) * frame.constants.invSize;
+        positions[i] = viewPosition(frame.constants, uv, z[i]);
+        normals[i] = unpackSurface(packed[i]).normalVS;
     }
     if (!isCorner(positions, normals))
         return;
@@ -150,6 +157,7 @@ Cell cellOfQuarters(vec2 slope, vec2 solids[4], bool there[4], float lowestFront
 Cell cellOfPixels(ivec2 cell) {
     bool orthographic = isOrthographic(frame.constants);
     vec2 solids[4];
+    float depths[4]; // viewZ
     bool seen[4];
     bool all4 = true;
     bool broken = false;
@@ -158,6 +166,7 @@ Cell cellOfPixels(ivec2 cell) {
         ivec2 px = cell * 2 + ivec2(i & 1, i >> 1);
         bool inside = all(lessThan(px, size));
         float z = inside ? texelFetch(viewZ, px, 0).r : kBackgroundZ;
+        depths[i] = z;
         seen[i] = z < kBackgroundZ;
         solids[i] = seen[i] ? vec2(nearnessOf(orthographic, z), slabNearness(px, z, orthographic)) : vec2(0.0);
         all4 = all4 && seen[i];
@@ -183,7 +192,7 @@ Cell cellOfPixels(ivec2 cell) {
             low = min(low, solids[i].x);
     }
     if (joined)
-        reachIntoCorner(cell, slope, solids);
+        reachIntoCorner(cell, slope, depths, solids);
     return cellOfQuarters(slope, solids, seen, low, broken);
 }
 
