@@ -1,9 +1,10 @@
-// The `linear` marcher: one depth lookup every `step` pixels along the ray's line on screen.
+// The `linear` marcher: one depth lookup every `step` pixels along the ray's line on screen, but for those in open space.
 //
 // Depths are compared at the sample itself, so a plane never intersects itself however grazing the ray. McGuire and
 // Mara's half-pixel intervals do self-intersect, and need `selfCollisionSkip`. The settings follow Babylon.js'
 // SSRRenderingPipeline: docs/techniques/linear.md lists the differences.
 #include "trace/hit_test.glsl"
+#include "trace/open_space.glsl"
 
 /// Tests pixel by pixel between two coarse samples for the first hit. Moves `s` to the hit.
 uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, inout uint lookups) {
@@ -39,7 +40,21 @@ March march(Ray r) {
     Sample before = Sample(0.0, ray.startPX, startZ, startZ);
     bool nearlyThickEnough = false;
 
+    OpenSpace space = openSpace(ray);
     for (uint i = 1u; i <= iterations; ++i) {
+        float next = (float(i) - startOffset) * stepShare;
+        bool wasInFront = before.rayZ < before.sceneZ || i == 1u; // behind something, little is open
+        if (wasInFront && next >= space.from && onScreen(ray.startPX + ray.deltaPX * next)) {
+            float until = openUntil(ray, space, next, 0.5 * stepShare, result.lookups);
+            // The last sample is taken: what it shows tells how the ray ended.
+            uint last = min(uint(until / stepShare + startOffset), iterations - 1u);
+            if (until > next && last >= i) {
+                float share = (float(last) - startOffset) * stepShare;
+                before = Sample(share, ray.startPX + ray.deltaPX * share, rayViewZ(ray, share), kBackgroundZ);
+                nearlyThickEnough = false;
+                i = last + 1u;
+            }
+        }
         result.iterations = i;
         result.share = min((float(i) - startOffset) * stepShare, endShare);
         if (!onScreen(ray.startPX + ray.deltaPX * result.share)) {
