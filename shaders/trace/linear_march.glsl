@@ -44,7 +44,8 @@ March march(Ray r) {
     for (uint i = 1u; i <= iterations; ++i) {
         float next = (float(i) - startOffset) * stepShare;
         bool wasInFront = before.rayZ < before.sceneZ || i == 1u; // behind something, little is open
-        if (wasInFront && next >= space.from && onScreen(ray.startPX + ray.deltaPX * next)) {
+        bool mayPay = i + (1u << kFinestOpen) <= iterations;
+        if (wasInFront && mayPay && next >= space.from && onScreen(ray.startPX + ray.deltaPX * next)) {
             float until = openUntil(ray, space, next, 0.5 * stepShare, result.lookups);
             // The last sample is taken: what it shows tells how the ray ended.
             uint last = min(uint(until / stepShare + startOffset), iterations - 1u);

@@ -31,7 +31,8 @@ struct OpenSpace {
 OpenSpace openSpace(ScreenRay ray) {
     float start = rayNearness(frame.constants, ray, 0.0);
     float slope = rayNearness(frame.constants, ray, 1.0) - start;
-    int levels = findMSB(uint(max(frame.constants.size.x, frame.constants.size.y)) - 1u) + 1; // of the pyramid
+    float longer = max(frame.constants.size.x, frame.constants.size.y);
+    int levels = max(findMSB(uint(longer) - 1u) + 1, 1); // of the pyramid
     int coarsest = min(kCoarsestOpen, levels);
     int finest = min(kFinestOpen + findMSB(settings.step), coarsest);
     return OpenSpace(makeLine(ray), start, slope, finest, 0.0, 1.0, finest, coarsest);
@@ -55,7 +56,7 @@ float openUntil(ScreenRay ray, inout OpenSpace space, float share, float ahead, 
             vec2 center = (vec2(cell) + 0.5) * float(1 << space.level);
             float above = space.start - bounds.front - dot(bounds.slope, space.line.startPX - center);
             float climb = space.slope - dot(bounds.slope, space.line.deltaPX);
-            float end = leave + ahead;
+            float end = min(leave, ray.screenEnd) + ahead;
             float nearest = max(abs(space.start + space.slope * share), abs(space.start + space.slope * end));
             // A sample's depth is that of its pixel's centre.
             float off = 0.5 * (abs(bounds.slope.x) + abs(bounds.slope.y));

@@ -54,7 +54,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"trace/hiz", Unit::Lookups, 1.15},
     UnitCost{"trace/hiz", Unit::Spread, 0.8},
     UnitCost{"trace/linear", Unit::Rays, 3},
-    UnitCost{"trace/linear", Unit::Lookups, 0.38},
+    UnitCost{"trace/linear", Unit::Lookups, 0.95},
     UnitCost{"trace/adaptive", Unit::Rays, 1},
     UnitCost{"trace/adaptive", Unit::Lookups, 0.45},
     UnitCost{"trace/proxy", Unit::Rays, 5},

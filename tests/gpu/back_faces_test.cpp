@@ -82,7 +82,9 @@ protected:
         constants.size = in.size;
         constants.invSize = 1.0f / constants.size;
         constants.depthScale = 1;
-        constants.flags = shared::kInputLinearDepth | (in.coverage.empty() ? 0 : shared::kInputResolved);
+        constants.flags = shared::kInputLinearDepth;
+        if (!in.coverage.empty())
+            constants.flags |= shared::kInputResolved | shared::kInputSamples;
         gpu::Buffer frameConstants =
             must(gpu::uploadBuffer(gpu(), "test/frame", std::vector{reflect::FrameBlockValues{constants, {}}},
                                    VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT));

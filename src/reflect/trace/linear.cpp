@@ -8,7 +8,7 @@ static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs
 }
 
 const Technique kLinearTechnique = {
-    "linear", March::Linear, "trace/linear", "every pixel along the ray, one depth lookup each but in open space", true,
-    true,     record};
+    "linear", March::Linear, "trace/linear", "every pixel along the ray, one depth lookup each but in open space",
+    true,     true,          record};
 
 } // namespace glint::reflect
