@@ -57,7 +57,7 @@ TEST(Compare, FiguresFollowTheSettings) {
     EXPECT_GT(fine.recall(), 0.85);
     EXPECT_GT(fine.precision(), 0.95);
     EXPECT_LT(coarse.precision(), fine.precision());
-    EXPECT_LT(coarse.lookupsMean, fine.lookupsMean / 2); // in open space neither takes samples
+    EXPECT_LT(coarse.lookupsMean, fine.lookupsMean / 2); // in open space neither takes samples: 9.7, 32.3
     EXPECT_EQ(fine.visibleTruths, coarse.visibleTruths);
     EXPECT_EQ(none.visibleTruths, fine.visibleTruths);
     EXPECT_EQ(none.reported, 0u);
