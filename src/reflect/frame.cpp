@@ -22,7 +22,9 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     prepare(frame, view);
     const bool reflects = hierarchy_->anySource() || settings.debug.outcome;
     if (reflects && settings.screen.enabled) {
-        trace_->classify(frame, inputs(), prepared(), prepare_->backFaceGroups());
+        if (!classifiesEarly())
+            trace_->classify(frame, inputs(), prepared());
+        trace_->list(frame, prepare_->backFaceGroups());
         prepare_->recordBackFaces(frame, inputs(), colors_.now(kViewZ), trace_->rays());
         if (techniqueFor(settings.screen.march).usesPyramid || expectsLayers())
             pyramid_->record(frame, inputs(), prepared(), expectsLayers() ? nullptr : &trace_->rays());
@@ -71,7 +73,13 @@ void FrameStages::prepare(gpu::Frame& frame, const View& view) {
     block_->record(frame, host_, resolveSettings(view), {traced.width, traced.height}, colors_);
     if (denoisesLobes())
         lobeDenoise_->copyTag(frame, block_->buffer(), offsetof(FrameBlockValues, settings.denoise.historyTag));
-    prepare_->record(frame, inputs(), colors_.now(kViewZ));
+    if (!classifiesEarly()) {
+        prepare_->record(frame, inputs(), colors_.now(kViewZ));
+        return;
+    }
+    trace_->beginClasses(frame);
+    prepare_->recordClassified(frame, inputs(), colors_.now(kViewZ),
+                               [this](gpu::Pass& pass) { trace_->bindClasses(pass); });
 }
 
 /// The settings in force, with the inputs of this frame: a host may add lights or probes at any time.

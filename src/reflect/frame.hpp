@@ -117,6 +117,7 @@ private:
     Result<void> giveScene();
     Result<void> rehearseRays();
     Result<void> setDenoise(const Settings& settings);
+    Result<void> makeClasses();
     Result<void> makeResults();
 
     // Record the frame, top to bottom, and its additions.
@@ -139,6 +140,10 @@ private:
         return stages_.desc.views || stages_.desc.inspection || outputs_.stated().reflection || host_.hasManySamples();
     }
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
+    /// True if prepare/classified does the work of trace/classify.
+    bool classifiesEarly() const {
+        return trace_->classifiesAlone(stages_.settings()) && host_.gbuffer.depth.samples == 1;
+    }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
     bool blursHits() const { return conePicture_ && ConePicture::isWanted(stages_.settings()); }

@@ -62,11 +62,19 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(pyramid_->make());
     GLINT_CHECK(setDenoise(settings));
     stages_.desc.settings = settings;
+    GLINT_CHECK(makeClasses());
     GLINT_CHECK(setCones(settings));
     GLINT_CHECK(setTransparents(settings));
     recorded_ = false;
     written_.clear();
     return prepare_->setInputs(host_.gbuffer);
+}
+
+/// Compiles the passes that prepare pixels and find those that need a ray.
+Result<void> FrameStages::makeClasses() {
+    if (stages_.settings().screen.enabled && !classifiesEarly())
+        GLINT_CHECK(trace_->makeClassify());
+    return prepare_->makeSurface(classifiesEarly());
 }
 
 Result<void> FrameStages::rememberColors() {
@@ -127,6 +135,7 @@ Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     if (checker_ && (!host_.isSet() || gbuffer.conventions != host_.conventions()))
         checker_->restart();
     host_.set(gbuffer, environment);
+    GLINT_CHECK(makeClasses());
     GLINT_CHECK(makeResults());
     return prepare_->setInputs(gbuffer);
 }
@@ -296,6 +305,8 @@ Result<void> FrameStages::rehearse() {
     prepare(frame, {});
     prepare_->rehearse(frame, inputs(), colors_.now(kViewZ));
     pyramid_->record(frame, inputs(), prepared(), nullptr);
+    prepare_->recordClassified(frame, inputs(), colors_.now(kViewZ),
+                               [this](gpu::Pass& pass) { trace_->bindClasses(pass); });
     trace_->rehearse(frame, traceInputs(), prepare_->backFaceGroups());
     denoise_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());

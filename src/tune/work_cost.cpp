@@ -25,7 +25,6 @@ enum class Unit : uint8_t {
     Reused,     ///< their neighbours' rays: reuse.samples
     Filtered,   ///< these pixels, where denoise.maxRadius is above 0
     Cones,      ///< traced rough pixels whose hits are blurred: rough.cones, reflect.maxRoughness
-    AimedCones, ///< these pixels of the frame
     BlurTaps,   ///< these pixels in the blurred image, times taps
     BackFaces,  ///< pixels of the back-face image
     Triangles,  ///< of the scene
@@ -44,6 +43,7 @@ constexpr std::array kUnitCosts = {
     UnitCost{"render/back_faces", Unit::Triangles, 3.9},
     UnitCost{"render/back_faces_masked", Unit::BackFaces, 0.2},
     UnitCost{"prepare/surface", Unit::Pixels, 1.25},
+    UnitCost{"prepare/classified", Unit::Pixels, 2.2},
     UnitCost{"prepare/back_faces", Unit::Pixels, 1.2},
     UnitCost{"prepare/pyramid", Unit::Pixels, 1.6},
     UnitCost{"trace/classify", Unit::Traced, 1.25},
@@ -85,7 +85,6 @@ constexpr std::array kUnitCosts = {
     UnitCost{"denoise/stabilize", Unit::Pixels, 1.6},
     UnitCost{"denoise/stabilize", Unit::Rough, 3},
     UnitCost{"denoise/upsample", Unit::Pixels, 2.9},
-    UnitCost{"denoise/upsample", Unit::AimedCones, 8}, // among other pixels, and so for fewer at a time
     UnitCost{"denoise/blur", Unit::Pixels, 3},
     UnitCost{"denoise/blur", Unit::BlurTaps, 0.65},
     UnitCost{"composite/combined", Unit::Pixels, 1.9},
@@ -154,7 +153,6 @@ double amount(Unit unit, const FrameWork& work) {
     case Unit::Reused: return work.rough.all() * settings.reuse.samples;
     case Unit::Filtered: return settings.denoise.maxRadius > 0 ? work.rough.all() : 0;
     case Unit::Cones: return blurredPixels(work) * square(settings.screen.resolutionScale);
-    case Unit::AimedCones: return blurredPixels(work);
     case Unit::BlurTaps:
         return work.rough.all() *
                square(settings.screen.resolutionScale / static_cast<float>(settings.blur.downsample + 1)) *

@@ -118,7 +118,7 @@ TEST_F(SeamsTest, WhatAPassWroteIsAView) {
     run([&](VkCommandBuffer commands) { composite = made.record(commands, camera_.view(kWidth, kHeight)); });
     const std::vector<float> picture = download(gpu(), composite);
     const std::vector<std::string> images = made.passImages();
-    for (const char* name : {"trace/hiz:radianceWeight", "prepare/surface:viewZ", "hierarchy/combine:weights"})
+    for (const char* name : {"trace/hiz:radianceWeight", "prepare/classified:viewZ", "hierarchy/combine:weights"})
         EXPECT_NE(std::ranges::find(images, name), images.end()) << name;
     const auto shown = [&](std::string_view name) {
         HostImage image;

@@ -6,11 +6,13 @@ namespace glint::reflect {
 
 Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
     std::unique_ptr<Prepare> prepare(new Prepare(stages));
-    using gpu::Pipeline;
-    GLINT_TRY(surface, Pipeline::compute(stages.gpu, {"prepare/surface", 0, {}}));
-    GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}, gpu::Compile::Later));
+    using gpu::Compile, gpu::Pipeline;
+    GLINT_TRY(surface, Pipeline::compute(stages.gpu, {"prepare/surface", 0, {}}, Compile::Later));
+    GLINT_TRY(classified, Pipeline::compute(stages.gpu, {"prepare/classified", 0, {}}, Compile::Later));
+    GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}, Compile::Later));
     GLINT_TRY(backFaces, Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}));
     prepare->surfacePass_ = std::move(surface);
+    prepare->classifiedPass_ = std::move(classified);
     prepare->surfaceSamplesPass_ = std::move(surfaceSamples);
     prepare->backFacesPass_ = std::move(backFaces);
     const uint32_t w = stages.width();
@@ -74,17 +76,18 @@ void Prepare::clear(gpu::Frame& frame) {
 }
 
 void Prepare::rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ) {
-    recordSurface(frame, inputs, viewZ, false);
-    recordSurface(frame, inputs, viewZ, true);
+    recordSurface(frame, inputs, viewZ, surfacePass_);
+    recordSurface(frame, inputs, viewZ, surfaceSamplesPass_);
     Rays none;
     recordBackFaces(frame, inputs, viewZ, none);
 }
 
-void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, bool manySamples) {
+void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, gpu::Pipeline& pipeline,
+                            const Bind& bindMore) {
     // Absent images are not read: any image with the same sample count can be bound instead.
     Inputs& host = inputs.host;
     gpu::Image& material = host.material ? host.material : host.normal;
-    gpu::Pass pass = frame.pass(manySamples ? surfaceSamplesPass_ : surfacePass_);
+    gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.constants)
         .read("depth", host.depth, kTexels)
         .read("normal", host.normal, kTexels)
@@ -96,8 +99,10 @@ void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::I
         .write("viewZ", viewZ)
         .write("surface", surface_)
         .write("resolvedMaterial", resolvedMaterial_);
-    if (manySamples)
+    if (&pipeline == &surfaceSamplesPass_)
         pass.write("edge", edge_);
+    if (bindMore)
+        bindMore(pass);
     pass.dispatch(stages_.extent.x, stages_.extent.y);
 }
 

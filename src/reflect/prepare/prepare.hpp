@@ -4,22 +4,34 @@
 #include "reflect/stage.hpp"
 #include "reflect/stages.hpp"
 
+#include <functional>
+
 namespace glint::reflect {
 
 class Prepare {
 public:
+    using Bind = std::function<void(gpu::Pass&)>;
+
     static Result<std::unique_ptr<Prepare>> create(StageContext& stages);
 
     /// Allocates what these inputs need: edges with several samples per pixel, and back faces in their own size.
     /// Errors: OutOfMemory.
     Result<void> setInputs(const GBuffer& gbuffer);
 
+    /// Compiles the pass that `record` runs for hosts with one sample per pixel. Errors: Unsupported.
+    Result<void> makeSurface(bool classifies) { return (classifies ? classifiedPass_ : surfacePass_).compile(); }
+
     /// Initializes images that may be read before they are written.
     void clear(gpu::Frame& frame);
     void rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ);
     /// Writes `viewZ` and the images of `prepared`, except back faces.
     void record(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ) {
-        recordSurface(frame, inputs, viewZ, inputs.host.depth.desc().samples > 1);
+        recordSurface(frame, inputs, viewZ, inputs.host.depth.desc().samples > 1 ? surfaceSamplesPass_ : surfacePass_);
+    }
+    /// The same with the work of trace/classify, whose outputs `bindClasses` binds. For hosts with one sample per
+    /// pixel.
+    void recordClassified(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, const Bind& bindClasses) {
+        recordSurface(frame, inputs, viewZ, classifiedPass_, bindClasses);
     }
     /// Writes the back faces once the presence of rays is known: `rays` contains the number of groups to dispatch.
     void recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays);
@@ -35,10 +47,12 @@ private:
     Result<void> makeMaterial(bool resolves);
     Result<void> makeBackFaces(bool wanted);
     Result<void> makeEdge(bool manySamples);
-    void recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, bool manySamples);
+    void recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, gpu::Pipeline& pipeline,
+                       const Bind& bindMore = {});
 
     StageContext& stages_;
     gpu::Pipeline surfacePass_;
+    gpu::Pipeline classifiedPass_;
     gpu::Pipeline surfaceSamplesPass_; ///< for hosts with several samples per pixel
     gpu::Pipeline backFacesPass_;
     gpu::Image surface_;

@@ -30,19 +30,25 @@ gpu::Pipeline& ScreenTrace::marcherOf(const Settings& settings) {
     return marchers_[static_cast<size_t>(&techniqueFor(settings.screen.march) - techniques().data())];
 }
 
+bool ScreenTrace::tracesEveryPixel(const Settings& settings) const {
+    return tracedPixels(settings, stages_.width()) == stages_.width() &&
+           tracedPixels(settings, stages_.height()) == stages_.height();
+}
+
+bool ScreenTrace::classifiesAlone(const Settings& settings) const {
+    return settings.screen.enabled && tracesEveryPixel(settings) && !denoises(settings);
+}
+
 bool ScreenTrace::keepsRecord(const Settings& settings) const {
     const ReflectionsDesc& desc = stages_.desc;
-    const bool smaller =
-        tracedPixels(settings, desc.width) < desc.width || tracedPixels(settings, desc.height) < desc.height;
     return desc.statistics || desc.views || desc.inspection || settings.debug.outcome || settings.rays.enabled ||
-           smaller || denoises(settings) || settings.blur.strength > 0 || TransparentTrace::isWanted(settings);
+           !tracesEveryPixel(settings) || denoises(settings) || settings.blur.strength > 0 ||
+           TransparentTrace::isWanted(settings);
 }
 
 Result<void> ScreenTrace::make(const Settings& settings) {
-    if (settings.screen.enabled) {
-        GLINT_CHECK(classify_.compile());
+    if (settings.screen.enabled)
         GLINT_CHECK(marcherOf(settings).compile());
-    }
     const uint32_t w = tracedPixels(settings, stages_.width());
     const uint32_t h = tracedPixels(settings, stages_.height());
     const auto grow = [&](gpu::Image& image, const StageImage& wanted) -> Result<void> {
@@ -84,18 +90,21 @@ void ScreenTrace::begin(bool whole) {
 }
 
 void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups) {
-    classify(frame, inputs.frame, inputs.prepared, backFaceGroups);
+    classify(frame, inputs.frame, inputs.prepared);
+    list(frame, backFaceGroups);
     for (size_t i = 0; i < techniques().size(); ++i)
         techniques()[i].record(frame, marchers_[i], inputs, target());
 }
 
-void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
-                           glm::uvec2 backFaceGroups) {
-    lister_.begin(frame);
+void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared) {
+    beginClasses(frame);
     gpu::Pass pass = frame.pass(classify_);
     pass.read("frame", inputs.constants).read("viewZ", prepared.viewZ).read("surface", prepared.surface);
     pass.read("rayRates", inputs.rayRates, kTexels);
-    lister_.bind(writeTraced(pass, target())).dispatch(width_, height_);
+    bindClasses(pass).dispatch(width_, height_);
+}
+
+void ScreenTrace::list(gpu::Frame& frame, glm::uvec2 backFaceGroups) {
     const glm::uvec2 pyramidGroups = (stages_.extent + shared::kPyramidTile - 1u) / shared::kPyramidTile;
     lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups});
 }

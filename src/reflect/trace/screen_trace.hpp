@@ -24,8 +24,19 @@ public:
     /// Sets the size and format of this frame's images. `whole`: the frame's size, whatever the settings.
     void begin(bool whole);
     void rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups);
-    /// Lists the pixels that need a ray. `backFaceGroups`: Prepare::backFaceGroups.
-    void classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared, glm::uvec2 backFaceGroups);
+    /// True if no pixel is left out and none asks its neighbours, so that the pass that prepares a pixel can classify
+    /// it (Prepare::recordClassified).
+    bool classifiesAlone(const Settings& settings) const;
+    /// Compiles the pass that `classify` records. Errors: Unsupported.
+    Result<void> makeClassify() { return classify_.compile(); }
+    /// Call before the pass that classifies.
+    void beginClasses(gpu::Frame& frame) { lister_.begin(frame); }
+    /// Binds what trace/starts_ray.glsl and trace/ray_list.glsl write.
+    gpu::Pass& bindClasses(gpu::Pass& pass) { return lister_.bind(writeTraced(pass, target())); }
+    /// Finds the pixels that need a ray.
+    void classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared);
+    /// Lists them. `backFaceGroups`: Prepare::backFaceGroups.
+    void list(gpu::Frame& frame, glm::uvec2 backFaceGroups);
     /// Marches the listed rays.
     Traced record(gpu::Frame& frame, const TraceInputs& inputs);
     /// Clears the images while the screen source is off: no ray was traced.
@@ -38,6 +49,7 @@ public:
 private:
     explicit ScreenTrace(StageContext& stages) : stages_(stages) {}
     gpu::Pipeline& marcherOf(const Settings& settings);
+    bool tracesEveryPixel(const Settings& settings) const;
 
     StageContext& stages_;
     gpu::Pipeline classify_;

@@ -1,0 +1,57 @@
+// Converts the host's G-buffer into Glint's own conventions, once: every later pass reads viewZ in metres, one packed
+// surface and a resolved material. include/glint/gbuffer.hpp lists what a host may declare.
+//
+// GLINT_CLASSIFIES: the pass also does the work of trace/classify, which otherwise reads again what this one has just
+// written. For frames that trace every pixel and ask no neighbour: not while denoising.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "frame/frame_block.glsl"
+#include "lib/host_surface.glsl"
+#include "lib/math.glsl"
+#include "lib/surface.glsl"
+#ifdef GLINT_CLASSIFIES
+#include "trace/ray_list.glsl"
+#include "trace/starts_ray.glsl"
+#endif
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 21) uniform sampler2D depth;
+layout(set = 0, binding = 22) uniform sampler2D normal;
+layout(set = 0, binding = 23) uniform sampler2D material;
+layout(set = 0, binding = 24) uniform sampler2D baseColor;
+layout(set = 0, binding = 25, r32f) uniform writeonly image2D viewZ;
+layout(set = 0, binding = 26, rg32ui) uniform writeonly uimage2D surface;
+layout(set = 0, binding = 27, rgba16f) uniform writeonly image2D resolvedMaterial;
+// The images that hold the material's scalars; often one and the same.
+layout(set = 0, binding = 28) uniform sampler2D roughness;
+layout(set = 0, binding = 29) uniform sampler2D metallic;
+layout(set = 0, binding = 30) uniform sampler2D specular;
+
+#define GLINT_HOST_SAMPLER sampler2D
+#include "prepare/load_material.glsl"
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    bool needsRay = false;
+    bool fromRough = false;
+    if (all(lessThan(px, ivec2(frame.constants.size)))) {
+        HostSurface here = hostSurface(frame.constants, texelFetch(depth, px, 0).r, texelFetch(normal, px, 0).xyz,
+                                       loadMaterial(px, 0));
+        float z = storedViewZ(frame.constants, here.viewZ);
+        uvec2 packed = packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0)));
+        imageStore(viewZ, px, vec4(z));
+        imageStore(surface, px, uvec4(packed, 0u, 0u));
+        if ((frame.constants.flags & kInputResolved) != 0u) // else the host's own image holds the same
+            imageStore(resolvedMaterial, px, vec4(here.f0, 1.0));
+#ifdef GLINT_CLASSIFIES
+        // As packed: later passes compare the same numbers.
+        needsRay = startsRay(px, px, z, unpackSurface(packed), fromRough);
+#endif
+    }
+#ifdef GLINT_CLASSIFIES
+    needRay(needsRay, fromRough);
+#endif
+}

@@ -1,0 +1,86 @@
+// Which pixels need a ray is decided in prepare/classified or, where neighbours are asked, in trace/classify.
+#include "gpu/support/library_test.hpp"
+#include "gpu/support/scenes.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace glint::test {
+namespace {
+
+constexpr uint32_t kWidth = 77; // whole tiles neither way
+constexpr uint32_t kHeight = 43;
+
+class ClassifyTest : public LibraryTest {
+protected:
+    /// A floor in stripes: of any roughness, hardly reflecting, and turned so far up that rays return to the eye.
+    static std::optional<SyntheticSurface> stripes(const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = floorAndWall()(origin, direction);
+        if (!hit || hit->f0.x == 0)
+            return hit;
+        const glm::dvec3 at = origin + direction * hit->distance;
+        hit->perceptualRoughness = static_cast<float>(std::abs(std::sin(3 * at.x)));
+        if (std::sin(7 * at.z) > 0.5)
+            hit->f0 = glm::vec3(0.03f);
+        if (std::sin(5 * at.z) > 0.5)
+            hit->normalWS = glm::normalize(glm::dvec3(0, 1, 1.5));
+        return hit;
+    }
+    static Settings settings() {
+        Settings settings = plainSettings();
+        settings.reflect.threshold = 0.04f;
+        settings.reflect.maxRoughness = 0.5f;
+        settings.fade.facingCamera = true;
+        return settings;
+    }
+};
+
+TEST_F(ClassifyTest, BothPassesFindTheSamePixels) {
+    const Picture early = trace(stripes, {}, kWidth, kHeight, settings());
+    Settings denoised = settings();
+    denoised.denoise.enabled = true;
+    denoised.reuse.rate = RayRate::Full;
+    const Picture late = trace(stripes, {}, kWidth, kHeight, denoised);
+    const auto runs = [](const Picture& picture, std::string_view pass) {
+        return std::ranges::count(picture.passTimes, pass, &PassTime::name);
+    };
+    EXPECT_EQ(runs(early, "prepare/classified"), 1);
+    EXPECT_EQ(runs(early, "trace/classify") + runs(early, "prepare/surface"), 0);
+    EXPECT_EQ(runs(late, "prepare/classified"), 0);
+    EXPECT_EQ(runs(late, "trace/classify") + runs(late, "prepare/surface"), 2);
+    const auto rayless = [](uint32_t outcome) {
+        return outcome == shared::kOutcomeNone || outcome >= shared::kOutcomeBelowThreshold;
+    };
+    std::map<uint32_t, size_t> found;
+    for (size_t i = 0; i < early.pixels(); ++i) {
+        const uint32_t outcome = early.outcome(i);
+        ++found[rayless(outcome) ? outcome : shared::kOutcomeHit];
+        if (rayless(outcome) || rayless(late.outcome(i))) {
+            ASSERT_EQ(outcome, late.outcome(i)) << i % kWidth << "," << i / kWidth;
+        }
+    }
+    for (const uint32_t outcome :
+         {shared::kOutcomeHit, shared::kOutcomeBelowThreshold, shared::kOutcomeTooRough, shared::kOutcomeFacingCamera})
+        EXPECT_GT(found[outcome], 30u) << outcome;
+}
+
+/// A pixel without a ray keeps nothing of what it was in earlier frames.
+TEST_F(ClassifyTest, PixelsWithoutARayHaveNoAnswer) {
+    Settings all = settings();
+    all.reflect.threshold = 0;
+    all.reflect.maxRoughness = 1;
+    all.fade.facingCamera = false;
+    const SyntheticCamera camera;
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), stripes, camera, kWidth, kHeight);
+    Reflections made = reflections(kWidth, kHeight, all);
+    must(made.setInputs(host.gbuffer));
+    trace(made, camera.view(kWidth, kHeight));
+    must(made.setSettings(settings()));
+    const Picture picture = trace(made, camera.view(kWidth, kHeight));
+    const Picture fresh = trace(stripes, camera, kWidth, kHeight, settings());
+    EXPECT_EQ(picture.weight, fresh.weight);
+    EXPECT_EQ(picture.reflection, fresh.reflection);
+}
+
+} // namespace
+} // namespace glint::test
