@@ -5,6 +5,7 @@
 
 #include "frame/prepared.glsl"
 #include "lib/camera.glsl"
+#include "lib/math.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
@@ -42,7 +43,7 @@ float sameSurface(Place here, Place other, float pixels) {
     float fromPlane = min(abs(dot(here.normalVS, between)), abs(dot(other.normalVS, between)));
     float allowed = here.metresPerPixel * (0.25 + 0.5 * pixels) + 0.05 * length(between);
     float plane = 1.0 - smoothstep(allowed, 2.0 * allowed, fromPlane);
-    float normal = pow(clamp(dot(here.normalVS, other.normalVS), 0.0, 1.0), 16.0);
+    float normal = square(square(square(square(clamp(dot(here.normalVS, other.normalVS), 0.0, 1.0)))));
     float roughness = max(1.0 - 5.0 * abs(here.perceptualRoughness - other.perceptualRoughness), 0.0);
     return plane * normal * roughness;
 }

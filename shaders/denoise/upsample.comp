@@ -3,7 +3,8 @@
 // Where a reflection is sharp, the rays of the four nearest traced pixels give only the ray's length; the pixel's own
 // position and normal give its direction. The pixel aims its own ray that far, and takes the colour there if the frame
 // shows a surface at exactly that place. Mirrors stay as sharp as the frame, for two depth lookups a pixel instead of a
-// march. Everywhere else a pixel mixes the four, each weighted by nearness and by surface similarity (Kopf et al. 2007,
+// march. Where cones (trace/cone.glsl) have already blurred the answers by more than lies between traced pixels, and
+// everywhere else, a pixel mixes the four, each weighted by nearness and by surface similarity (Kopf et al. 2007,
 // "Joint Bilateral Upsampling"). Pixels that were not traced do not count. Where none of the four shows the pixel's
 // surface, the most similar traced pixel around is used alone.
 #version 460
@@ -14,6 +15,7 @@
 #include "lib/color.glsl"
 #include "lib/fades.glsl"
 #include "shared/denoise_constants.h"
+#include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -21,6 +23,10 @@ layout(set = 0, binding = 4) uniform sampler2D traced; // radiance, not multipli
 layout(set = 0, binding = 5) uniform sampler2D source; // the same, or blurred
 layout(set = 0, binding = 9) uniform usampler2D rayRecord;
 layout(set = 0, binding = 10, rgba16f) uniform writeonly image2D radianceWeight;
+layout(scalar, set = 0, binding = 11) readonly buffer RaysBlock {
+    RayListHeader header;
+}
+rayList;
 layout(push_constant, scalar) uniform PushBlock {
     vec2 sourceSize; // pixels
 };
@@ -34,6 +40,9 @@ BlurConstants blur = frame.settings.blur;
 /// Below this similarity a pixel shows another surface.
 const float kOtherSurface = 0.01;
 
+/// Half of a wide lobe lies farther than this off its ray's hit, in distances between traced pixels.
+const float kWideLobe = 0.5;
+
 /// True if rays start from pixels of this surface.
 bool reflects(Place here) {
     return !here.background && here.reflectivity > settings.threshold &&
@@ -46,12 +55,13 @@ struct Tap {
     vec2 px;          // of the frame, whose surface it is
 };
 
-Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX) {
+/// `traced`: a ray is known to have started there.
+Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX, bool traced) {
     Tap tap = Tap(vec4(0.0), 0.0, vec2(0.0));
-    if (any(lessThan(imagePX, ivec2(0))) || any(greaterThanEqual(imagePX, ivec2(imageSize))))
+    if (!traced && (any(lessThan(imagePX, ivec2(0))) || any(greaterThanEqual(imagePX, ivec2(imageSize)))))
         return tap;
     ivec2 tracePX = gridToTracePixel(imageSize, imagePX);
-    if (!wasTraced(rayOf(tracePX)))
+    if (!traced && !wasTraced(rayOf(tracePX)))
         return tap;
     ivec2 tapPX = tracePixelToFull(frame.constants, tracePX);
     tap.px = vec2(tapPX);
@@ -69,10 +79,10 @@ ivec2 cornerOf(vec2 imageSize, ivec2 px) {
 }
 
 /// The four pixels of an image around `px`, the one at `corner` first.
-Tap[4] takeFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 corner) {
+Tap[4] takeFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 corner, bool traced) {
     Tap four[4];
     for (int i = 0; i < 4; ++i)
-        four[i] = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1));
+        four[i] = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1), traced);
     return four;
 }
 
@@ -103,7 +113,7 @@ vec4 mostSimilar(Place here, ivec2 px) {
     ivec2 corner = cornerOf(frame.constants.traceSize, px) - 1;
     Tap best = Tap(vec4(0.0), kOtherSurface, vec2(0.0));
     for (int i = 0; i < 16; ++i) {
-        Tap tap = takeTap(traced, frame.constants.traceSize, here, px, corner + ivec2(i & 3, i >> 2));
+        Tap tap = takeTap(traced, frame.constants.traceSize, here, px, corner + ivec2(i & 3, i >> 2), false);
         if (tap.similarity > best.similarity)
             best = tap;
     }
@@ -142,10 +152,18 @@ bool aim(Place here, vec3 directionVS, float distance, out vec2 hitPX) {
     return false;
 }
 
+/// A line where no traced ray starts on a rough surface: the picture was not copied then (trace/picture).
+LobeCone coneOf(Place here, vec3 directionVS) {
+    LobeCone cone = makeCone(directionVS, here.normalVS, here.perceptualRoughness);
+    if (rayList.header.pictureGroups[0] == 0u)
+        cone.alpha = 0.0;
+    return cone;
+}
+
 vec4 answerAt(Place here, vec3 directionVS, vec2 hitPX, float weight) {
     uint lookups = 0u; // only rays count lookups
     vec3 hitVS = placeOf(floorToInt(hitPX)).positionVS;
-    LobeCone cone = makeCone(directionVS, here.normalVS, here.perceptualRoughness);
+    LobeCone cone = coneOf(here, directionVS);
     vec3 radiance = hitRadiance(hitPX, false, here.positionVS, hitVS, cone, lookups);
     if ((frame.constants.flags & kTraceTarget8) != 0u)
         radiance = scaledToOne(radiance);
@@ -254,20 +272,33 @@ float sharpShare(Place here, ivec2 px) {
     return 1.0 - clamp(reach * sourceSize.y / frame.constants.size.y, 0.0, 1.0);
 }
 
+/// True where the answers of the four are means over lobes (cones) so wide that a mixture of them is as good as the answer
+/// of the pixel's own ray, at any of the places that they met. Where some of them missed, the mixture fades.
+bool lobesOverlap(Place here, vec3 directionVS, FourRays rays) {
+    LobeCone cone = coneOf(here, directionVS);
+    bool wide = rays.traced && cone.alpha > 0.0;
+    for (int i = 0; i < 4 && wide; ++i) {
+        vec3 hitVS = here.positionVS + directionVS * rays.distances[i];
+        wide = rays.weights[i] <= 0.0 ||
+               coneRadius(cone, hitVS, rays.distances[i]) >= kWideLobe * frame.constants.traceScale.y;
+    }
+    return wide;
+}
+
 /// The unblurred answer, premultiplied.
 vec4 sharpAnswer(Place here, ivec2 px) {
     ivec2 corner = cornerOf(frame.constants.traceSize, px);
     FourRays rays = gatherRays(corner);
     if (rays.traced && all(equal(rays.weights, vec4(0.0))))
         return vec4(0.0); // nothing that rays from here may meet is shown
-    bool aims =
-        settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size));
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
+    bool aims = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size)) &&
+                !lobesOverlap(here, directionVS, rays);
     Aimed aimed = Aimed(kNotAimed, vec2(0.0), 0.0);
     if (aims && rays.hit)
         aimed = aimAmongHits(here, directionVS, px, corner, rays);
     if (aimed.found == kNotAimed) {
-        Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner);
+        Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner, rays.traced);
         if (aims)
             aimed = aimOwnRay(here, directionVS, px, corner, four);
         vec4 answer;
@@ -280,7 +311,7 @@ vec4 sharpAnswer(Place here, ivec2 px) {
 
 /// The blurred answer, premultiplied; false where none of the four around shows this surface.
 bool blurredAnswer(Place here, ivec2 px, out vec4 answer) {
-    Tap four[4] = takeFour(source, sourceSize, here, px, cornerOf(sourceSize, px));
+    Tap four[4] = takeFour(source, sourceSize, here, px, cornerOf(sourceSize, px), false);
     return mixFour(four, px, frame.constants.size / sourceSize, answer);
 }
 

@@ -84,6 +84,7 @@ Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal 
         .read("surface", inputs.trace.prepared.surface)
         .read("rayRecord", inputs.traced.rayRecord)
         .read("traced", inputs.traced.target)
+        .read("rayList", inputs.trace.rays.list)
         .read("source", *source.image)
         .write("radianceWeight", whole_)
         .push(source.size())

@@ -54,10 +54,7 @@ void ConePicture::record(gpu::Frame& frame, const TraceInputs& inputs) {
         .read("prevViewZ", inputs.previous ? inputs.previous->viewZ : inputs.frame.standIns.black, kTexels);
     for (uint32_t level = 0; level < shared::kPictureLevels; ++level)
         pass.write(kLevels[level], image_, level);
-    // Rays of few pixels say nothing of the surfaces between them, whose pixels aim rays of their own.
-    const bool all = inputs.frame.values.traceSize == inputs.frame.values.size;
-    pass.dispatchIndirect(inputs.rays.list, all ? offsetof(shared::RayListHeader, pictureGroups)
-                                                : offsetof(shared::RayListHeader, pyramidGroups));
+    pass.dispatchIndirect(inputs.rays.list, offsetof(shared::RayListHeader, pictureGroups));
 }
 
 } // namespace glint::reflect

@@ -19,8 +19,8 @@ public:
     Result<void> make();
     /// Initializes the image, which an inspection may read before a frame with rays wrote it.
     void clear(gpu::Frame& frame);
-    /// Builds the copies if rays start on rough surfaces, or may: of the previous frame if hits take its colours, else
-    /// of this one.
+    /// Builds the copies if rays start on rough surfaces: of the previous frame if hits take its colours, else of this
+    /// one.
     void record(gpu::Frame& frame, const TraceInputs& inputs);
 
     /// RGBA16F; level n shows 2^(n+1) pixels a side. Absent until made.
