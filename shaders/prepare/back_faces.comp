@@ -4,13 +4,16 @@
 // endless. So a texel counts for a pixel only if the pixel's surface lies between the front and the back that are known
 // at the texel's point. Otherwise the nearest back of the texels around it counts; where none counts, the back is
 // unknown.
+//
+// Not run for the picture's surfaces where the host's image has one texel a pixel, at its centre: the passes that ask
+// read that image itself then (kTraceBackInPlace).
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
 #include "frame/frame_block.glsl"
+#include "lib/back_face.glsl"
 #include "lib/edge.glsl"
-#include "lib/host_surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -22,9 +25,6 @@ layout(set = 0, binding = 5) uniform usampler2D edge;
 
 /// A step of depth from one pixel to the next that counts as an edge, as a fraction of the depth.
 const float kStep = 0.05;
-/// By rounding, a back face may lie this far before the front, as a fraction of its depth: the back of a sheet.
-const float kAtFront = 0.999;
-
 /// True if every surface that pixel `px` shows belongs to one object. The pixel's surface is at `frontZ`. With several
 /// samples a pixel, the pixel's centre, where the back face was drawn, may show another surface than the selected one.
 bool showsOneObject(ivec2 px, float frontZ) {
@@ -45,8 +45,7 @@ ivec2 backExtent() {
 
 /// As the host's image has it: kBackgroundZ if the surface at `z` is open.
 float backOfTexel(ivec2 texel, float z) {
-    float back = hostViewZ(frame.constants, texelFetch(backDepth, texel, 0).r);
-    return back < kBackgroundZ && back >= kAtFront * z ? max(back, z) : kBackgroundZ;
+    return backViewZOf(frame.constants, texelFetch(backDepth, texel, 0).r, z);
 }
 
 const float kSilent = -1.0;

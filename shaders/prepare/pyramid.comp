@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "frame/frame_block.glsl"
+#include "lib/back_face.glsl"
 #include "lib/nearness.glsl"
 #include "lib/pyramid.glsl"
 #include "lib/surface.glsl"
@@ -105,6 +106,8 @@ float slabNearness(ivec2 px, float z, bool orthographic) {
     float reach = z;
     if ((settings.flags & kTraceBackDepth) != 0u) {
         float backZ = texelFetch(backViewZ, px, 0).r;
+        if ((settings.flags & kTraceBackInPlace) != 0u)
+            backZ = storedViewZ(frame.constants, backViewZOf(frame.constants, backZ, z));
         if (backZ < kBackgroundZ)
             reach = backZ;
     }

@@ -5,6 +5,7 @@
 #ifndef GLINT_TRACE_HIT_TEST_GLSL
 #define GLINT_TRACE_HIT_TEST_GLSL
 
+#include "lib/back_face.glsl"
 #include "lib/math.glsl"
 #include "lib/nearness.glsl"
 #include "trace/ray_inputs.glsl"
@@ -57,6 +58,8 @@ float backOf(vec2 px, float sceneZ, inout uint lookups) {
         return sceneZ;
     float backZ = texelFetch(backViewZ, floorToInt(px), 0).r;
     ++lookups;
+    if (!kAmongTransparents && isOn(kTraceBackInPlace))
+        backZ = storedViewZ(frame.constants, backViewZOf(frame.constants, backZ, sceneZ));
     return backZ < kBackgroundZ ? backZ : sceneZ;
 }
 

@@ -88,6 +88,7 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     const uint32_t levels = pyramid_->pyramid().levels;
     shared::SettingsConstants resolved = {};
     resolved.trace = traceConstants(settings, prepare_->backFacesKnown());
+    resolved.trace.flags |= prepare_->backFacesInPlace() ? shared::kTraceBackInPlace : 0;
     resolved.trace.flags |= trace_->keepsRecord(settings) ? shared::kTraceRecords : 0;
     resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
     resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);

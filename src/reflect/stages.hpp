@@ -39,9 +39,11 @@ struct Prepared {
     /// RGBA32UI, lib/edge.glsl: the second surface where that fraction is below 1; otherwise one texel.
     gpu::Image& edge;
     /// R32F, metres: the back of the object that the pixel shows; kBackgroundZ if unknown. One texel of kBackgroundZ
-    /// until a host provides back faces and screen.thicknessMode uses them.
+    /// until a host provides back faces and screen.thicknessMode uses them. With `backFacesInPlace` the host's image,
+    /// in its conventions.
     gpu::Image& backViewZ;
     bool backFacesKnown;
+    bool backFacesInPlace;
 };
 
 /// What a march may meet: the surfaces of `Prepared`, or the transparent ones in front of them

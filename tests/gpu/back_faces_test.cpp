@@ -6,6 +6,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include <algorithm>
 #include <bit>
 
 namespace glint::test {
@@ -62,6 +63,54 @@ TEST_F(BackFacesTest, MayHaveAnySizeAndComeAndGo) {
     trace(made, camera.view(kWidth, kHeight));
     must(made.setSettings(plainSettings()));
     EXPECT_FALSE(missing());
+}
+
+/// An image with one texel per pixel is read in place. One with nine has the same in the middle of each, and is
+/// prepared.
+TEST_F(BackFacesTest, OneTexelAPixelSaysWhatThePreparedImageSays) {
+    const SyntheticCamera camera;
+    Stage stage = floorAndWall(); // rays pass behind the cards, or end in them
+    for (int i = 0; i < 4; ++i)
+        stage.cards.push_back({.low = {i - 2.0, 0.1}, .high = {i - 1.6, 0.8}, .z = -0.5 * i});
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), stage, camera, kWidth, kHeight);
+    const auto backs = [&](uint32_t texels) { // as many a side of a pixel
+        std::vector<float> depth;
+        for (uint32_t y = 0; y < kHeight * texels; ++y)
+            for (uint32_t x = 0; x < kWidth * texels; ++x) {
+                const uint32_t pixel = y / texels * kWidth + x / texels;
+                const bool known = pixel % 5 != 0;
+                depth.push_back(known ? static_cast<float>(camera.deviceDepth(2 + pixel % 97 * 0.05)) : 0.0f);
+            }
+        return uploadTestImage(gpu(), "test/backDepth", VK_FORMAT_R32_SFLOAT, kWidth * texels, kHeight * texels,
+                               bytesOf(depth));
+    };
+    const gpu::Image one = backs(1);
+    const gpu::Image nine = backs(3);
+    for (const March march : {March::Hiz, March::Linear, March::Adaptive})
+        for (const bool half : {false, true}) {
+            Settings settings = plainSettings(march);
+            settings.screen.thicknessMode = ThicknessMode::Backface;
+            settings.gbuffer.depthFormat = half ? DepthFormat::Half : DepthFormat::Float;
+            const auto picture = [&](const gpu::Image* back) {
+                Reflections made = reflections(kWidth, kHeight, settings);
+                GBuffer gbuffer = host.gbuffer;
+                if (back)
+                    gbuffer.backDepth = asHostImage(*back);
+                must(made.setInputs(gbuffer));
+                return trace(made, camera.view(kWidth, kHeight));
+            };
+            const Picture inPlace = picture(&one);
+            const Picture prepared = picture(&nine);
+            const auto prepares = [](const Picture& of) {
+                return std::ranges::count(of.passTimes, "prepare/back_faces", &PassTime::name);
+            };
+            EXPECT_EQ(prepares(inPlace), 0);
+            EXPECT_EQ(prepares(prepared), 1);
+            EXPECT_EQ(inPlace.hitUV, prepared.hitUV);
+            EXPECT_EQ(inPlace.outcomeColor, prepared.outcomeColor);
+            EXPECT_EQ(inPlace.lookups, prepared.lookups);
+            EXPECT_NE(inPlace.outcomeColor, picture(nullptr).outcomeColor) << "back faces make no difference";
+        }
 }
 
 /// shaders/prepare/back_faces alone. Depths are viewZ in metres; 0 is the background.

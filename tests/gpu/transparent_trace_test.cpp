@@ -119,6 +119,31 @@ TEST_F(TransparentTraceTest, mirrorsShowTransparentSurfaces) {
     }
 }
 
+/// The backs of transparent surfaces are prepared even where those of the others are read in place.
+TEST_F(TransparentTraceTest, backFacesOfOneTexelAPixelAreThoseOfNine) {
+    const auto withBacks = [&](uint32_t texels, bool deep) { // `texels` a side of a pixel
+        const double back = deep ? 9 : 4.2;                  // metres: as deep as the scene, or hardly behind the card
+        const std::vector<float> depth(size_t{kWidth} * texels * kHeight * texels,
+                                       static_cast<float>(camera_.deviceDepth(back)));
+        const gpu::Image image = uploadTestImage(gpu(), "test/backDepth", VK_FORMAT_R32_SFLOAT, kWidth * texels,
+                                                 kHeight * texels, bytesOf(depth));
+        Settings backs = settings(March::Hiz);
+        backs.screen.thicknessMode = ThicknessMode::Backface;
+        backs.screen.backfaceTransparents = true;
+        Reflections made = make(backs);
+        GBuffer gbuffer = g_.gbuffer;
+        gbuffer.transparentDepth = layer_.layer.depth;
+        gbuffer.backDepth = asHostImage(image);
+        must(made.setInputs(gbuffer));
+        drawFrames(made, camera_, layer_.layer);
+        return trace(made, camera_.view(kWidth, kHeight));
+    };
+    const Picture deep = withBacks(1, true);
+    EXPECT_EQ(deep.outcomeColor, withBacks(3, true).outcomeColor);
+    EXPECT_EQ(deep.reflection, withBacks(3, true).reflection);
+    EXPECT_NE(deep.outcomeColor, withBacks(1, false).outcomeColor) << "backs make no difference";
+}
+
 TEST_F(TransparentTraceTest, withoutItRaysPassThrough) {
     Settings off = settings(March::Hiz);
     off.screen.transparents = false;

@@ -51,14 +51,15 @@ void DepthPyramid::clear(gpu::Frame& frame) {
 
 void DepthPyramid::record(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared, Rays* rays) {
     const Settings& settings = stages_.settings();
-    const shared::TraceConstants trace = traceConstants(settings, prepared.backFacesKnown && settings.screen.enabled);
+    shared::TraceConstants trace = traceConstants(settings, prepared.backFacesKnown && settings.screen.enabled);
+    trace.flags |= prepared.backFacesInPlace ? shared::kTraceBackInPlace : 0;
     shared::PyramidConstants constants = {trace.thickness, trace.thicknessRelative, trace.flags, pyramid().levels};
     if (!rays)
         constants.thicknessRelative = std::max(constants.thicknessRelative, settings.refraction.hizDepthBias);
     gpu::Pass pass = frame.pass(pass_);
     pass.read("frame", inputs.constants)
         .read("viewZ", prepared.viewZ)
-        .read("backViewZ", prepared.backViewZ)
+        .read("backViewZ", prepared.backViewZ, kTexels)
         .read("surface", prepared.surface)
         .write("pyramid", cells_)
         .readWrite("tiles", tiles_)

@@ -25,10 +25,13 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
 }
 
 Result<void> Prepare::setInputs(const GBuffer& gbuffer) {
-    const bool wanted = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && gbuffer.backDepth;
+    const HostImage& back = gbuffer.backDepth;
+    backFacesKnown_ = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && back;
+    backFacesInPlace_ = backFacesKnown_ && gbuffer.depth.samples == 1 && back.width == stages_.width() &&
+                        back.height == stages_.height();
     GLINT_CHECK(makeEdge(gbuffer.depth.samples > 1));
     GLINT_CHECK(makeMaterial(resolvesMaterial(gbuffer)));
-    return makeBackFaces(wanted);
+    return makeBackFaces(backFacesKnown_ && !backFacesInPlace_);
 }
 
 /// The size of an image that is needed, and of one that is only bound.
@@ -45,7 +48,6 @@ Result<void> Prepare::makeMaterial(bool resolves) {
 
 /// If not wanted, an existing image is kept, cleared.
 Result<void> Prepare::makeBackFaces(bool wanted) {
-    backFacesKnown_ = wanted;
     const glm::uvec2 size = sizeIf(wanted);
     GLINT_TRY(made, growImage(stages_, backViewZ_,
                               {"glint/backViewZ", VK_FORMAT_R32_SFLOAT, size.x, size.y,
@@ -107,7 +109,7 @@ void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::I
 }
 
 void Prepare::recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays) {
-    if (backFacesKnown_ || frame.rehearsing()) {
+    if ((backFacesKnown_ && !backFacesInPlace_) || frame.rehearsing()) {
         frame.pass(backFacesPass_)
             .read("frame", inputs.constants)
             .read("backDepth", inputs.host.backDepth, kTexels)
@@ -117,20 +119,25 @@ void Prepare::recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu:
             .write("backViewZ", backViewZ_)
             .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, backFaceGroups));
         noBackFaces_.ask();
-    } else if (noBackFaces_.isNeeded(stages_.progress)) {
+    } else if (!backFacesInPlace_ && noBackFaces_.isNeeded(stages_.progress)) {
         frame.clear(backViewZ_, {.float32 = {shared::kBackgroundZ}});
         noBackFaces_.recorded(stages_.progress);
     }
 }
 
 Prepared Prepare::prepared(Host& host, gpu::Image& viewZ) {
-    return {viewZ, surface_,   host.resolvesMaterial() ? resolvedMaterial_ : host.images.material,
-            edge_, backViewZ_, backFacesKnown_};
+    return {viewZ,
+            surface_,
+            host.resolvesMaterial() ? resolvedMaterial_ : host.images.material,
+            edge_,
+            backFacesInPlace_ ? host.images.backDepth : backViewZ_,
+            backFacesKnown_,
+            backFacesInPlace_};
 }
 
 glm::uvec2 Prepare::backFaceGroups() const {
     const uint32_t* local = backFacesPass_.localSize();
-    const glm::uvec2 pixels = backFacesKnown_ ? stages_.extent : glm::uvec2(1); // otherwise the pass does not run
+    const glm::uvec2 pixels = backFacesKnown_ ? stages_.extent : glm::uvec2(1); // otherwise no pass runs
     return {(pixels.x + local[0] - 1) / local[0], (pixels.y + local[1] - 1) / local[1]};
 }
 

@@ -34,12 +34,15 @@ public:
         recordSurface(frame, inputs, viewZ, classifiedPass_, bindClasses);
     }
     /// Writes the back faces once the presence of rays is known: `rays` contains the number of groups to dispatch.
+    /// Nothing to do where they are read in place.
     void recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays);
 
     Prepared prepared(Host& host, gpu::Image& viewZ);
-    /// Group counts of the pass that recordBackFaces records.
+    /// Group counts of the pass that recordBackFaces records, and of that for transparent surfaces.
     glm::uvec2 backFaceGroups() const;
     bool backFacesKnown() const { return backFacesKnown_; } ///< a host provides them and the settings use them
+    /// Their image has one texel per pixel, which the passes that ask read themselves.
+    bool backFacesInPlace() const { return backFacesInPlace_; }
 
 private:
     explicit Prepare(StageContext& stages) : stages_(stages) {}
@@ -62,6 +65,7 @@ private:
     gpu::Standing blank_;       ///< edge_ and backViewZ_ are initialized
     gpu::Standing noBackFaces_; ///< backViewZ_ is cleared
     bool backFacesKnown_ = false;
+    bool backFacesInPlace_ = false;
 };
 
 } // namespace glint::reflect

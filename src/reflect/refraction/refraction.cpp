@@ -132,7 +132,7 @@ void Refraction::record(gpu::Frame& frame, LayerImages& layer, const LayerInputs
     gpu::Pass pass = frame.pass(probes ? withProbes_ : alone_);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
-        .read("backViewZ", inputs.prepared.backViewZ)
+        .read("backViewZ", standIns.black) // layers' rays use no back faces
         .read("surface", inputs.prepared.surface)
         .read("pyramid", inputs.pyramid.cells)
         .read("layerDepth", layer.depth, kTexels)

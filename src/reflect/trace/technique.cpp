@@ -53,7 +53,7 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInput
     pass.read("frame", inputs.frame.constants)
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
-        .read("backViewZ", inputs.met.backViewZ)
+        .read("backViewZ", inputs.met.backViewZ, kTexels)
         .read("surface", inputs.prepared.surface)
         .read("blueNoise", inputs.frame.standIns.blueNoise);
     readHitColor(pass, inputs);

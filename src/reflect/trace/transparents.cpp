@@ -50,7 +50,7 @@ void TransparentTrace::record(gpu::Frame& frame, const TraceInputs& inputs, Trac
     Inputs& host = inputs.frame.host;
     const Prepared& solid = inputs.prepared;
     const bool backFacesKnown = solid.backFacesKnown && stages_.settings().screen.backfaceTransparents;
-    const Prepared seen = {viewZ_, surface_, solid.material, solid.edge, backViewZ_, backFacesKnown};
+    const Prepared seen = {viewZ_, surface_, solid.material, solid.edge, backViewZ_, backFacesKnown, false};
     std::optional<PreviousFrame> previous;
     if (inputs.previous)
         previous.emplace(
