@@ -55,13 +55,13 @@ struct Tap {
     vec2 px;          // of the frame, whose surface it is
 };
 
-/// `traced`: a ray is known to have started there.
-Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX, bool traced) {
+/// `known`: that is a traced pixel of the image, from which a ray started.
+Tap takeTap(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 imagePX, bool known) {
     Tap tap = Tap(vec4(0.0), 0.0, vec2(0.0));
-    if (!traced && (any(lessThan(imagePX, ivec2(0))) || any(greaterThanEqual(imagePX, ivec2(imageSize)))))
+    if (!known && (any(lessThan(imagePX, ivec2(0))) || any(greaterThanEqual(imagePX, ivec2(imageSize)))))
         return tap;
     ivec2 tracePX = gridToTracePixel(imageSize, imagePX);
-    if (!traced && !wasTraced(rayOf(tracePX)))
+    if (!known && !wasTraced(rayOf(tracePX)))
         return tap;
     ivec2 tapPX = tracePixelToFull(frame.constants, tracePX);
     tap.px = vec2(tapPX);
@@ -78,11 +78,11 @@ ivec2 cornerOf(vec2 imageSize, ivec2 px) {
     return corner - ivec2(greaterThan(cornerPX, px));
 }
 
-/// The four pixels of an image around `px`, the one at `corner` first.
-Tap[4] takeFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 corner, bool traced) {
+/// The four pixels of an image around `px`, the one at `corner` first. `known`: as for takeTap, of each.
+Tap[4] takeFour(sampler2D image, vec2 imageSize, Place here, ivec2 px, ivec2 corner, bool known) {
     Tap four[4];
     for (int i = 0; i < 4; ++i)
-        four[i] = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1), traced);
+        four[i] = takeTap(image, imageSize, here, px, corner + ivec2(i & 1, i >> 1), known);
     return four;
 }
 
@@ -292,18 +292,23 @@ vec4 sharpAnswer(Place here, ivec2 px) {
     if (rays.traced && all(equal(rays.weights, vec4(0.0))))
         return vec4(0.0); // nothing that rays from here may meet is shown
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
-    bool aims = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size)) &&
-                !lobesOverlap(here, directionVS, rays);
+    bool aims = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size));
+    bool overlap = aims && lobesOverlap(here, directionVS, rays);
     Aimed aimed = Aimed(kNotAimed, vec2(0.0), 0.0);
-    if (aims && rays.hit)
+    if (aims && rays.hit && !overlap)
         aimed = aimAmongHits(here, directionVS, px, corner, rays);
     if (aimed.found == kNotAimed) {
+        vec4 mean;
         Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner, rays.traced);
-        if (aims)
+        bool mixed = mixFour(four, px, frame.constants.traceScale, mean);
+        if (overlap && mixed)
+            return mean;
+        if (overlap && rays.hit) // a thin thing, from which none of the four rays started
+            aimed = aimAmongHits(here, directionVS, px, corner, rays);
+        else if (aims)
             aimed = aimOwnRay(here, directionVS, px, corner, four);
-        vec4 answer;
         if (aimed.found == kNotAimed)
-            return mixFour(four, px, frame.constants.traceScale, answer) ? answer : mostSimilar(here, px);
+            return mixed ? mean : mostSimilar(here, px);
     }
     // Pixels that came here on either way read the picture together.
     return aimed.found == kAimedAtHit ? answerAt(here, directionVS, aimed.hitPX, aimed.weight) : vec4(0.0);

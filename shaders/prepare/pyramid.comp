@@ -15,7 +15,7 @@
 layout(local_size_x = 16, local_size_y = 16) in; // a thread reduces 4 x 4 pixels
 
 layout(set = 0, binding = 1) uniform sampler2D viewZ;
-layout(set = 0, binding = 2) uniform sampler2D backViewZ;
+layout(set = 0, binding = 2) uniform sampler2D backViewZ; // with kTraceBackInPlace the host's depth
 layout(set = 0, binding = 3, rgba32ui) uniform writeonly uimage2D pyramid;
 layout(scalar, set = 0, binding = 4) coherent buffer TilesBlock {
     uint finishedGroups; // 0 before and after the dispatch

@@ -9,7 +9,7 @@
 #include "shared/trace_constants.h"
 #include "trace/met_surface.glsl"
 
-layout(set = 0, binding = 11) uniform sampler2D backViewZ;
+layout(set = 0, binding = 11) uniform sampler2D backViewZ; // with kTraceBackInPlace the host's depth
 #ifdef GLINT_REFRACTION
 TraceConstants settings = frame.settings.layerTrace;
 #else

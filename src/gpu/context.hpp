@@ -132,6 +132,7 @@ public:
     struct Compilation {
         int batches = 0;
         std::vector<std::shared_ptr<void>> waiting;
+        std::vector<std::shared_ptr<void>> started; ///< other threads compile these
     };
     Compilation& compilation() { return compilation_; }
 

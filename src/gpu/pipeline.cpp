@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <functional>
 #include <optional>
-#include <thread>
 
 namespace glint::gpu {
 namespace {
@@ -171,7 +169,10 @@ Result<void> Pipeline::compile() const {
     Context::Compilation& compilation = made_->context->compilation();
     if (compilation.batches == 0)
         return made_->compile();
-    if (!made_->pipeline && std::ranges::find(compilation.waiting, made_) == compilation.waiting.end())
+    const auto isAmong = [this](const std::vector<std::shared_ptr<void>>& asked) {
+        return std::ranges::find(asked, made_) != asked.end();
+    };
+    if (!isAmong(compilation.started) && !made_->pipeline && !isAmong(compilation.waiting)) // read by one thread alone
         compilation.waiting.push_back(made_);
     return {};
 }
@@ -206,41 +207,69 @@ CompileBatch::CompileBatch(Context& context) : context_(context) {
 }
 
 CompileBatch::~CompileBatch() {
+    started_.threads.clear();
     Context::Compilation& compilation = context_.compilation();
-    if (--compilation.batches == 0)
-        compilation.waiting.clear(); // of calls that failed; asked again, they compile then
+    if (--compilation.batches > 0)
+        return;
+    compilation.waiting.clear(); // of calls that failed; asked again, they compile then
+    compilation.started.clear();
+}
+
+bool CompileBatch::isOutermost() const {
+    return context_.compilation().batches == 1;
+}
+
+void CompileBatch::start() {
+    if (!isOutermost())
+        return;
+    Context::Compilation& compilation = context_.compilation();
+    compilation.started = compilation.waiting;
+    started_.take(compilation.waiting);
+    started_.addThreads(started_.threadsOfUse());
 }
 
 Result<void> CompileBatch::finish() {
-    Context::Compilation& compilation = context_.compilation();
-    if (compilation.batches > 1)
+    if (!isOutermost())
         return {};
-    struct Job {
-        std::shared_ptr<Pipeline::Made> pipeline;
-        Result<void> result;
-    };
-    std::vector<Job> jobs;
-    for (const std::shared_ptr<void>& waiting : compilation.waiting)
-        jobs.push_back({std::static_pointer_cast<Pipeline::Made>(waiting), {}});
-    compilation.waiting.clear();
-    // The longest first, so that none is left alone at the end.
-    std::vector<Job*> order;
-    for (Job& job : jobs)
+    Context::Compilation& compilation = context_.compilation();
+    Jobs others;
+    others.take(compilation.waiting);
+    others.addThreads(std::max<size_t>(others.threadsOfUse(), 1) - 1); // and this one
+    others.work();
+    others.threads.clear();
+    started_.work(); // what no thread has begun
+    started_.threads.clear();
+    compilation.started.clear();
+    GLINT_CHECK(started_.result());
+    return others.result();
+}
+
+void CompileBatch::Jobs::take(std::vector<std::shared_ptr<void>>& waiting) {
+    for (const std::shared_ptr<void>& pipeline : waiting)
+        all.push_back({std::static_pointer_cast<Pipeline::Made>(pipeline), {}});
+    waiting.clear();
+    for (Job& job : all)
         order.push_back(&job);
     std::ranges::stable_sort(order, std::greater(),
                              [](const Job* job) { return job->pipeline->computeShader->words.size(); });
-    std::atomic<size_t> next = 0;
-    const auto work = [&] {
-        for (size_t i = next++; i < order.size(); i = next++)
-            order[i]->result = order[i]->pipeline->compile();
-    };
-    const size_t threads = std::min<size_t>(std::max(std::thread::hardware_concurrency(), 1u), jobs.size());
-    std::vector<std::jthread> others;
-    for (size_t i = 1; i < threads; ++i)
-        others.emplace_back(work);
-    work();
-    others.clear(); // waits for them
-    for (Job& job : jobs)
+}
+
+void CompileBatch::Jobs::work() {
+    for (size_t i = next++; i < order.size(); i = next++)
+        order[i]->result = order[i]->pipeline->compile();
+}
+
+size_t CompileBatch::Jobs::threadsOfUse() const {
+    return std::min<size_t>(all.size(), std::max(std::thread::hardware_concurrency(), 1u));
+}
+
+void CompileBatch::Jobs::addThreads(size_t count) {
+    for (size_t i = 0; i < count; ++i)
+        threads.emplace_back([this] { work(); });
+}
+
+Result<void> CompileBatch::Jobs::result() {
+    for (Job& job : all)
         GLINT_CHECK(std::move(job.result));
     return {};
 }

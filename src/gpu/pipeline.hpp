@@ -3,8 +3,10 @@
 
 #include "gpu/context.hpp"
 
+#include <atomic>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace glint::gpu {
@@ -107,6 +109,12 @@ private:
 
 /// Compiles on all cores what its context's calls ask to compile while it lives. Among nested batches the outermost
 /// compiles. Pipelines must not be used before finish().
+///
+///     CompileBatch batch(context);
+///     ...          // ask for the pipelines that take longest
+///     batch.start();
+///     ...          // ask for the others, make images
+///     batch.finish();
 class CompileBatch {
 public:
     explicit CompileBatch(Context& context);
@@ -114,11 +122,34 @@ public:
     CompileBatch(const CompileBatch&) = delete;
     CompileBatch& operator=(const CompileBatch&) = delete;
 
+    /// Begins to compile what has been asked for, in threads of its own, while the caller goes on. Call it at most
+    /// once.
+    void start();
     /// Call it once. Errors: those of Pipeline::compile, the first in the order of the calls.
     Result<void> finish();
 
 private:
+    struct Job {
+        std::shared_ptr<Pipeline::Made> pipeline;
+        Result<void> result;
+    };
+    /// What several threads compile, the longest first, so that none is left alone at the end.
+    struct Jobs {
+        std::vector<Job> all; ///< in the order of the calls
+        std::vector<Job*> order;
+        std::atomic<size_t> next = 0;
+        std::vector<std::jthread> threads; ///< join before the others go
+
+        void take(std::vector<std::shared_ptr<void>>& waiting);
+        void work();
+        void addThreads(size_t count);
+        size_t threadsOfUse() const; ///< no more than cores
+        Result<void> result();
+    };
+    bool isOutermost() const;
+
     Context& context_;
+    Jobs started_;
 };
 
 } // namespace glint::gpu

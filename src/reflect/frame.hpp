@@ -29,6 +29,8 @@ namespace glint::reflect {
 
 class FrameStages {
 public:
+    /// Asks for the pipelines that drivers take longest to compile, so that a CompileBatch can start with them.
+    static Result<void> askForLongest(gpu::Context& context, const Settings& settings);
     static Result<std::unique_ptr<FrameStages>> create(gpu::Context& context, const ReflectionsDesc& desc);
 
     const ReflectionsDesc& desc() const { return stages_.desc; } ///< with the settings in force
@@ -117,7 +119,7 @@ private:
     Result<void> giveScene();
     Result<void> rehearseRays();
     Result<void> setDenoise(const Settings& settings);
-    Result<void> makeClasses();
+    Result<void> makeClasses(const Settings& settings, const GBuffer& gbuffer);
     Result<void> makeResults();
 
     // Record the frame, top to bottom, and its additions.
@@ -141,9 +143,10 @@ private:
     }
     bool usesRays() const { return stages_.settings().rays.enabled && raysSource_ && raysSource_->hasScene(); }
     /// True if prepare/classified does the work of trace/classify.
-    bool classifiesEarly() const {
-        return trace_->classifiesAlone(stages_.settings()) && host_.gbuffer.depth.samples == 1;
+    bool classifiesEarly(const Settings& settings, const GBuffer& gbuffer) const {
+        return trace_->classifiesAlone(settings) && gbuffer.depth.samples == 1;
     }
+    bool classifiesEarly() const { return classifiesEarly(stages_.settings(), host_.gbuffer); }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
     bool blursHits() const { return conePicture_ && ConePicture::isWanted(stages_.settings()); }

@@ -61,8 +61,8 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     if (marchesPyramid || (refraction_ && settings.refraction.enabled))
         GLINT_CHECK(pyramid_->make());
     GLINT_CHECK(setDenoise(settings));
+    GLINT_CHECK(makeClasses(settings, host_.gbuffer));
     stages_.desc.settings = settings;
-    GLINT_CHECK(makeClasses());
     GLINT_CHECK(setCones(settings));
     GLINT_CHECK(setTransparents(settings));
     recorded_ = false;
@@ -71,10 +71,11 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
 }
 
 /// Compiles the passes that prepare pixels and find those that need a ray.
-Result<void> FrameStages::makeClasses() {
-    if (stages_.settings().screen.enabled && !classifiesEarly())
+Result<void> FrameStages::makeClasses(const Settings& settings, const GBuffer& gbuffer) {
+    const bool early = classifiesEarly(settings, gbuffer);
+    if (settings.screen.enabled && !early)
         GLINT_CHECK(trace_->makeClassify());
-    return prepare_->makeSurface(classifiesEarly());
+    return gbuffer.depth.samples > 1 ? Result<void>() : prepare_->makeSurface(early);
 }
 
 Result<void> FrameStages::rememberColors() {
@@ -134,8 +135,8 @@ Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap
         raysSource_->environmentChanged();
     if (checker_ && (!host_.isSet() || gbuffer.conventions != host_.conventions()))
         checker_->restart();
+    GLINT_CHECK(makeClasses(stages_.settings(), gbuffer));
     host_.set(gbuffer, environment);
-    GLINT_CHECK(makeClasses());
     GLINT_CHECK(makeResults());
     return prepare_->setInputs(gbuffer);
 }
@@ -247,6 +248,18 @@ Result<void> FrameStages::setProbes(ProbesState& probes) {
 }
 
 // ---------------------------------------------------------------- creation
+
+Result<void> FrameStages::askForLongest(gpu::Context& context, const Settings& settings) {
+    const Technique& march = techniqueFor(settings.screen.march);
+    if (settings.screen.enabled)
+        GLINT_CHECK(gpu::Pipeline::compute(context, {march.shader, 0, {}}));
+    if (settings.screen.enabled && march.usesPyramid)
+        GLINT_CHECK(gpu::Pipeline::compute(context, DepthPyramid::program()));
+    if (denoises(settings))
+        for (const char* shader : {"denoise/accumulate", "denoise/reuse", "denoise/filter"})
+            GLINT_CHECK(gpu::Pipeline::compute(context, {shader, 0, {}}));
+    return {};
+}
 
 Result<std::unique_ptr<FrameStages>> FrameStages::create(gpu::Context& context, const ReflectionsDesc& desc) {
     std::unique_ptr<FrameStages> frame(new FrameStages(context, desc));

@@ -51,7 +51,7 @@ struct Prepared {
 struct Met {
     gpu::Image& viewZ;     ///< R32F
     gpu::Image& surface;   ///< RG32UI
-    gpu::Image& backViewZ; ///< R32F
+    gpu::Image& backViewZ; ///< as Prepared::backViewZ
 };
 
 /// Which pixels need a ray.

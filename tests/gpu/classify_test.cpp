@@ -82,5 +82,20 @@ TEST_F(ClassifyTest, PixelsWithoutARayHaveNoAnswer) {
     EXPECT_EQ(picture.reflection, fresh.reflection);
 }
 
+/// Views of frames that trace nothing show no leftovers of classification.
+TEST_F(ClassifyTest, FramesThatTraceNothingSayTheSameEachTime) {
+    Settings nothing = settings();
+    nothing.reflect.strength = 0;
+    const SyntheticCamera camera;
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), stripes, camera, kWidth, kHeight);
+    Reflections made = reflections(kWidth, kHeight, settings());
+    must(made.setInputs(host.gbuffer));
+    trace(made, camera.view(kWidth, kHeight));
+    must(made.setSettings(nothing));
+    const Picture first = trace(made, camera.view(kWidth, kHeight));
+    for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(trace(made, camera.view(kWidth, kHeight)).outcomeColor, first.outcomeColor) << i;
+}
+
 } // namespace
 } // namespace glint::test

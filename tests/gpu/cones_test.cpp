@@ -148,6 +148,39 @@ TEST_F(ConesTest, aQuarterOfTheRaysShowTheLobeAsWell) {
     }
 }
 
+/// No traced pixel around shows its surface, so there is nothing to mix.
+TEST_F(ConesTest, aRoughLineBetweenTracedPixelsHasAnAnswer) {
+    const uint32_t row = kHeight / 2 + 21; // rays start from odd rows
+    ASSERT_EQ(row % 2, 0u);
+    const auto floorZ = [](uint32_t y) {
+        const glm::dvec3 direction = camera().rayThrough(kWidth / 2, y, kWidth, kHeight);
+        return camera().position.z - direction.z * camera().position.y / direction.y;
+    };
+    const double near = 0.5 * (floorZ(row) + floorZ(row + 1));
+    const double far = 0.5 * (floorZ(row) + floorZ(row - 1));
+    const SyntheticScene wall = paintedWall(0.2f, [](double, double) { return 1.0f; });
+    const SyntheticScene scene = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
+        auto hit = wall(origin, direction);
+        const double z = hit ? origin.z + direction.z * hit->distance : 0;
+        if (hit && hit->f0.x > 0 && z > far && z < near)
+            hit->perceptualRoughness = 0.6f;
+        return hit;
+    };
+    Settings settings = coneSettings();
+    const Picture all = show(scene, settings);
+    settings.screen.resolutionScale = 0.5f;
+    const Picture quarter = show(scene, settings);
+    size_t answered = 0;
+    for (uint32_t x = 8; x + 8 < kWidth; ++x) {
+        const size_t pixel = size_t{row} * kWidth + x;
+        if (!all.hit(pixel))
+            continue;
+        EXPECT_GT(quarter.weight[pixel * 4], 0.9f) << x;
+        ++answered;
+    }
+    EXPECT_GT(answered, 50u);
+}
+
 TEST_F(ConesTest, theAnswerIsTheMeanOfTheLobeForParallelRaysToo) {
     SyntheticCamera camera;
     camera.position = {0, 1.5, 3};

@@ -9,10 +9,13 @@ namespace glint::reflect {
 
 Result<std::unique_ptr<DepthPyramid>> DepthPyramid::create(StageContext& stages) {
     std::unique_ptr<DepthPyramid> pyramid(new DepthPyramid(stages));
-    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, {"prepare/pyramid", sizeof(shared::PyramidConstants), {}},
-                                           gpu::Compile::Later));
+    GLINT_TRY(pass, gpu::Pipeline::compute(stages.gpu, program(), gpu::Compile::Later));
     pyramid->pass_ = std::move(pass);
     return pyramid;
+}
+
+gpu::ComputeDesc DepthPyramid::program() {
+    return {"prepare/pyramid", sizeof(shared::PyramidConstants), {}};
 }
 
 Result<void> DepthPyramid::make() {

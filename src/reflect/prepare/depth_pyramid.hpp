@@ -8,6 +8,7 @@ namespace glint::reflect {
 
 class DepthPyramid {
 public:
+    static gpu::ComputeDesc program();
     static Result<std::unique_ptr<DepthPyramid>> create(StageContext& stages);
 
     /// Creates its images when settings first need them. Errors: OutOfMemory.

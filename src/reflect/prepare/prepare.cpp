@@ -10,7 +10,7 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
     GLINT_TRY(surface, Pipeline::compute(stages.gpu, {"prepare/surface", 0, {}}, Compile::Later));
     GLINT_TRY(classified, Pipeline::compute(stages.gpu, {"prepare/classified", 0, {}}, Compile::Later));
     GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}, Compile::Later));
-    GLINT_TRY(backFaces, Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}));
+    GLINT_TRY(backFaces, Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}, Compile::Later));
     prepare->surfacePass_ = std::move(surface);
     prepare->classifiedPass_ = std::move(classified);
     prepare->surfaceSamplesPass_ = std::move(surfaceSamples);
@@ -26,9 +26,13 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
 
 Result<void> Prepare::setInputs(const GBuffer& gbuffer) {
     const HostImage& back = gbuffer.backDepth;
-    backFacesKnown_ = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && back;
-    backFacesInPlace_ = backFacesKnown_ && gbuffer.depth.samples == 1 && back.width == stages_.width() &&
-                        back.height == stages_.height();
+    const bool known = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && back;
+    const bool inPlace =
+        known && gbuffer.depth.samples == 1 && back.width == stages_.width() && back.height == stages_.height();
+    if (known && !inPlace)
+        GLINT_CHECK(backFacesPass_.compile());
+    backFacesKnown_ = known;
+    backFacesInPlace_ = inPlace;
     GLINT_CHECK(makeEdge(gbuffer.depth.samples > 1));
     GLINT_CHECK(makeMaterial(resolvesMaterial(gbuffer)));
     return makeBackFaces(backFacesKnown_ && !backFacesInPlace_);

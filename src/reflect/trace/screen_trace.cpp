@@ -96,6 +96,11 @@ void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uv
         techniques()[i].record(frame, marchers_[i], inputs, target());
 }
 
+void ScreenTrace::beginClasses(gpu::Frame& frame) {
+    untraced_.ask();
+    lister_.begin(frame);
+}
+
 void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared) {
     beginClasses(frame);
     gpu::Pass pass = frame.pass(classify_);
@@ -112,7 +117,6 @@ void ScreenTrace::list(gpu::Frame& frame, glm::uvec2 backFaceGroups) {
 Traced ScreenTrace::record(gpu::Frame& frame, const TraceInputs& inputs) {
     const Settings& settings = stages_.settings();
     techniqueFor(settings.screen.march).record(frame, marcherOf(settings), inputs, target());
-    untraced_.ask();
     return traced();
 }
 

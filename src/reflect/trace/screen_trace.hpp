@@ -30,7 +30,7 @@ public:
     /// Compiles the pass that `classify` records. Errors: Unsupported.
     Result<void> makeClassify() { return classify_.compile(); }
     /// Call before the pass that classifies.
-    void beginClasses(gpu::Frame& frame) { lister_.begin(frame); }
+    void beginClasses(gpu::Frame& frame);
     /// Binds what trace/starts_ray.glsl and trace/ray_list.glsl write.
     gpu::Pass& bindClasses(gpu::Pass& pass) { return lister_.bind(writeTraced(pass, target())); }
     /// Finds the pixels that need a ray.
