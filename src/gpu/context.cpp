@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <mutex>
 #include <optional>
 
 namespace glint::gpu {
@@ -170,6 +171,8 @@ Result<void> Context::createInstance(const ContextDesc& desc) {
 
 VkBool32 Context::onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+    static std::mutex oneAtATime; // pipelines compile on several threads
+    const std::lock_guard lock(oneAtATime);
     static_cast<Context*>(user)->validationMessages_.emplace_back(data->pMessage);
     return VK_FALSE;
 }
