@@ -25,6 +25,7 @@ layout(set = 0, binding = 5) uniform usampler2D edge;
 
 /// A step of depth from one pixel to the next that counts as an edge, as a fraction of the depth.
 const float kStep = 0.05;
+
 /// True if every surface that pixel `px` shows belongs to one object. The pixel's surface is at `frontZ`. With several
 /// samples a pixel, the pixel's centre, where the back face was drawn, may show another surface than the selected one.
 bool showsOneObject(ivec2 px, float frontZ) {

@@ -142,7 +142,7 @@ Result<Reflections> Reflections::create(Context& context, const ReflectionsDesc&
     auto state = std::make_unique<State>(context.gpu());
     gpu::CompileBatch batch(context.gpu());
     GLINT_CHECK(reflect::FrameStages::askForLongest(context.gpu(), desc.settings));
-    batch.start(); // images take software drivers as long
+    batch.start(); // while images are made, which takes a software driver nearly as long
     GLINT_TRY(frame, reflect::FrameStages::create(context.gpu(), desc));
     GLINT_CHECK(batch.finish());
     state->frame = std::move(frame);

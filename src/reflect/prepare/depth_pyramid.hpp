@@ -8,6 +8,7 @@ namespace glint::reflect {
 
 class DepthPyramid {
 public:
+    /// The pass, for those who ask for its pipeline before the stage exists.
     static gpu::ComputeDesc program();
     static Result<std::unique_ptr<DepthPyramid>> create(StageContext& stages);
 

@@ -10,12 +10,12 @@ namespace glint::reflect {
 
 class Prepare {
 public:
-    using Bind = std::function<void(gpu::Pass&)>;
+    using Bind = std::function<void(gpu::Pass&)>; ///< binds more to a pass
 
     static Result<std::unique_ptr<Prepare>> create(StageContext& stages);
 
     /// Allocates what these inputs need: edges with several samples per pixel, and back faces in their own size.
-    /// Errors: OutOfMemory.
+    /// Errors: OutOfMemory, Unsupported.
     Result<void> setInputs(const GBuffer& gbuffer);
 
     /// Compiles the pass that `record` runs for hosts with one sample per pixel. Errors: Unsupported.
