@@ -10,6 +10,7 @@
 /// Depth samples on the ray's line from where it went behind something to its end: more find small surfaces, and cost
 /// as much as a march. Nearer than this many pixels they tell the same.
 const uint kInferSamples = 6u;
+const uint kHiddenSamples = kInferSamples + 1u;
 const float kInferSpacing = 4.0;
 /// How far beside the crossing the surface is looked for, as a fraction of the frame's height.
 const float kInferReach = 0.25;
@@ -65,42 +66,58 @@ struct Beside {
     vec2 px;
 };
 
-/// Leaves the occluder with growing steps up to `reach` pixels, then returns to its edge in at most four. `known`: what
-/// a sample shows in this direction; kOccluder: nothing is known.
-Beside besideOccluder(Ray r, ShownPlane plane, Sample crossing, vec2 direction, Beside known, float reach,
-                      inout uint lookups) {
-    Beside found = Beside(kOccluder, 0.0, crossing.px);
-    bool knows = known.shown != kOccluder && known.distance <= reach;
-    float inside = 0.0;
-    float next = 3.0;
-    int returns = 0;
-    while (next <= reach && returns <= 4) {
-        bool isKnown = knows && next >= known.distance;
-        uint shown = isKnown ? known.shown : lookBeside(r, plane, crossing, crossing.px + direction * next, lookups);
-        if (shown == kOccluder) {
-            inside = next;
-        } else {
-            found.shown = shown;
-            found.distance = next;
-        }
-        if (shown == kOffScreen)
-            break;
-        if (found.shown == kOccluder) { // has not left yet
-            found.distance = next;
-            float farthest = knows ? known.distance : reach;
-            // A last step of less than half its size would tell little more, unless it is known.
-            bool shortens = next < farthest && (knows || 2.0 * next <= farthest);
-            next = shortens ? min(4.0 * next, farthest) : 4.0 * next;
-            continue;
-        }
-        if (found.distance - inside <= max(kInferEdge * found.distance, 1.0))
-            break;
-        next = floor(0.5 * (inside + found.distance));
-        ++returns;
+/// A search for it: leaves the occluder with growing steps up to `reach` pixels, then returns to its edge in at most
+/// four.
+struct Search {
+    vec2 direction;
+    float reach;
+    Beside known;   // what a sample shows in this direction; kOccluder: nothing is known
+    uint shown;     // so far,
+    float distance; // and where
+    float inside;   // so far from the crossing it is still the occluder
+    float next;     // here it looks next
+    int returns;
+    bool ended;
+};
+
+Search startSearch(vec2 direction, float reach, Beside known) {
+    const float kFirst = 3.0;
+    known.shown = known.distance <= reach ? known.shown : kOccluder;
+    return Search(direction, reach, known, kOccluder, 0.0, 0.0, kFirst, 0, kFirst > reach);
+}
+
+/// A step of a search that has not ended.
+void lookOnce(Ray r, ShownPlane plane, Sample crossing, inout Search search, inout uint lookups) {
+    bool knows = search.known.shown != kOccluder;
+    uint shown = search.known.shown;
+    if (!knows || search.next < search.known.distance)
+        shown = lookBeside(r, plane, crossing, crossing.px + search.direction * search.next, lookups);
+    if (shown == kOccluder) {
+        search.inside = search.next;
+    } else {
+        search.shown = shown;
+        search.distance = search.next;
     }
-    bool isKnown = knows && found.distance >= known.distance; // the sum below may round to its neighbour
-    found.px = isKnown ? known.px : crossing.px + direction * found.distance;
-    return found;
+    if (search.shown == kOccluder) { // has not left yet
+        search.distance = search.next;
+        float farthest = knows ? search.known.distance : search.reach;
+        // A last step of less than half its size would tell little more, unless it is known.
+        bool shortens = search.next < farthest && (knows || 2.0 * search.next <= farthest);
+        search.next = shortens ? min(4.0 * search.next, farthest) : 4.0 * search.next;
+    } else {
+        search.ended = shown == kOffScreen ||
+                       search.distance - search.inside <= max(kInferEdge * search.distance, 1.0);
+        search.next = floor(0.5 * (search.inside + search.distance));
+        ++search.returns;
+    }
+    search.ended = search.ended || search.next > search.reach || search.returns > 4;
+}
+
+Beside resultOf(Search search, Sample crossing) {
+    // The sum may round to the neighbour of a known place.
+    bool isKnown = search.known.shown != kOccluder && search.distance >= search.known.distance;
+    vec2 px = isKnown ? search.known.px : crossing.px + search.direction * search.distance;
+    return Beside(search.shown, search.distance, px);
 }
 
 /// Bit i: the surface shows in direction i of findSurface. Directions 0 and 1 are opposite, and so are 2 and 3.
@@ -110,55 +127,94 @@ bool onOpposite(uint shows) {
 
 const float kNowhere = 2.0; // as a share
 
-/// Samples of the ray's line: the one before it went behind something, and those from there on.
+/// Samples of the ray's line: the one before it went behind something, and those from there on. Arrays are read and
+/// written by pick and put alone, which leave them in registers.
 struct HiddenLine {
-    Sample samples[kInferSamples + 1u];
+    float first; // share of the sample before
+    float spacing;
     uint count;
+    float sceneZ[kHiddenSamples];
+    float crossings[kHiddenSamples]; // shares; kNowhere: none, or looked at
 };
+
+float pick(float values[kHiddenSamples], uint which) {
+    float picked = values[0];
+    for (uint i = 1u; i < kHiddenSamples; ++i)
+        picked = i == which ? values[i] : picked;
+    return picked;
+}
+
+void put(inout float values[kHiddenSamples], uint which, float value) {
+    for (uint i = 0u; i < kHiddenSamples; ++i)
+        values[i] = i == which ? value : values[i];
+}
+
+/// Where the line's sample `which` is, as a share.
+float shareOf(HiddenLine line, uint which) {
+    return which == 0u ? line.first : firstBehind + float(which - 1u) * line.spacing;
+}
+
+vec2 placeOf(ScreenRay ray, float share) {
+    vec2 at = ray.startPX + ray.deltaPX * share;
+    vec2 px = floor(at);
+    return clamp(at, px, px + 0.999);
+}
 
 /// The nearest pixel beside the occluder that shows the plane's surface, and how much it tells about the crossing, 0 to
 /// 1: all if the surface shows on two opposite sides. On one side only it must show nearer than anything behind the
 /// plane, and tells the less the farther it is.
 float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, inout uint lookups, out vec2 px) {
     vec2 along = normalize(r.screen.deltaPX);
-    vec2 directions[4] = vec2[](along, -along, vec2(along.y, -along.x), vec2(-along.y, along.x));
     float height = frame.constants.size.y;
     float reach = kInferReach * height;
     float sure = max(kInferSure * height, kInferSurePixels);
     float unsure = max(kInferUnsure * height, 2.5 * sure);
     Beside unknown = Beside(kOccluder, reach, crossing.px);
-    Beside known[4] =
-        Beside[](unknown, unknown, unknown, unknown); // from the samples, after the crossing and before it
+    Beside knownAfter = unknown; // the crossing, from the samples
+    Beside knownBefore = unknown;
     for (uint i = 0u; i < line.count; ++i) {
-        Sample s = line.samples[i];
-        int side = s.share > crossing.share ? 0 : 1;
-        float apart = distance(s.px, crossing.px);
-        if (apart < 1.0 || apart >= known[side].distance)
+        float share = shareOf(line, i);
+        bool after = share > crossing.share;
+        vec2 at = placeOf(r.screen, share);
+        float apart = distance(at, crossing.px);
+        if (apart < 1.0 || apart >= (after ? knownAfter : knownBefore).distance)
             continue;
-        uint shown = compare(plane, s.px, s.sceneZ);
-        if (shown != kOccluder)
-            known[side] = Beside(shown, apart, s.px);
+        uint shown = compare(plane, at, pick(line.sceneZ, i));
+        if (shown == kOccluder)
+            continue;
+        if (after)
+            knownAfter = Beside(shown, apart, at);
+        else
+            knownBefore = Beside(shown, apart, at);
     }
     const float kNone = 1e9;
     float nearestSurface = kNone;
     float nearestBeyond = kNone;
     uint shows = 0u; // a bit for each direction
     px = crossing.px;
-    for (int i = 0; i < 4; ++i) {
-        if (nearestSurface <= kInferNear && onOpposite(shows))
+    Search search = startSearch(along, reach, knownAfter);
+    // One loop over all steps: the rays of a group need not wait for each other at the end of each direction.
+    for (int i = 0; true;) {
+        if (!search.ended) {
+            lookOnce(r, plane, crossing, search, lookups);
+            continue;
+        }
+        Beside found = resultOf(search, crossing);
+        if (found.shown == kBeyond)
+            nearestBeyond = min(nearestBeyond, found.distance);
+        if (found.shown == kSurface) {
+            shows |= 1u << i;
+            px = found.distance < nearestSurface ? found.px : px;
+            nearestSurface = min(nearestSurface, found.distance);
+        }
+        ++i;
+        if (i == 4 || (nearestSurface <= kInferNear && onOpposite(shows)))
             break; // across the line it could hardly be nearer
         // Where the opposite direction does not show the surface, one side must tell.
         bool isAlone = (i & 1) == 1 && (shows & (1u << (i - 1))) == 0u;
-        Beside found = besideOccluder(r, plane, crossing, directions[i], known[i], isAlone ? unsure : reach, lookups);
-        if (found.shown == kBeyond)
-            nearestBeyond = min(nearestBeyond, found.distance);
-        if (found.shown != kSurface)
-            continue;
-        shows |= 1u << i;
-        if (found.distance < nearestSurface) {
-            nearestSurface = found.distance;
-            px = found.px;
-        }
+        vec2 direction = (i & 2) == 0 ? along : vec2(along.y, -along.x);
+        direction = (i & 1) == 0 ? direction : -direction;
+        search = startSearch(direction, isAlone ? unsure : reach, i == 1 ? knownBefore : unknown);
     }
     if (onOpposite(shows))
         return 1.0;
@@ -187,38 +243,46 @@ void inferCrossing(Ray r, inout March end) {
     float first = max(firstBehind - pixelShare, 0.0);
     float spacing = max(kInferSpacing * pixelShare, (last - firstBehind) / float(kInferSamples));
     HiddenLine line;
+    line.first = first;
+    line.spacing = spacing;
     line.count = 0u;
-    float crossings[kInferSamples + 1u];
-    float next = first;
+    for (uint i = 0u; i < kHiddenSamples; ++i) {
+        line.sceneZ[i] = 0.0;
+        line.crossings[i] = kNowhere;
+    }
     for (uint tries = 0u; tries < kInferPlanes;) {
-        uint which = 0u;
         float share = kNowhere;
-        for (uint i = 0u; i < line.count; ++i)
-            if (crossings[i] < share) {
-                which = i;
-                share = crossings[i];
-            }
-        bool ended = line.count > kInferSamples || next >= last;
-        if (!ended && (line.count == 0u || line.samples[line.count - 1u].share <= share)) {
-            line.samples[line.count] = takeSample(r.screen, next, end.lookups);
-            crossings[line.count] = crossingOf(r, line.samples[line.count], first, last);
-            next = firstBehind + float(line.count) * spacing;
+        for (uint i = 0u; i < kHiddenSamples; ++i)
+            share = min(share, line.crossings[i]);
+        // A loop of its own: the rays of a group look for crossings together, then test them.
+        while (line.count < kHiddenSamples) {
+            float next = shareOf(line, line.count);
+            if (next >= last || (line.count > 0u && shareOf(line, line.count - 1u) > share))
+                break;
+            Sample s = takeSample(r.screen, next, end.lookups);
+            float crossing = crossingOf(r, s, first, last);
+            put(line.sceneZ, line.count, s.sceneZ);
+            put(line.crossings, line.count, crossing);
+            share = min(share, crossing);
             ++line.count;
-            continue;
         }
         if (share >= kNowhere)
             return;
-        for (uint i = 0u; i < line.count; ++i) // the same plane
-            crossings[i] = crossings[i] <= share + pixelShare ? kNowhere : crossings[i];
+        uint which = 0u;
+        for (uint i = kHiddenSamples; i-- > 0u;)
+            which = line.crossings[i] == share ? i : which;
+        for (uint i = 0u; i < kHiddenSamples; ++i) // the same plane
+            line.crossings[i] = line.crossings[i] <= share + pixelShare ? kNowhere : line.crossings[i];
+        vec2 shownPX = placeOf(r.screen, shareOf(line, which));
         vec2 crossingPX = r.screen.startPX + r.screen.deltaPX * share;
-        if (distance(line.samples[which].px, crossingPX) > kInferReach * frame.constants.size.y)
+        if (distance(shownPX, crossingPX) > kInferReach * frame.constants.size.y)
             continue; // no search would find it
-        ShownPlane plane = planeShown(line.samples[which].px, line.samples[which].sceneZ);
+        ShownPlane plane = planeShown(shownPX, pick(line.sceneZ, which));
         Sample crossing = takeSample(r.screen, share, end.lookups);
         uint there = compare(plane, crossing.px, crossing.sceneZ);
         if (there == kBeyond)
             continue; // the surface would show
-        if (endsAsRim(floorToInt(line.samples[which].px), plane.normalVS, plane.pointVS, crossing.rayZ, end.lookups))
+        if (endsAsRim(floorToInt(shownPX), plane.normalVS, plane.pointVS, crossing.rayZ, end.lookups))
             continue; // its plane goes on there, the surface does not
         vec2 px = crossing.px;
         float evidence = 1.0;
