@@ -10,7 +10,7 @@ const int kFirstLevel = 4;
 /// So many cells are walked before those rays of the group that have come to a pixel test it. measured: NVIDIA H200,
 /// builtin:hall at 1920x1080, mirror directions: 1.46 ms; 1.51 with 3, 1.78 if they wait for all. No difference on
 /// llvmpipe, whose groups have eight rays.
-const int kCellsTogether = 10;
+const uint kCellsTogether = 10u;
 /// Rounding of the cell's and of the ray's nearness, as a fraction of it.
 const float kRounding = 2e-6;
 /// A flat cell gives the hit itself if it places the hit this exactly, in pixels along the ray.
@@ -44,27 +44,32 @@ struct Quarter {
     int which; // as for quarterSolid
 };
 
-/// Does the ray hit something in quarter `which`, on its way there?
-Quarter enterQuarter(Line line, CellBounds cell, int which, Way way, float rounding) {
-    vec2 solid = quarterSolid(cell, which);
+const uint kPassesQuarter = 0u; // in front of what is solid there, or there is nothing
+const uint kPassesBehindQuarter = 1u;
+const uint kMayHitQuarter = 2u;
+
+/// What the ray does on its way through a quarter whose solid part is `solid`.
+uint crossQuarter(Line line, vec2 solid, Way way, float rounding) {
     float first = way.above + way.climb * way.share;
     float last = way.above + way.climb * way.end;
     bool inFront = min(first, last) >= -solid.x - rounding;
     // Starts a pixel earlier, as tests of single pixels do.
     bool behind = max(way.above + way.climb * max(way.share - line.pixelShare, 0.0), last) < -solid.y;
-    bool isSolid = solid.x <= solid.y;
-    if (behind && isSolid)
-        passBehind(way.share);
-    // The ray hits nothing before it reaches the solid part.
-    float to = way.share;
-    if (first > -solid.x)
-        to = clamp((-solid.x - way.above) / way.climb, way.share, way.end);
-    else if (first < -solid.y)
-        to = clamp((-solid.y - way.above) / way.climb - line.pixelShare, way.share, way.end);
-    return Quarter(isSolid && !inFront && !behind, to, which);
+    uint crossed = behind ? kPassesBehindQuarter : inFront ? kPassesQuarter : kMayHitQuarter;
+    return solid.x <= solid.y ? crossed : kPassesQuarter;
 }
 
-/// The first quarter of the cell at `at` that the ray may hit on its way from pixel `px`.
+/// Where the ray reaches the solid part of a quarter: it hits nothing before.
+float reachSolid(Line line, vec2 solid, Way way) {
+    float first = way.above + way.climb * way.share;
+    bool fromFront = first > -solid.x;
+    bool fromBehind = !fromFront && first < -solid.y;
+    float reached = ((fromFront ? -solid.x : -solid.y) - way.above) / way.climb - (fromFront ? 0.0 : line.pixelShare);
+    return fromFront || fromBehind ? clamp(reached, way.share, way.end) : way.share;
+}
+
+/// The first quarter of the cell at `at` that the ray may hit on its way from pixel `px`. Without branches: rays of a
+/// group cross different numbers of quarters.
 Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding) {
     // A line crosses at most three quarters: it goes over the cell's middle in x and in y, unless it starts behind it.
     ivec2 quarter = (px >> (level - 1)) & 1;
@@ -74,96 +79,100 @@ Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, 
     crossing = mix(crossing, vec2(1e30), greaterThan(abs(line.invDelta), vec2(1e29)));
     float first = min(crossing.x, crossing.y);
     float second = max(crossing.x, crossing.y);
-    int which = quarter.x + 2 * quarter.y;
-    int last = which ^ 3;
-    int next = which ^ (crossing.x < crossing.y ? 1 : 2);
-    float from = way.share;
-    float to = first;
-    while (true) {
-        Quarter found = enterQuarter(line, cell, which, Way(from, min(to, way.end), way.above, way.climb), rounding);
-        if (found.found || to >= way.end || which == last)
-            return found;
-        from = to;
-        to = which == next ? way.end : second;
-        which = which == next ? last : next;
-    }
+    int which0 = quarter.x + 2 * quarter.y;
+    int which1 = which0 ^ (crossing.x < crossing.y ? 1 : 2);
+    int which2 = which0 ^ 3;
+    Way way0 = Way(way.share, min(first, way.end), way.above, way.climb);
+    Way way1 = Way(first, min(second, way.end), way.above, way.climb);
+    Way way2 = Way(second, way.end, way.above, way.climb);
+    vec2 solid0 = quarterSolid(cell, which0);
+    vec2 solid1 = quarterSolid(cell, which1);
+    vec2 solid2 = quarterSolid(cell, which2);
+    uint crossed0 = crossQuarter(line, solid0, way0, rounding);
+    uint crossed1 = first < way.end ? crossQuarter(line, solid1, way1, rounding) : kPassesQuarter;
+    uint crossed2 = second < way.end ? crossQuarter(line, solid2, way2, rounding) : kPassesQuarter;
+    bool hits0 = crossed0 == kMayHitQuarter;
+    bool hits1 = crossed1 == kMayHitQuarter;
+    bool found = hits0 || hits1 || crossed2 == kMayHitQuarter;
+    // The first that it passes behind, of those before the one found.
+    float behind = !hits0 && !hits1 && crossed2 == kPassesBehindQuarter ? second : 2.0;
+    behind = !hits0 && crossed1 == kPassesBehindQuarter ? first : behind;
+    behind = crossed0 == kPassesBehindQuarter ? way.share : behind;
+    if (behind <= 1.0)
+        passBehind(behind);
+    Way into = way2;
+    into.share = hits0 ? way0.share : hits1 ? way1.share : way2.share;
+    into.end = hits0 ? way0.end : hits1 ? way1.end : way2.end;
+    vec2 solid = hits0 ? solid0 : hits1 ? solid1 : solid2;
+    return Quarter(found, reachSolid(line, solid, into), hits0 ? which0 : hits1 ? which1 : which2);
 }
 
-const uint kWalkEnded = 0u; // the march has
-const uint kWalkGoesOn = 1u; // no pixel yet
-const uint kAtPixel = 2u;    // a pixel decides whether the ray ends there
-const uint kAtFlatCell = 3u; // the same: a cell of several pixels shows one flat surface, which the ray meets at this one
-
-/// What a walk came to.
-struct Candidate {
-    uint found; // one of the four above
-    ivec2 px;
-    float at; // share
-};
-
-/// What a march knows on its way.
+/// What a march knows on its way. A driver that runs rays in groups copies all of it for each cell, so it holds no more
+/// than the next cell needs.
 struct CellWalk {
     ivec2 px;
     int level;
-    float share;      // the ray is here
-    ivec2 cell;       // the cell of `level` that it is in,
-    float leave;      // where it leaves that cell,
-    float last;       // and how far it goes there at most
-    bool leavesOverX; // and across which border
-    bool mayBeFlat;   // false: the flat cell's pixel was tested already
+    float share;     // the ray is here
+    uint cells;      // looked at so far
+    uint flatTested; // the number of the cell whose flat surface a pixel has decided about: its quarters are looked at
 };
 
-void enterCell(Line line, float endShare, inout CellWalk walk) {
-    walk.cell = walk.px >> walk.level;
-    walk.leave =
-        leaveCell(line, vec2(walk.cell << walk.level), float(1 << walk.level), walk.leavesOverX);
-    walk.last = min(max(walk.leave, walk.share), endShare);
+/// A ray's way through the cell that it is in.
+struct CellCrossing {
+    ivec2 cell;
+    float leave; // the ray leaves the cell here,
+    float last;  // goes there no farther than this,
+    bool overX;  // and leaves over a border in x
+};
+
+CellCrossing crossCell(Line line, float endShare, CellWalk walk) {
+    CellCrossing crossing;
+    crossing.cell = walk.px >> walk.level;
+    crossing.leave = leaveCell(line, vec2(crossing.cell << walk.level), float(1 << walk.level), crossing.overX);
+    crossing.last = min(max(crossing.leave, walk.share), endShare);
+    return crossing;
 }
 
 /// Goes to the next cell: up at most two levels, where it lies in another cell of the level above.
-void leaveForNext(Line line, float endShare, inout CellWalk walk) {
-    walk.share = walk.last;
-    if (walk.leave >= endShare)
-        return;
-    walk.px = enterNext(line, walk.cell, walk.level, walk.leave, walk.leavesOverX);
-    ivec2 left = walk.cell << walk.level;
+void leaveForNext(Line line, CellCrossing crossing, inout CellWalk walk) {
+    walk.share = crossing.last;
+    walk.px = enterNext(line, crossing.cell, walk.level, crossing.leave, crossing.overX);
+    ivec2 left = crossing.cell << walk.level;
     int from = max(walk.level, int(settings.minLevel));
     uint apart = uint((walk.px.x ^ left.x) | (walk.px.y ^ left.y)) >> uint(from + 1);
     walk.level = min(from + int(min(apart, 2u)), max(int(settings.maxLevel), from));
 }
 
-/// Has the march ended: off screen, without steps left, or at `endShare`?
-bool hasEnded(CellWalk walk, float endShare, inout March result) {
-    if (walk.share >= endShare)
-        return true;
-    if (any(lessThan(walk.px, ivec2(0))) || any(greaterThanEqual(walk.px, ivec2(frame.constants.size))))
-        result.outcome = kOutcomeOffScreen;
-    else if (result.iterations >= settings.maxSteps)
-        result.outcome = kOutcomeOutOfSteps;
-    return result.outcome != kOutcomeNone;
+bool isOffScreen(ivec2 px, ivec2 size) {
+    return any(greaterThanEqual(uvec2(px), uvec2(size)));
 }
 
-/// The first candidate among the pixels on the ray's way; none if the march has ended, or after kCellsTogether cells.
-Candidate walkToPixel(ScreenRay ray, Line line, float start, float slope, float endShare, inout CellWalk walk,
-                      inout March result) {
+/// No pixel yet. The walk has ended, too, if the ray is at its end, off screen or out of steps.
+const uint kWalked = 0u;
+const uint kAtPixel = 1u;    // a pixel decides whether the ray ends there
+const uint kAtFlatCell = 2u; // the same: a cell of several pixels shows one flat surface, which the ray meets at this one
+
+/// Walks up to the first pixel that decides something, through at most `mostCells` cells. `pixels`: steps of the march that
+/// were no cells. `flatShare`: where the ray meets the flat surface of kAtFlatCell.
+uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endShare, uint mostCells, uint pixels,
+                 inout CellWalk walk, out float flatShare) {
     ivec2 size = ivec2(frame.constants.size);
     int finest = max(int(settings.minLevel), 1); // below it one pixel decides
-    for (int cells = 0; walk.level >= finest; ++cells) {
-        if (hasEnded(walk, endShare, result))
-            return Candidate(kWalkEnded, walk.px, walk.share);
-        if (cells == kCellsTogether)
-            return Candidate(kWalkGoesOn, walk.px, walk.share);
-        ++result.iterations;
-        enterCell(line, endShare, walk);
-        CellBounds bounds =
-            unpackBounds(texelFetch(pyramid, pyramidOffset(size, walk.level) + walk.cell, 0), frame.constants.invSize.x);
-        ++result.lookups;
+    uint stop = walk.cells + mostCells;
+    flatShare = 0.0;
+    while (walk.level >= finest && walk.cells < stop && walk.share < endShare && !isOffScreen(walk.px, size)) {
+        CellCrossing crossing = crossCell(line, endShare, walk);
+        CellBounds bounds = unpackBounds(texelFetch(pyramid, pyramidOffset(size, walk.level) + crossing.cell, 0),
+                                         frame.constants.invSize.x);
+        bool mayBeFlat = walk.cells != walk.flatTested;
+        ++walk.cells;
+        bool descends = false;
         if (bounds.front > kEmptyCell) {
             // How much nearer the ray is than the cell's plane: linear along the ray.
-            vec2 center = (vec2(walk.cell) + 0.5) * float(1 << walk.level);
+            vec2 center = (vec2(crossing.cell) + 0.5) * float(1 << walk.level);
             float above = start - bounds.front - dot(bounds.slope, line.startPX - center);
             float climb = slope - dot(bounds.slope, line.deltaPX);
-            Way way = Way(walk.share, walk.last, above, climb);
+            Way way = Way(walk.share, crossing.last, above, climb);
             float first = above + climb * way.share;
             float last = above + climb * way.end;
             float rounding = kRounding * abs(start + slope * way.share);
@@ -172,73 +181,85 @@ Candidate walkToPixel(ScreenRay ray, Line line, float start, float slope, float 
             bool behind = max(above + climb * max(way.share - line.pixelShare, 0.0), last) < -bounds.slab;
             if (behind && !inFront)
                 passBehind(way.share);
-            logCell(ray, way.share, walk.cell, walk.level, start + slope * way.share - first, bounds.slab,
+            logCell(ray, way.share, crossing.cell, walk.level, start + slope * way.share - first, bounds.slab,
                     inFront  ? kSampleFront
                     : behind ? kSampleBehind
                              : kSampleLookInto);
             if (!inFront && !behind) {
                 float fall = -climb * line.pixelShare; // a pixel
-                float crossing = clamp((-0.5 * bounds.depth - above) / climb, way.share, way.end);
-                vec2 at = line.startPX + line.deltaPX * crossing;
+                flatShare = clamp((-0.5 * bounds.depth - above) / climb, way.share, way.end);
                 bool isFlat = first >= -rounding && last < -bounds.depth && bounds.depth <= kFlatEnough * fall;
-                if (isFlat && walk.mayBeFlat && onScreen(at) && // cells exceed the border
-                    result.iterations > settings.selfCollisionSkip)
-                    return Candidate(kAtFlatCell, floorToInt(at), crossing);
-                walk.mayBeFlat = true;
-                Quarter quarter = firstQuarter(line, bounds, walk.cell, walk.level, walk.px, way, rounding);
+                if (isFlat && mayBeFlat && walk.cells + pixels > settings.selfCollisionSkip &&
+                    onScreen(line.startPX + line.deltaPX * flatShare)) // cells exceed the border
+                    return kAtFlatCell;
+                Quarter quarter = firstQuarter(line, bounds, crossing.cell, walk.level, walk.px, way, rounding);
                 if (quarter.found) {
                     --walk.level;
                     walk.share = quarter.share;
-                    ivec2 low = (2 * walk.cell + ivec2(quarter.which & 1, quarter.which >> 1)) << walk.level;
+                    ivec2 low = (2 * crossing.cell + ivec2(quarter.which & 1, quarter.which >> 1)) << walk.level;
                     ivec2 high = min(low + (1 << walk.level), size) - 1;
                     walk.px = clamp(floorToInt(line.startPX + line.deltaPX * quarter.share), low, high);
-                    continue;
+                    descends = true;
+                } else {
+                    logCellDecision(kSamplePasses);
                 }
-                logCellDecision(kSamplePasses);
             }
         } else {
-            logCell(ray, walk.share, walk.cell, walk.level, 0.0, 0.0, kSampleEmpty);
+            logCell(ray, walk.share, crossing.cell, walk.level, 0.0, 0.0, kSampleEmpty);
         }
-        leaveForNext(line, endShare, walk);
+        if (!descends)
+            leaveForNext(line, crossing, walk);
     }
-    if (hasEnded(walk, endShare, result))
-        return Candidate(kWalkEnded, walk.px, walk.share);
-    enterCell(line, endShare, walk);
-    if (settings.minLevel > 0u) // the one pixel of a quarter, within the step of that quarter's cell
-        return Candidate(kAtPixel, walk.px, walk.last);
-    ++result.iterations;
-    vec2 center = vec2(walk.px) + 0.5;
-    float nearest = dot(center - line.startPX, line.deltaPX) / dot(line.deltaPX, line.deltaPX);
-    return Candidate(kAtPixel, walk.px, clamp(nearest, walk.share, walk.last));
+    return walk.level < finest ? kAtPixel : kWalked;
 }
 
 March march(Ray r) {
     ScreenRay ray = r.screen;
     March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
     Line line = makeLine(ray);
+    ivec2 size = ivec2(frame.constants.size);
     // The ray's nearness at a fraction of the line.
     float start = rayNearness(frame.constants, ray, 0.0);
     float slope = rayNearness(frame.constants, ray, 1.0) - start;
     float endShare = isOn(kTraceClipToFrustum) ? ray.screenEnd : 1.0;
 
     bool nearlyThickEnough = false;
+    uint pixels = 0u; // steps that were no cells
     CellWalk walk;
     // The first pixel is the ray's own.
-    walk.share = leaveCell(line, vec2(r.px), 1.0, walk.leavesOverX);
-    walk.px = enterNext(line, r.px, 0, walk.share, walk.leavesOverX);
+    bool overX;
+    walk.share = leaveCell(line, vec2(r.px), 1.0, overX);
+    walk.px = enterNext(line, r.px, 0, walk.share, overX);
     walk.level = clamp(kFirstLevel, int(settings.minLevel), int(settings.maxLevel));
-    walk.mayBeFlat = true;
+    walk.cells = 0u;
+    walk.flatTested = ~0u;
 
     while (true) {
-        Candidate candidate = walkToPixel(ray, line, start, slope, endShare, walk, result);
-        if (candidate.found == kWalkGoesOn)
-            continue;
-        if (candidate.found == kWalkEnded)
-            break;
-        bool inFlatCell = candidate.found == kAtFlatCell;
-        Sample s = takeSample(ray, candidate.px, candidate.at, result.lookups);
-        float from = candidate.at - line.pixelShare;
-        bool tests = result.iterations > settings.selfCollisionSkip;
+        uint left = settings.maxSteps - walk.cells - pixels;
+        float at;
+        uint found = walkToPixel(ray, line, start, slope, endShare, min(left, kCellsTogether), pixels, walk, at);
+        bool inFlatCell = found == kAtFlatCell;
+        if (!inFlatCell) {
+            bool hasSteps = walk.cells + pixels < settings.maxSteps;
+            if (walk.share >= endShare || isOffScreen(walk.px, size) || !hasSteps)
+                break;
+            if (found == kWalked)
+                continue;
+        }
+        CellCrossing crossing = crossCell(line, endShare, walk);
+        ivec2 px = walk.px;
+        if (inFlatCell) {
+            px = floorToInt(line.startPX + line.deltaPX * at);
+        } else if (settings.minLevel > 0u) { // the one pixel of a quarter, within the step of that quarter's cell
+            at = crossing.last;
+        } else {
+            ++pixels;
+            float nearest = dot(vec2(px) + 0.5 - line.startPX, line.deltaPX) / dot(line.deltaPX, line.deltaPX);
+            at = clamp(nearest, walk.share, crossing.last);
+        }
+        Sample s = takeSample(ray, px, at, result.lookups);
+        float from = at - line.pixelShare;
+        bool tests = walk.cells + pixels > settings.selfCollisionSkip;
         bool inFront = false;
         if (inFlatCell) {
             // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
@@ -252,24 +273,29 @@ March march(Ray r) {
                 from = max(from, walk.share - kBeforePixel * line.pixelShare);
             inFront = s.rayZ < s.sceneZ;
             nearlyThickEnough = nearlyThickEnough && !inFront;
-            tests = tests && (!inFront || mayMeetBeforeLeaving(r, walk.last, s));
+            tests = tests && (!inFront || mayMeetBeforeLeaving(r, crossing.last, s));
         }
         if (tests) {
             uint met = meetSurface(r, max(from, 0.0), inFront, s, result.lookups);
             if ((met == kMeets || !inFlatCell) && endsMarch(met, s, result))
-                return result;
+                break;
             nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !inFlatCell);
         }
         if (inFlatCell)
-            walk.mayBeFlat = false; // look into its quarters
+            walk.flatTested = walk.cells;
         else
-            leaveForNext(line, endShare, walk);
+            leaveForNext(line, crossing, walk);
     }
 
-    result.share = min(walk.share, endShare);
+    result.iterations = walk.cells + pixels;
+    result.lookups += walk.cells;
     if (result.outcome != kOutcomeNone)
         return result;
-    result.share = endShare;
+    result.share = min(walk.share, endShare);
+    if (result.share < endShare) {
+        result.outcome = isOffScreen(walk.px, size) ? kOutcomeOffScreen : kOutcomeOutOfSteps;
+        return result;
+    }
     if (endShare >= 1.0) { // the ray ends on screen
         vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
         float sceneZ = texelFetch(metViewZ, floorToInt(endPX), 0).r;
