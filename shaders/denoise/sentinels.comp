@@ -49,7 +49,7 @@ bool exists(Sentinel sentinel) {
 }
 
 uvec4 packSentinel(Sentinel made) {
-    return uvec4(packUnorm2x16(made.uv), floatBitsToUint(made.viewZ),
+    return uvec4(packUnorm16(made.uv), floatBitsToUint(made.viewZ),
                  packHalf2x16(vec2(made.shown.here, made.shown.least)),
                  packHalf2x16(vec2(made.shown.most, 0.0)) | made.state);
 }

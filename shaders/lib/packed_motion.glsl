@@ -3,6 +3,7 @@
 #ifndef GLINT_LIB_PACKED_MOTION_GLSL
 #define GLINT_LIB_PACKED_MOTION_GLSL
 
+#include "lib/math.glsl"
 #include "lib/octahedral.glsl"
 
 const uint kNoMotion = 0u;
@@ -14,7 +15,7 @@ uint packMotion(vec3 metres) {
         return kNoMotion;
     uint bits = (packHalf2x16(vec2(min(size, kLongest), 0.0)) + 4u) >> 3;
     vec2 direction = encodeOctahedral(metres / size) * 511.0 + 511.0;
-    uvec2 steps = uvec2(clamp(direction + 0.5, vec2(0.0), vec2(1022.0)));
+    uvec2 steps = uvec2(floorToInt(clamp(direction + 0.5, vec2(0.0), vec2(1022.0))));
     return (bits << 20) | (steps.y << 10) | steps.x;
 }
 

@@ -12,6 +12,8 @@
 #ifndef GLINT_LIB_PYRAMID_GLSL
 #define GLINT_LIB_PYRAMID_GLSL
 
+#include "lib/math.glsl"
+
 /// The solid part of a cell, as depths (of nearness) below the plane front + dot(slope, d), d px from the cell's
 /// centre: every surface lies in [0, depth] and ends behind by `slab`.
 struct Cell {
@@ -59,7 +61,7 @@ uint packQuarter(vec2 quarter, float slab) {
     if (quarter.x > quarter.y)
         return 63u; // from 63 to 0
     vec2 steps = clamp(quarter / slab, 0.0, 1.0) * 63.0;
-    return uint(max(floor(steps.x - 0.01), 0.0)) | (uint(min(ceil(steps.y + 0.01), 63.0)) << 6);
+    return uint(floorToInt(max(steps.x - 0.01, 0.0))) | (uint(floorToInt(min(ceil(steps.y + 0.01), 63.0))) << 6);
 }
 
 /// Packs a slope that was stored before to exactly the same halves: adds an eighth of a step, because drivers may round

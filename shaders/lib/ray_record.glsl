@@ -4,6 +4,7 @@
 #ifndef GLINT_LIB_RAY_RECORD_GLSL
 #define GLINT_LIB_RAY_RECORD_GLSL
 
+#include "lib/math.glsl"
 #include "shared/outcome.h"
 
 struct RayRecord {
@@ -24,7 +25,7 @@ uvec2 packRayRecord(RayRecord ray) {
     const float kLargestHalf = 65504.0;
     uint distance = packHalf2x16(vec2(min(ray.hitDistance, kLargestHalf), 0.0)) & 0x7fffu;
     distance |= ray.passedBehind ? 0x8000u : 0u; // no distance is negative
-    return uvec2(packUnorm2x16(ray.hitUV),
+    return uvec2(packUnorm16(ray.hitUV),
                  distance | (min(ray.lookups, kMaxLookups) << 16) | (ray.outcome << 28));
 }
 

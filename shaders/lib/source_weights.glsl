@@ -2,6 +2,7 @@
 #ifndef GLINT_LIB_SOURCE_WEIGHTS_GLSL
 #define GLINT_LIB_SOURCE_WEIGHTS_GLSL
 
+#include "lib/math.glsl"
 #include "shared/hierarchy.h"
 
 const uint kWeightBits = 10u;
@@ -10,7 +11,7 @@ const uint kWeightMask = (1u << kWeightBits) - 1u;
 uvec2 packSourceWeights(float weights[kMaxSources]) {
     uvec2 packed = uvec2(0u);
     for (uint i = 0u; i < kMaxSources; ++i)
-        packed[i / 3u] |= uint(clamp(weights[i], 0.0, 1.0) * float(kWeightMask) + 0.5) << (kWeightBits * (i % 3u));
+        packed[i / 3u] |= uint(floorToInt(clamp(weights[i], 0.0, 1.0) * float(kWeightMask) + 0.5)) << (kWeightBits * (i % 3u));
     return packed;
 }
 

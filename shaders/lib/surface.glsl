@@ -4,6 +4,7 @@
 #ifndef GLINT_LIB_SURFACE_GLSL
 #define GLINT_LIB_SURFACE_GLSL
 
+#include "lib/math.glsl"
 #include "lib/octahedral.glsl"
 
 struct Surface {
@@ -14,7 +15,7 @@ struct Surface {
 
 uvec2 packSurface(Surface surface) {
     return uvec2(packSnorm2x16(encodeOctahedral(surface.normalVS)),
-                 packUnorm2x16(vec2(surface.perceptualRoughness, surface.reflectivity)));
+                 packUnorm16(vec2(surface.perceptualRoughness, surface.reflectivity)));
 }
 
 Surface unpackSurface(uvec2 packed) {

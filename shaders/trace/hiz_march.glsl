@@ -60,17 +60,17 @@ uint crossQuarter(Line line, vec2 solid, Way way, float rounding) {
 }
 
 /// Where the ray reaches the solid part of a quarter: it hits nothing before.
-float reachSolid(Line line, vec2 solid, Way way) {
+float reachSolid(Line line, vec2 solid, Way way, float invClimb) {
     float first = way.above + way.climb * way.share;
     bool fromFront = first > -solid.x;
     bool fromBehind = !fromFront && first < -solid.y;
-    float reached = ((fromFront ? -solid.x : -solid.y) - way.above) / way.climb - (fromFront ? 0.0 : line.pixelShare);
+    float reached = ((fromFront ? -solid.x : -solid.y) - way.above) * invClimb - (fromFront ? 0.0 : line.pixelShare);
     return fromFront || fromBehind ? clamp(reached, way.share, way.end) : way.share;
 }
 
 /// The first quarter of the cell at `at` that the ray may hit on its way from pixel `px`. Without branches: rays of a
 /// group cross different numbers of quarters.
-Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding) {
+Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding, float invClimb) {
     // A line crosses at most three quarters: it goes over the cell's middle in x and in y, unless it starts behind it.
     ivec2 quarter = (px >> (level - 1)) & 1;
     vec2 middle = vec2((2 * at + 1) << (level - 1));
@@ -104,7 +104,7 @@ Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, 
     into.share = hits0 ? way0.share : hits1 ? way1.share : way2.share;
     into.end = hits0 ? way0.end : hits1 ? way1.end : way2.end;
     vec2 solid = hits0 ? solid0 : hits1 ? solid1 : solid2;
-    return Quarter(found, reachSolid(line, solid, into), hits0 ? which0 : hits1 ? which1 : which2);
+    return Quarter(found, reachSolid(line, solid, into, invClimb), hits0 ? which0 : hits1 ? which1 : which2);
 }
 
 /// What a march knows on its way. A driver that runs rays in groups copies all of it for each cell, so it holds no more
@@ -172,6 +172,7 @@ uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endSh
             vec2 center = (vec2(crossing.cell) + 0.5) * float(1 << walk.level);
             float above = start - bounds.front - dot(bounds.slope, line.startPX - center);
             float climb = slope - dot(bounds.slope, line.deltaPX);
+            float invClimb = 1.0 / climb;
             Way way = Way(walk.share, crossing.last, above, climb);
             float first = above + climb * way.share;
             float last = above + climb * way.end;
@@ -187,12 +188,12 @@ uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endSh
                              : kSampleLookInto);
             if (!inFront && !behind) {
                 float fall = -climb * line.pixelShare; // a pixel
-                flatShare = clamp((-0.5 * bounds.depth - above) / climb, way.share, way.end);
+                flatShare = clamp((-0.5 * bounds.depth - above) * invClimb, way.share, way.end);
                 bool isFlat = first >= -rounding && last < -bounds.depth && bounds.depth <= kFlatEnough * fall;
                 if (isFlat && mayBeFlat && walk.cells + pixels > settings.selfCollisionSkip &&
                     onScreen(line.startPX + line.deltaPX * flatShare)) // cells exceed the border
                     return kAtFlatCell;
-                Quarter quarter = firstQuarter(line, bounds, crossing.cell, walk.level, walk.px, way, rounding);
+                Quarter quarter = firstQuarter(line, bounds, crossing.cell, walk.level, walk.px, way, rounding, invClimb);
                 if (quarter.found) {
                     --walk.level;
                     walk.share = quarter.share;

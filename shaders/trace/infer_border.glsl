@@ -23,7 +23,7 @@ void inferBeyondBorder(Ray r, inout March end) {
                              shareInside(start.y, delta.y, -kBeyondBorder, most.y)));
     vec2 leavePX = start + delta * leave;
     vec2 farPX = clamp(start + delta * far, vec2(0.5), frame.constants.size - 0.5);
-    uint samples = 1u + uint(min(distance(leavePX, farPX) / kBorderSpacing, kBorderSamples));
+    uint samples = 1u + uint(floorToInt(min(distance(leavePX, farPX) / kBorderSpacing, kBorderSamples)));
     for (uint i = 0u; i < samples; ++i) {
         float share = mix(leave, far, float(i) / max(float(samples - 1u), 1.0));
         vec2 px = clamp(start + delta * share, vec2(0.5), frame.constants.size - 0.5);
