@@ -17,8 +17,8 @@ Result<std::vector<render::ReflectionSession>> makeSessions(gpu::Context& contex
         job.settings = config.settings;
         job.width = size.x;
         job.height = size.y;
-        job.statistics = true;
-        job.libraryViews = false; // as a host ships
+        job.statistics = false; // as a host ships
+        job.libraryViews = false;
         GLINT_TRY(session, render::openJob(context, job));
         sessions.push_back(std::move(session));
     }

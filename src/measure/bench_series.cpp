@@ -2,7 +2,9 @@
 
 #include "measure/floor_pass.hpp"
 #include "measure/share_pass.hpp"
+#include "render/settled_frames.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace glint::measure {
@@ -12,14 +14,6 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double countingMs(const render::FrameTimes& times) {
-    double sum = 0;
-    for (const auto& [name, milliseconds] : times.effectPasses)
-        if (name == "composite/statistics")
-            sum += milliseconds;
-    return sum;
 }
 
 class Series {
@@ -45,7 +39,8 @@ public:
                 figures_[i].times.addDrawn(drawn);
             }
             figures_[i].wallMs = Spread::of(walls_[i]);
-            figures_[i].stats = sessions_[i].stats();
+            GLINT_TRY(counts, count(sessions_[i]));
+            figures_[i].stats = std::move(counts);
         }
         return std::move(figures_);
     }
@@ -78,10 +73,26 @@ private:
                 figures_[i].times.addFloor(off);
                 if (plan_.redraw)
                     figures_[i].times.addDrawn(on);
-                walls_[i].push_back(on.wallMs - off.wallMs - countingMs(on));
+                walls_[i].push_back(on.wallMs - off.wallMs);
             }
         }
         return {};
+    }
+
+    /// Counts in frames of their own, because counting takes time: how each ray ended is stored and read again.
+    Result<render::RenderStats> count(render::ReflectionSession& session) {
+        GLINT_CHECK(session.setStatistics(true));
+        const uint32_t settled = render::settledFrames(session.settings().reflections);
+        const uint32_t frames = std::min(settled, plan_.warmUp + 1);
+        const Clock::time_point start = Clock::now();
+        for (uint32_t i = 0; i < frames; ++i) {
+            if (i > 0 && plan_.budgetSeconds > 0 && secondsSince(start) > plan_.budgetSeconds / 4)
+                break;
+            GLINT_CHECK(session.renderFrame(++index_, framePlan(plan_.redraw, true)));
+        }
+        render::RenderStats counts = session.stats();
+        GLINT_CHECK(session.setStatistics(false));
+        return counts;
     }
 
     std::vector<render::ReflectionSession>& sessions_;

@@ -24,13 +24,13 @@ struct SeriesPlan {
 
 struct SeriesFigures {
     EffectTimes times; ///< from timestamps
-    /// Time with the effect minus time without it, by submitting and waiting; excludes the cost of counting.
+    /// Time with the effect minus time without it, by submitting and waiting.
     Spread wallMs;
-    render::RenderStats stats;
+    render::RenderStats stats; ///< counted in other frames than those that were timed
 };
 
 /// Times the settings of each session, frame by frame in turn, with and without the effect. Resizes the sessions.
-/// `sessions`  of the same scene, one for each settings, with RenderJob::statistics
+/// `sessions`  of the same scene, one for each settings, without RenderJob::statistics
 /// Errors: OutOfMemory, DeviceLost.
 Result<std::vector<SeriesFigures>> runSeries(gpu::Context& context, std::vector<render::ReflectionSession>& sessions,
                                              const SeriesPlan& plan);

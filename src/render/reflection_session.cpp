@@ -73,6 +73,12 @@ Result<void> ReflectionSession::resize(uint32_t width, uint32_t height) {
     return objects_->views.resize(width, height);
 }
 
+Result<void> ReflectionSession::setStatistics(bool statistics) {
+    options_.statistics = statistics;
+    passTimes_.clear();
+    return makeReflections(*objects_);
+}
+
 Result<void> ReflectionSession::restart(uint32_t seed) {
     options_.seed = seed;
     objects_->host->setSeed(seed);

@@ -58,6 +58,9 @@ public:
     // The following setters, except setCamera and setTime, restart the pass times.
     Result<void> setSettings(const ProgramSettings& settings);
     Result<void> resize(uint32_t width, uint32_t height);
+    /// Counts outcomes and depth fetches from the next frame on, or no longer; that frame has no history. Errors: as
+    /// create.
+    Result<void> setStatistics(bool statistics);
     /// Restarts with another seed: the next frame has no history.
     Result<void> restart(uint32_t seed);
     /// Makes the next frame the first that rays.accumulate averages: for frames in which only the light or the objects
@@ -94,6 +97,7 @@ public:
     size_t deviceBytes() const;
     const JobInputs& inputs() const { return objects_->host->inputs(); }
     View view() const { return objects_->host->view(); }
+    const ProgramSettings& settings() const { return options_.settings; }
 
 private:
     /// The device objects. They have stable addresses, as they refer to each other.
