@@ -13,6 +13,7 @@
 #include "frame/prepared.glsl"
 #ifdef GLINT_COMBINES
 #include "hierarchy/combined.glsl"
+#include "trace/listed.glsl"
 #endif
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
@@ -78,10 +79,15 @@ Share frontShare(ivec2 px, float z, Surface here, vec3 lit) {
     vec4 reflection = vec4(0.0);
     if (maxComponent(f0) > 0.0) {
         float shares[kMaxSources];
-        Walk walk = combinedAnswers(px, z, shares);
+        Walk walk = combinedAnswers(px, z, hasTracedAnswer(), shares);
         reflection = vec4(walk.radiance, walk.taken);
     }
     return Share(1.0, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS), reflection, lit);
+}
+
+/// Does any surface of the pixel reflect? The background does not.
+bool mayReflect(ivec2 px, Surface here) {
+    return here.reflectivity > 0.0;
 }
 
 Share secondShare(ivec2 px, float frontCoverage) {
@@ -91,6 +97,10 @@ Share secondShare(ivec2 px, float frontCoverage) {
 #else
 
 #include "composite/edge_shares.glsl"
+
+bool mayReflect(ivec2 px, Surface here) {
+    return texelFetch(viewZ, px, 0).r < kBackgroundZ; // a surface behind an edge may
+}
 
 #endif
 
@@ -137,11 +147,12 @@ void main() {
     bool toGamma = (frame.constants.flags & kOutputGamma) != 0u;
     vec4 stored = texelFetch(litRadiance, px, 0);
     vec3 lit = linearColor(stored.rgb, fromGamma);
-    float z = texelFetch(viewZ, px, 0).r;
+    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     vec3 result = lit;
     bool untouched = true; // where the pixel does not reflect, keep the host's own bits
-    if (z < kBackgroundZ) {
-        Share front = frontShare(px, z, unpackSurface(texelFetch(surface, px, 0).xy), lit);
+    if (mayReflect(px, here)) {
+        float z = texelFetch(viewZ, px, 0).r;
+        Share front = frontShare(px, z, here, lit);
         Share second = secondShare(px, front.coverage);
         if (maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a > 0.0) {
             bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
@@ -153,7 +164,7 @@ void main() {
             untouched = false;
         }
     }
-    if (settings.debugOutcome != 0u && z < kBackgroundZ) {
+    if (settings.debugOutcome != 0u && texelFetch(viewZ, px, 0).r < kBackgroundZ) {
         ivec2 tracePX = fullToTracePixel(frame.constants, px);
         RayRecord ray = unpackRayRecord(texelFetch(rayRecord, tracePX, 0).xy);
         if (ray.outcome != kOutcomeNone) {

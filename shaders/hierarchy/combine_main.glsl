@@ -17,7 +17,7 @@ void main() {
     if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
         return;
     float shares[kMaxSources];
-    Walk walk = combinedAnswers(px, texelFetch(viewZ, px, 0).r, shares);
+    Walk walk = combinedAnswers(px, texelFetch(viewZ, px, 0).r, true, shares);
     imageStore(reflected, px, vec4(walk.radiance, walk.taken));
     if (frame.settings.hierarchy.keepsWeights != 0u)
         imageStore(weights, px, uvec4(packSourceWeights(shares), 0u, 0u));

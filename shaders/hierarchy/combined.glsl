@@ -40,14 +40,15 @@ vec4 skyAnswer(ivec2 px, float z) {
     return vec4(environmentRadiance(environment, directionWS(ray), ray.roughnessLeft), 1.0);
 }
 
-/// The sum over all sources for the pixel, whose surface is at `z`; `shares`: the weight that each source got.
-Walk combinedAnswers(ivec2 px, float z, out float shares[kMaxSources]) {
+/// The sum over all sources for the pixel, whose surface is at `z`; `traced`: the screen has an answer; `shares`: the
+/// weight that each source got.
+Walk combinedAnswers(ivec2 px, float z, bool traced, out float shares[kMaxSources]) {
     HierarchyConstants settings = frame.settings.hierarchy;
     Walk walk = beginWalk();
     shares = float[](0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     for (uint i = 0u; i < kMaxSources && z < kBackgroundZ && walk.taken < 1.0; ++i) {
         uint source = (settings.order >> (4u * i)) & 15u;
-        if ((settings.sources & (1u << source)) == 0u)
+        if ((settings.sources & (1u << source)) == 0u || (source == kSourceScreen && !traced))
             continue;
         vec4 answer = source == kSourceSky ? skyAnswer(px, z) : loadAnswer(source, settings.sources, px);
         bool untested = source == kSourceSky || source == kSourceProbes; // no ray has tested what hides the direction

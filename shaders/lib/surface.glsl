@@ -10,7 +10,7 @@
 struct Surface {
     vec3 normalVS;            // unit
     float perceptualRoughness; // [0, 1]
-    float reflectivity;        // largest channel of F0, [0, 1]
+    float reflectivity;        // largest channel of F0, [0, 1]; 0: nothing is reflected, or the background shows
 };
 
 uvec2 packSurface(Surface surface) {

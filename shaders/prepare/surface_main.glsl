@@ -41,7 +41,8 @@ void main() {
         HostSurface here = hostSurface(frame.constants, texelFetch(depth, px, 0).r, texelFetch(normal, px, 0).xyz,
                                        loadMaterial(px, 0));
         float z = storedViewZ(frame.constants, here.viewZ);
-        uvec2 packed = packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0)));
+        float reflectivity = z < kBackgroundZ ? maxComponent(here.f0) : 0.0;
+        uvec2 packed = packSurface(Surface(here.normalVS, here.perceptualRoughness, reflectivity));
         imageStore(viewZ, px, vec4(z));
         imageStore(surface, px, uvec4(packed, 0u, 0u));
         if ((frame.constants.flags & kInputResolved) != 0u) // else the host's own image holds the same

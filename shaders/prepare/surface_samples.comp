@@ -123,8 +123,9 @@ void main() {
     HostSurface here = front.surface;
     float coverage = front.members > 0 && front.members < count ? float(front.members) / float(count) : 1.0;
     imageStore(viewZ, px, vec4(storedViewZ(frame.constants, depthOf(front, count))));
-    imageStore(surface, px,
-               uvec4(packSurface(Surface(here.normalVS, here.perceptualRoughness, maxComponent(here.f0))), 0u, 0u));
+    float reflectivity = here.viewZ < kBackgroundZ ? maxComponent(here.f0) : 0.0;
+    uvec2 packed = packSurface(Surface(here.normalVS, here.perceptualRoughness, reflectivity));
+    imageStore(surface, px, uvec4(packed, 0u, 0u));
     imageStore(resolvedMaterial, px, vec4(here.f0, coverage));
     if (coverage < 1.0)
         imageStore(edge, px, packEdge(secondSurface(px, front, count)));

@@ -40,6 +40,7 @@ GLINT_CONSTANT(uint, kTraceLobe, 512);         // rays sample the lobe of rough 
 GLINT_CONSTANT(uint, kTraceRecords, 1024);     // how each ray ended is kept
 GLINT_CONSTANT(uint, kTraceCones, 2048);       // hits on rough surfaces' rays are blurred by the lobe's width
 GLINT_CONSTANT(uint, kTraceBackInPlace, 4096); // backViewZ is the host's image, one texel a pixel: lib/back_face.glsl
+GLINT_CONSTANT(uint, kTraceListedOnly, 8192);  // pixels off the ray list have no answer stored: trace/listed.glsl
 
 // Written by list.comp: the number of rays, as the arguments of the indirect dispatches that trace the rays and that
 // build their inputs. Without rays these dispatches are empty. The rays' pixels follow, x in the low half and y in the
@@ -64,6 +65,7 @@ struct RayListConstants {
 GLINT_CONSTANT(uint, kRayTileWidth, 8);
 GLINT_CONSTANT(uint, kRayTilePixels, 64);
 GLINT_CONSTANT(uint, kTilesPerBlock, 64); // tiles that one group of list.comp lists
+GLINT_CONSTANT(uint, kFromRough, 0x10000u); // of a block: some ray starts on a rough surface
 
 struct PyramidConstants {
     float thickness;

@@ -52,7 +52,7 @@ void findBlockStart(uint block) {
     bool fromRough = false;
     for (uint i = gl_LocalInvocationIndex; i < block; i += gl_WorkGroupSize.x) {
         before += rayBlocks.counts[i] & 0xffffu;
-        fromRough = fromRough || rayBlocks.counts[i] >> 16 != 0u;
+        fromRough = fromRough || (rayBlocks.counts[i] & kFromRough) != 0u;
     }
     if (before > 0u)
         atomicAdd(blockStart, before);
@@ -98,7 +98,7 @@ void main() {
         return;
     findBlockStart(block);
     if (last && gl_LocalInvocationIndex == 0u)
-        writeHeader(blockStart + count, anyFromRough != 0u || rayBlocks.counts[block] >> 16 != 0u);
+        writeHeader(blockStart + count, anyFromRough != 0u || (rayBlocks.counts[block] & kFromRough) != 0u);
     findTiles(block);
     for (uint i = gl_LocalInvocationIndex; i < kTilesPerBlock * kRayTilePixels; i += gl_WorkGroupSize.x) {
         uint tile = i / kRayTilePixels;

@@ -12,27 +12,32 @@ layout(scalar, set = 0, binding = 10) buffer RayTilesBlock {
 }
 rayTiles;
 layout(scalar, set = 0, binding = 11) buffer RayBlocksBlock {
-    // Of kTilesPerBlock tiles each: rays in the low half, and those of them from rough surfaces in the high half; zeroed.
+    // Of kTilesPerBlock tiles each: rays in the low half, kFromRough if any of them starts on a rough surface; zeroed.
     // Sums, so the order of additions does not show.
     uint counts[];
 }
 rayBlocks;
 
-/// Each subgroup adds its bits, whichever pixels of the tile it has: a barrier for whole groups costs software devices
-/// more than the rest of such a pass.
+/// The invocations of a subgroup that need a ray add their bits together, whichever pixels of the tile they have: a
+/// barrier for whole groups costs software devices more than the rest of such a pass.
 void needRay(bool needsRay, bool fromRough) {
-    uint bit = needsRay ? 1u << (gl_LocalInvocationIndex & 31u) : 0u;
-    uint fromRoughs = subgroupAdd(needsRay && fromRough ? 1u : 0u);
+    if (!needsRay)
+        return;
+    uint bit = 1u << (gl_LocalInvocationIndex & 31u);
     bool low = gl_LocalInvocationIndex < 32u;
     uvec2 mask = subgroupOr(uvec2(low ? bit : 0u, low ? 0u : bit));
-    if (mask == uvec2(0u) || !subgroupElect())
-        return;
     uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    if (fromRough) {
+        if (subgroupElect())
+            atomicOr(rayBlocks.counts[tile / kTilesPerBlock], kFromRough);
+    }
+    if (!subgroupElect())
+        return;
     if (mask.x != 0u)
         atomicOr(rayTiles.masks[tile].x, mask.x);
     if (mask.y != 0u)
         atomicOr(rayTiles.masks[tile].y, mask.y);
-    atomicAdd(rayBlocks.counts[tile / kTilesPerBlock], uint(bitCount(mask.x) + bitCount(mask.y)) + (fromRoughs << 16));
+    atomicAdd(rayBlocks.counts[tile / kTilesPerBlock], uint(bitCount(mask.x) + bitCount(mask.y)));
 }
 
 #endif

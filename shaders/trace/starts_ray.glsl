@@ -35,7 +35,7 @@ uint whyNoRay(ivec2 px, vec2 uv, float z, Surface here) {
 }
 
 /// True if the surface `here`, at `z` metres in pixel `px`, needs a ray. If not, stores that the traced pixel has no
-/// answer. `fromRough`: the ray starts on a rough surface; known for cones alone.
+/// answer, unless all who ask look at the ray list. `fromRough`: the ray starts on a rough surface; known for cones alone.
 bool startsRay(ivec2 tracePX, ivec2 px, float z, Surface here, out bool fromRough) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone, false);
@@ -46,7 +46,7 @@ bool startsRay(ivec2 tracePX, ivec2 px, float z, Surface here, out bool fromRoug
         starts = record.outcome == kOutcomeNone;
         fromRough = (frame.settings.trace.flags & kTraceCones) != 0u && !isMirror(here.perceptualRoughness);
     }
-    if (!starts)
+    if (!starts && (frame.settings.trace.flags & kTraceListedOnly) == 0u)
         storeTraced(tracePX, vec3(0.0), 0.0, record);
     return starts;
 }

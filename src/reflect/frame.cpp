@@ -56,7 +56,7 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
 /// Combines the sources, and replaces the host's reflections by them.
 void FrameStages::recordComposite(gpu::Frame& frame) {
     if (!readsReflected()) {
-        composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, {rayRecord(), composite()});
+        composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(), {rayRecord(), composite()});
         return;
     }
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
@@ -90,6 +90,7 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.trace = traceConstants(settings, prepare_->backFacesKnown());
     resolved.trace.flags |= prepare_->backFacesInPlace() ? shared::kTraceBackInPlace : 0;
     resolved.trace.flags |= trace_->keepsRecord(settings) ? shared::kTraceRecords : 0;
+    resolved.trace.flags |= storesListedOnly() ? shared::kTraceListedOnly : 0;
     resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
     resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);
     resolved.layerTrace = layerTraceConstants(settings, levels);

@@ -324,7 +324,7 @@ Result<void> FrameStages::rehearse() {
     denoise_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
     composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
-    composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, {rayRecord(), composite()});
+    composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(), {rayRecord(), composite()});
     if (counts_)
         countRays(frame);
     if (refraction_) {

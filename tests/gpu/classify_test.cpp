@@ -82,6 +82,39 @@ TEST_F(ClassifyTest, PixelsWithoutARayHaveNoAnswer) {
     EXPECT_EQ(picture.reflection, fresh.reflection);
 }
 
+/// Without a reader of the record nothing at all is stored for such a pixel, and what earlier frames left there does not
+/// show.
+TEST_F(ClassifyTest, NothingStoredLooksLikeNoAnswer) {
+    Settings all = settings();
+    all.reflect.threshold = 0;
+    all.reflect.maxRoughness = 1;
+    all.fade.facingCamera = false;
+    const SyntheticCamera camera;
+    const View view = camera.view(kWidth, kHeight);
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), stripes, camera, kWidth, kHeight);
+    const auto make = [&](const Settings& settings, bool statistics) {
+        ReflectionsDesc desc = {kWidth, kHeight, settings};
+        desc.framesInFlight = 1;
+        desc.statistics = statistics;
+        Reflections made = must(Reflections::create(library(), desc));
+        must(made.setInputs(host.gbuffer));
+        return made;
+    };
+    const auto picture = [&](Reflections& made) {
+        HostImage image;
+        run([&](VkCommandBuffer commands) { image = made.record(commands, view); });
+        return download(gpu(), image);
+    };
+    Reflections made = make(all, false);
+    const std::vector<float> before = picture(made);
+    must(made.setSettings(settings()));
+    Reflections counting = make(settings(), true);
+    const std::vector<float> wanted = picture(counting);
+    EXPECT_GT(counting.statistics().rays, 200u);
+    EXPECT_EQ(picture(made), wanted);
+    EXPECT_NE(before, wanted);
+}
+
 /// Views of frames that trace nothing show no leftovers of classification.
 TEST_F(ClassifyTest, FramesThatTraceNothingSayTheSameEachTime) {
     Settings nothing = settings();

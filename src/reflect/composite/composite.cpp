@@ -46,11 +46,11 @@ void Composite::record(gpu::Frame& frame, const HierarchyInputs& inputs, const R
 }
 
 void Composite::recordCombined(gpu::Frame& frame, const HierarchyInputs& inputs, const Hierarchy& sources,
-                               const CompositeImages& images) {
+                               gpu::Buffer& rayTiles, const CompositeImages& images) {
     gpu::Pass pass = frame.pass(combinedPass_);
     bind(pass, inputs, images);
     sources.bindAnswers(pass, inputs);
-    pass.dispatch(stages_->extent.x, stages_->extent.y);
+    pass.read("rayTiles", rayTiles).dispatch(stages_->extent.x, stages_->extent.y);
 }
 
 } // namespace glint::reflect

@@ -24,8 +24,9 @@ public:
                 const CompositeImages& images);
     /// Combines the sources' answers in the same pass, in place of Hierarchy::combine: no image holds the reflections
     /// alone. For hosts with one sample a pixel.
+    /// `rayTiles`: RayLister::tiles, read with kTraceListedOnly.
     void recordCombined(gpu::Frame& frame, const HierarchyInputs& inputs, const Hierarchy& sources,
-                        const CompositeImages& images);
+                        gpu::Buffer& rayTiles, const CompositeImages& images);
 
 private:
     explicit Composite(StageContext& stages) : stages_(&stages) {}

@@ -22,6 +22,9 @@ public:
     /// Binds the first pass's outputs, as trace/ray_list.glsl declares them.
     gpu::Pass& bind(gpu::Pass& pass) { return pass.readWrite("rayTiles", tiles_).readWrite("rayBlocks", blocks_); }
 
+    /// The pixels of the list, as bits (trace/ray_list.glsl), until the next `begin`.
+    gpu::Buffer& tiles() { return tiles_; }
+
     /// Group counts that are dispatched if there is a ray, in addition to the rays.
     struct IfAny {
         glm::uvec2 pyramidGroups = glm::uvec2(0);

@@ -45,6 +45,7 @@ public:
     Traced traced();
     TraceTarget target();
     Rays& rays() { return rays_; }
+    gpu::Buffer& rayTiles() { return lister_.tiles(); }
 
 private:
     explicit ScreenTrace(StageContext& stages) : stages_(stages) {}
