@@ -26,10 +26,13 @@ layout(push_constant, scalar) uniform PushBlock {
     RayListConstants settings;
 };
 
+const uint kRowTiles = 8u;
+
 shared uint blockStart;
 shared uint anyFromRough; // of the rays before the block
 shared uvec2 tileMasks[kTilesPerBlock];
-shared uint tileEnds[kTilesPerBlock]; // rays of the block up to and including each tile
+shared uint tileStarts[kTilesPerBlock]; // rays of the block before each tile
+shared uint rowEnds[kTilesPerBlock];    // rays of the tile's row of kRowTiles, up to and including the tile
 
 uint raysOf(uvec2 mask) {
     return uint(bitCount(mask.x) + bitCount(mask.y));
@@ -64,18 +67,24 @@ void findBlockStart(uint block) {
 void findTiles(uint block) {
     uint i = gl_LocalInvocationIndex;
     uint tile = block * kTilesPerBlock + i;
-    if (i < kTilesPerBlock) {
+    if (i < kTilesPerBlock)
         tileMasks[i] = tile < settings.tiles.x * settings.tiles.y ? rayTiles.masks[tile] : uvec2(0u);
-        tileEnds[i] = raysOf(tileMasks[i]);
+    barrier();
+    // Two short sums, because each barrier costs more than a few additions.
+    if (i < kTilesPerBlock) {
+        uint sum = 0u;
+        for (uint tile = i / kRowTiles * kRowTiles; tile <= i; ++tile)
+            sum += raysOf(tileMasks[tile]);
+        rowEnds[i] = sum;
     }
     barrier();
-    for (uint reach = 1u; reach < kTilesPerBlock; reach *= 2u) { // Hillis and Steele 1986, "Data parallel algorithms"
-        uint before = i < kTilesPerBlock && i >= reach ? tileEnds[i - reach] : 0u;
-        barrier();
-        if (i < kTilesPerBlock)
-            tileEnds[i] += before;
-        barrier();
+    if (i < kTilesPerBlock) {
+        uint sum = rowEnds[i] - raysOf(tileMasks[i]);
+        for (uint end = kRowTiles - 1u; end < i; end += kRowTiles)
+            sum += rowEnds[end];
+        tileStarts[i] = sum;
     }
+    barrier();
 }
 
 void writeHeader(uint count, bool fromRough) {
@@ -109,6 +118,6 @@ void main() {
         uint number = block * kTilesPerBlock + tile;
         uvec2 corner = uvec2(number % settings.tiles.x, number / settings.tiles.x) * kRayTileWidth;
         uvec2 px = corner + uvec2(pixel % kRayTileWidth, pixel / kRayTileWidth);
-        rays.pixels[blockStart + tileEnds[tile] - raysOf(mask) + raysBefore(mask, pixel)] = px.x | (px.y << 16);
+        rays.pixels[blockStart + tileStarts[tile] + raysBefore(mask, pixel)] = px.x | (px.y << 16);
     }
 }
