@@ -48,7 +48,7 @@ March march(Ray r) {
         if (wasInFront && mayPay && next >= space.from && onScreen(ray.startPX + ray.deltaPX * next)) {
             float until = openUntil(ray, space, next, 0.5 * stepShare, result.lookups);
             // The last sample is taken: what it shows tells how the ray ended.
-            uint last = min(uint(until / stepShare + startOffset), iterations - 1u);
+            uint last = min(uint(floorToInt(until / stepShare + startOffset)), iterations - 1u);
             if (until > next && last >= i) {
                 float share = (float(last) - startOffset) * stepShare;
                 before = Sample(share, ray.startPX + ray.deltaPX * share, rayViewZ(ray, share), kBackgroundZ);
