@@ -27,10 +27,10 @@ ivec2 floorToInt(vec2 x) {
     return floatBitsToInt(floor(x) + 12582912.0) - 0x4b400000;
 }
 
-/// packUnorm2x16, by the same means.
+/// packUnorm2x16, by the same means: here the addition itself rounds to the nearest.
 uint packUnorm16(vec2 v) {
     ivec2 steps = floatBitsToInt(clamp(v, vec2(0.0), vec2(1.0)) * 65535.0 + 12582912.0) - 0x4b400000;
-    return uint(steps.x) | (uint(steps.y) << 16);
+    return (uint(steps.x) & 0xffffu) | (uint(steps.y) << 16);
 }
 
 float meanComponent(vec3 v) {

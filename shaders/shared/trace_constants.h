@@ -64,7 +64,7 @@ struct RayListConstants {
 
 GLINT_CONSTANT(uint, kRayTileWidth, 8);
 GLINT_CONSTANT(uint, kRayTilePixels, 64);
-GLINT_CONSTANT(uint, kTilesPerBlock, 64); // tiles that one group of list.comp lists
+GLINT_CONSTANT(uint, kTilesPerBlock, 64);   // tiles that one group of list.comp lists
 GLINT_CONSTANT(uint, kFromRough, 0x10000u); // of a block: some ray starts on a rough surface
 
 struct PyramidConstants {

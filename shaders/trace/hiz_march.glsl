@@ -8,8 +8,8 @@
 /// The level at which a ray starts: most rays leave a surface that is flat over this many pixels.
 const int kFirstLevel = 4;
 /// So many cells are walked before those rays of the group that have come to a pixel test it. measured: NVIDIA H200,
-/// builtin:hall at 1920x1080, mirror directions: 1.46 ms; 1.51 with 3, 1.78 if they wait for all. No difference on
-/// llvmpipe, whose groups have eight rays.
+/// builtin:hall at 1920x1080, mirror directions, an earlier form of the walk: 1.46 ms; 1.51 with 3, 1.78 if they wait for
+/// all. No difference on llvmpipe, whose groups have eight rays.
 const uint kCellsTogether = 10u;
 /// Rounding of the cell's and of the ray's nearness, as a fraction of it.
 const float kRounding = 2e-6;
@@ -147,18 +147,17 @@ bool isOffScreen(ivec2 px, ivec2 size) {
     return any(greaterThanEqual(uvec2(px), uvec2(size)));
 }
 
-/// No pixel yet. The walk has ended, too, if the ray is at its end, off screen or out of steps.
-const uint kWalked = 0u;
+const uint kWalked = 0u;     // no pixel yet
 const uint kAtPixel = 1u;    // a pixel decides whether the ray ends there
 const uint kAtFlatCell = 2u; // the same: a cell of several pixels shows one flat surface, which the ray meets at this one
 
-/// Walks up to the first pixel that decides something, through at most `mostCells` cells. `pixels`: steps of the march that
-/// were no cells. `flatShare`: where the ray meets the flat surface of kAtFlatCell.
-uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endShare, uint mostCells, uint pixels,
+/// Walks up to the first pixel that decides something, or to cell number `stop`. With kWalked and kAtPixel the ray may be
+/// at its end or off screen. `pixels`: steps of the march that were no cells. `flatShare`: where the ray meets the flat
+/// surface of kAtFlatCell.
+uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endShare, uint stop, uint pixels,
                  inout CellWalk walk, out float flatShare) {
     ivec2 size = ivec2(frame.constants.size);
     int finest = max(int(settings.minLevel), 1); // below it one pixel decides
-    uint stop = walk.cells + mostCells;
     flatShare = 0.0;
     while (walk.level >= finest && walk.cells < stop && walk.share < endShare && !isOffScreen(walk.px, size)) {
         CellCrossing crossing = crossCell(line, endShare, walk);
@@ -237,12 +236,16 @@ March march(Ray r) {
 
     while (true) {
         uint left = settings.maxSteps - walk.cells - pixels;
+        uint stop = walk.cells + min(left, kCellsTogether);
         float at;
-        uint found = walkToPixel(ray, line, start, slope, endShare, min(left, kCellsTogether), pixels, walk, at);
+        uint found = walkToPixel(ray, line, start, slope, endShare, stop, pixels, walk, at);
         bool inFlatCell = found == kAtFlatCell;
         if (!inFlatCell) {
             bool hasSteps = walk.cells + pixels < settings.maxSteps;
             if (walk.share >= endShare || isOffScreen(walk.px, size) || !hasSteps)
+                break;
+            // A walk that ends early without a pixel is over, also where a broken G-buffer makes `share` NaN.
+            if (found == kWalked && walk.cells < stop)
                 break;
             if (found == kWalked)
                 continue;
@@ -250,7 +253,7 @@ March march(Ray r) {
         CellCrossing crossing = crossCell(line, endShare, walk);
         ivec2 px = walk.px;
         if (inFlatCell) {
-            px = floorToInt(line.startPX + line.deltaPX * at);
+            px = min(floorToInt(line.startPX + line.deltaPX * at), size - 1);
         } else if (settings.minLevel > 0u) { // the one pixel of a quarter, within the step of that quarter's cell
             at = crossing.last;
         } else {

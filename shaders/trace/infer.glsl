@@ -127,8 +127,8 @@ bool onOpposite(uint shows) {
 
 const float kNowhere = 2.0; // as a share
 
-/// Samples of the ray's line: the one before it went behind something, and those from there on. Arrays are read and
-/// written by pick and put alone, which leave them in registers.
+/// Samples of the ray's line: the one before it went behind something, and those from there on. Arrays are indexed
+/// by constants, and by pick and put, which leaves them in registers.
 struct HiddenLine {
     float first; // share of the sample before
     float spacing;

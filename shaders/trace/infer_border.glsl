@@ -10,7 +10,7 @@
 const float kBeyondBorder = 8.0;
 /// Spacing of the samples along the border, in pixels, and their largest number less one.
 const float kBorderSpacing = 4.0;
-const float kBorderSamples = 3.0;
+const uint kBorderSamples = 3u;
 
 /// Answers a ray that left the screen in front of a surface that the border shows, if it intersects that surface's plane
 /// close beyond the border, with the nearest pixel that shows the surface.
@@ -23,7 +23,7 @@ void inferBeyondBorder(Ray r, inout March end) {
                              shareInside(start.y, delta.y, -kBeyondBorder, most.y)));
     vec2 leavePX = start + delta * leave;
     vec2 farPX = clamp(start + delta * far, vec2(0.5), frame.constants.size - 0.5);
-    uint samples = 1u + uint(floorToInt(min(distance(leavePX, farPX) / kBorderSpacing, kBorderSamples)));
+    uint samples = 1u + min(uint(floorToInt(distance(leavePX, farPX) / kBorderSpacing)), kBorderSamples);
     for (uint i = 0u; i < samples; ++i) {
         float share = mix(leave, far, float(i) / max(float(samples - 1u), 1.0));
         vec2 px = clamp(start + delta * share, vec2(0.5), frame.constants.size - 0.5);

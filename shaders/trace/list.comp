@@ -73,8 +73,8 @@ void findTiles(uint block) {
     // Two short sums, because each barrier costs more than a few additions.
     if (i < kTilesPerBlock) {
         uint sum = 0u;
-        for (uint tile = i / kRowTiles * kRowTiles; tile <= i; ++tile)
-            sum += raysOf(tileMasks[tile]);
+        for (uint other = i / kRowTiles * kRowTiles; other <= i; ++other)
+            sum += raysOf(tileMasks[other]);
         rowEnds[i] = sum;
     }
     barrier();

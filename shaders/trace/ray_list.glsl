@@ -1,5 +1,5 @@
 // Marks the pixels that need a ray, in a pass with one group for 8 x 8 pixels. trace/list makes the list from the
-// marks. Call needRay from every invocation of the entry.
+// marks.
 #ifndef GLINT_TRACE_RAY_LIST_GLSL
 #define GLINT_TRACE_RAY_LIST_GLSL
 
@@ -13,7 +13,7 @@ layout(scalar, set = 0, binding = 10) buffer RayTilesBlock {
 rayTiles;
 layout(scalar, set = 0, binding = 11) buffer RayBlocksBlock {
     // Of kTilesPerBlock tiles each: rays in the low half, kFromRough if any of them starts on a rough surface; zeroed.
-    // Sums, so the order of additions does not show.
+    // Sums and flags, so the order of additions does not show.
     uint counts[];
 }
 rayBlocks;
@@ -27,17 +27,17 @@ void needRay(bool needsRay, bool fromRough) {
     bool low = gl_LocalInvocationIndex < 32u;
     uvec2 mask = subgroupOr(uvec2(low ? bit : 0u, low ? 0u : bit));
     uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    if (subgroupElect()) { // of those whose bits are in the mask: before any other branch
+        if (mask.x != 0u)
+            atomicOr(rayTiles.masks[tile].x, mask.x);
+        if (mask.y != 0u)
+            atomicOr(rayTiles.masks[tile].y, mask.y);
+        atomicAdd(rayBlocks.counts[tile / kTilesPerBlock], uint(bitCount(mask.x) + bitCount(mask.y)));
+    }
     if (fromRough) {
         if (subgroupElect())
             atomicOr(rayBlocks.counts[tile / kTilesPerBlock], kFromRough);
     }
-    if (!subgroupElect())
-        return;
-    if (mask.x != 0u)
-        atomicOr(rayTiles.masks[tile].x, mask.x);
-    if (mask.y != 0u)
-        atomicOr(rayTiles.masks[tile].y, mask.y);
-    atomicAdd(rayBlocks.counts[tile / kTilesPerBlock], uint(bitCount(mask.x) + bitCount(mask.y)));
 }
 
 #endif

@@ -83,10 +83,10 @@ private:
     Result<render::RenderStats> count(render::ReflectionSession& session) {
         GLINT_CHECK(session.setStatistics(true));
         const uint32_t settled = render::settledFrames(session.settings().reflections);
-        const uint32_t frames = std::min(settled, plan_.warmUp + 1);
+        const uint32_t frames = std::min(settled, plan_.warmUp + plan_.frames);
         const Clock::time_point start = Clock::now();
         for (uint32_t i = 0; i < frames; ++i) {
-            if (i > 0 && plan_.budgetSeconds > 0 && secondsSince(start) > plan_.budgetSeconds / 4)
+            if (i > 0 && plan_.budgetSeconds > 0 && secondsSince(start) > plan_.budgetSeconds)
                 break;
             GLINT_CHECK(session.renderFrame(++index_, framePlan(plan_.redraw, true)));
         }

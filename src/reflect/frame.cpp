@@ -56,7 +56,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
 /// Combines the sources, and replaces the host's reflections by them.
 void FrameStages::recordComposite(gpu::Frame& frame) {
     if (!readsReflected()) {
-        composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(), {rayRecord(), composite()});
+        composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(),
+                                   {rayRecord(), composite()});
         return;
     }
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());

@@ -147,12 +147,12 @@ private:
         return trace_->classifiesAlone(settings) && gbuffer.depth.samples == 1;
     }
     bool classifiesEarly() const { return classifiesEarly(stages_.settings(), host_.gbuffer); }
-    /// True if only composite/combined reads the screen's answers, which looks at the ray list first: pixels off the list
-    /// need none.
+    /// True if only composite/combined reads the screen's answers, which looks at the ray list first: pixels off the
+    /// list need none.
     bool storesListedOnly() const {
         constexpr uint32_t kNotReaders = 1u << shared::kSourceScreen | 1u << shared::kSourceSky;
         return classifiesEarly() && !trace_->keepsRecord(stages_.settings()) && !readsReflected() &&
-               (hierarchy_->constants().sources & ~kNotReaders) == 0;
+               !denoise_->filters(trace_->traced()) && (hierarchy_->constants().sources & ~kNotReaders) == 0;
     }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;

@@ -74,9 +74,12 @@ Result<void> ReflectionSession::resize(uint32_t width, uint32_t height) {
 }
 
 Result<void> ReflectionSession::setStatistics(bool statistics) {
-    options_.statistics = statistics;
     passTimes_.clear();
-    return makeReflections(*objects_);
+    const bool before = std::exchange(options_.statistics, statistics);
+    Result<void> done = makeReflections(*objects_);
+    if (!done)
+        options_.statistics = before;
+    return done;
 }
 
 Result<void> ReflectionSession::restart(uint32_t seed) {

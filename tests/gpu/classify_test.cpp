@@ -82,8 +82,8 @@ TEST_F(ClassifyTest, PixelsWithoutARayHaveNoAnswer) {
     EXPECT_EQ(picture.reflection, fresh.reflection);
 }
 
-/// Without a reader of the record nothing at all is stored for such a pixel, and what earlier frames left there does not
-/// show.
+/// Without a reader of the record nothing at all is stored for such a pixel, and what earlier frames left there does
+/// not show.
 TEST_F(ClassifyTest, NothingStoredLooksLikeNoAnswer) {
     Settings all = settings();
     all.reflect.threshold = 0;

@@ -161,6 +161,31 @@ TEST_F(DynamicResolutionTest, EachFrameIsThatOfImagesOfItsSize) {
     }
 }
 
+/// As a host ships: without views and statistics passes store less, in images that other extents have used.
+TEST_F(DynamicResolutionTest, EachFrameIsThatOfImagesOfItsSizeWithoutViews) {
+    const auto makeBare = [](glm::uvec2 size) {
+        Settings settings = plainSettings();
+        settings.reflect.threshold = 0.5f; // the wall sends no rays
+        ReflectionsDesc desc = {size.x, size.y, settings};
+        desc.framesInFlight = 1;
+        return must(Reflections::create(library(), desc));
+    };
+    Reflections dynamic = makeBare(kWhole);
+    uint32_t frame = 0;
+    for (const glm::uvec2 extent : kExtents) {
+        SCOPED_TRACE(fmt::format("{}x{}", extent.x, extent.y));
+        camera_.position.x = 0.1 * ++frame;
+        const Drawn drawn = draw(floorAndWall(), camera_, extent);
+        Reflections alone = makeBare(extent);
+        must(alone.setInputs(drawn.alone.gbuffer));
+        must(dynamic.setInputs(drawn.whole.gbuffer));
+        const View view = viewOf(camera_, extent, frame);
+        const std::vector<float> wanted = download(gpu(), record(alone, view));
+        EXPECT_EQ(used(record(dynamic, view), extent), wanted);
+        EXPECT_NE(wanted, download(gpu(), drawn.alone.gbuffer.litRadiance));
+    }
+}
+
 TEST_F(DynamicResolutionTest, PreviousColoursAreThoseOfThePreviousExtent) {
     // The light changes from frame to frame, so that a reflection shows which frame it comes from; and where.
     const auto colored = [](float red) {

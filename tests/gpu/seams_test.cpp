@@ -109,6 +109,30 @@ TEST_F(SeamsTest, ADenoiserIsARowOfTheList) {
     EXPECT_GT(sum, 10);
 }
 
+/// It reads and writes every pixel, those without a ray, too, and also where no view keeps the rays' answers.
+TEST_F(SeamsTest, ADenoiserSeesEveryPixelWithoutViews) {
+    gpu::Image filtered;
+    must(reflect::makeImage(library().gpu(), filtered,
+                            {"toy/filtered", VK_FORMAT_R16G16B16A16_SFLOAT, kWidth, kHeight, reflect::kCleared}));
+    const auto picture = [&](bool views) {
+        ReflectionsDesc desc = {kWidth, kHeight, plainSettings(), false, views};
+        desc.settings.reflect.threshold = 1; // no pixel sends a ray
+        auto frame = must(reflect::FrameStages::create(library().gpu(), desc));
+        must(frame->setInputs(host_.gbuffer, {}));
+        frame->addDenoiser({"toy", [](const Settings&, const reflect::Signal&) { return true; },
+                            [&](gpu::Frame& recording, const reflect::DenoiseInputs&, reflect::Signal) {
+                                recording.clear(filtered, {.float32 = {1, 2, 3, 1}});
+                                return reflect::Signal{&filtered, kWidth, kHeight};
+                            }});
+        HostImage image;
+        run([&](VkCommandBuffer commands) { image = frame->record(commands, camera_.view(kWidth, kHeight)); });
+        return download(gpu(), image);
+    };
+    const std::vector<float> shown = picture(true);
+    EXPECT_NE(shown, download(gpu(), host_.gbuffer.litRadiance));
+    EXPECT_EQ(picture(false), shown);
+}
+
 /// Any image that a pass wrote is a view, by its pass and its name there.
 TEST_F(SeamsTest, WhatAPassWroteIsAView) {
     Reflections made = reflections(kWidth, kHeight, plainSettings());

@@ -39,6 +39,11 @@ gpu::Image& Denoise::record(gpu::Frame& frame, const DenoiseInputs& inputs) {
     return *(answer_ = signal.image);
 }
 
+bool Denoise::filters(const Traced& traced) const {
+    const Signal signal = {&traced.target, traced.width, traced.height};
+    return std::ranges::any_of(denoisers_, [&](const Denoiser& d) { return d.needs(stages_.settings(), signal); });
+}
+
 void Denoise::rehearse(gpu::Frame& frame, const DenoiseInputs& inputs) {
     for (const Denoiser& denoiser : denoisers_)
         denoiser.record(frame, inputs, {&inputs.traced.target, 1, 1});

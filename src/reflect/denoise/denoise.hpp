@@ -51,8 +51,10 @@ public:
     void add(Denoiser denoiser);
 
     void rehearse(gpu::Frame& frame, const DenoiseInputs& inputs);
-    /// Returns the answer for every pixel of the frame.
+    /// Returns the answer for every pixel of the frame; if no filter runs, that of the rays (Traced::target).
     gpu::Image& record(gpu::Frame& frame, const DenoiseInputs& inputs);
+    /// True if any filter runs on this frame's rays.
+    bool filters(const Traced& traced) const;
     /// Uses the traced image as the answer if no ray was traced; its weights are then 0.
     gpu::Image& recordNothing(const Traced& traced) { return *(answer_ = &traced.target); }
     gpu::Image& answer() { return *answer_; }

@@ -59,7 +59,7 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInput
     readHitColor(pass, inputs);
     if (inputs.log)
         pass.readWrite("rayLog", *inputs.log);
-    pass.readWrite("radianceWeight", out.radianceWeight) // other passes wrote the rest of the images
+    pass.readWrite("radianceWeight", out.radianceWeight) // the pass that classifies wrote the rest, if it is read
         .readWrite("radianceWeight8", out.radianceWeight8)
         .readWrite("rayRecord", out.rayRecord);
     return pass;
