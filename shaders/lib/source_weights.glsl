@@ -10,8 +10,10 @@ const uint kWeightMask = (1u << kWeightBits) - 1u;
 
 uvec2 packSourceWeights(float weights[kMaxSources]) {
     uvec2 packed = uvec2(0u);
-    for (uint i = 0u; i < kMaxSources; ++i)
-        packed[i / 3u] |= uint(floorToInt(clamp(weights[i], 0.0, 1.0) * float(kWeightMask) + 0.5)) << (kWeightBits * (i % 3u));
+    for (uint i = 0u; i < kMaxSources; ++i) {
+        int weight = floorToInt(clamp(weights[i], 0.0, 1.0) * float(kWeightMask) + 0.5);
+        packed[i / 3u] |= uint(weight) << (kWeightBits * (i % 3u));
+    }
     return packed;
 }
 

@@ -36,11 +36,16 @@ struct Sample {
     float sceneZ;
 };
 
-/// Where pixel `px` is nearest to the ray's place at `share`.
+/// The place in pixel `px` that is nearest to the ray's at `share`.
+vec2 placeInPixel(ScreenRay ray, ivec2 px, float share) {
+    return clamp(ray.startPX + ray.deltaPX * share, vec2(px), vec2(px) + 0.999);
+}
+
+/// At the place of pixel `px` that is nearest to the ray's at `share`.
 Sample takeSample(ScreenRay ray, ivec2 px, float share, inout uint lookups) {
     Sample s;
     s.share = share;
-    s.px = clamp(ray.startPX + ray.deltaPX * share, vec2(px), vec2(px) + 0.999);
+    s.px = placeInPixel(ray, px, share);
     s.rayZ = rayViewZ(ray, share);
     s.sceneZ = texelFetch(metViewZ, px, 0).r;
     ++lookups;

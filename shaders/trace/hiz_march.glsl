@@ -70,7 +70,8 @@ float reachSolid(Line line, vec2 solid, Way way, float invClimb) {
 
 /// The first quarter of the cell at `at` that the ray may hit on its way from pixel `px`. Without branches: rays of a
 /// group cross different numbers of quarters.
-Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding, float invClimb) {
+Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding,
+                     float invClimb) {
     // A line crosses at most three quarters: it goes over the cell's middle in x and in y, unless it starts behind it.
     ivec2 quarter = (px >> (level - 1)) & 1;
     vec2 middle = vec2((2 * at + 1) << (level - 1));
@@ -192,7 +193,8 @@ uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endSh
                 if (isFlat && mayBeFlat && walk.cells + pixels > settings.selfCollisionSkip &&
                     onScreen(line.startPX + line.deltaPX * flatShare)) // cells exceed the border
                     return kAtFlatCell;
-                Quarter quarter = firstQuarter(line, bounds, crossing.cell, walk.level, walk.px, way, rounding, invClimb);
+                Quarter quarter =
+                    firstQuarter(line, bounds, crossing.cell, walk.level, walk.px, way, rounding, invClimb);
                 if (quarter.found) {
                     --walk.level;
                     walk.share = quarter.share;

@@ -10,7 +10,6 @@
 /// Depth samples on the ray's line from where it went behind something to its end: more find small surfaces, and cost
 /// as much as a march. Nearer than this many pixels they tell the same.
 const uint kInferSamples = 6u;
-const uint kHiddenSamples = kInferSamples + 1u;
 const float kInferSpacing = 4.0;
 /// How far beside the crossing the surface is looked for, as a fraction of the frame's height.
 const float kInferReach = 0.25;
@@ -126,6 +125,8 @@ bool onOpposite(uint shows) {
 }
 
 const float kNowhere = 2.0; // as a share
+/// With the sample before the ray went behind something.
+const uint kHiddenSamples = kInferSamples + 1u;
 
 /// Samples of the ray's line: the one before it went behind something, and those from there on. Arrays are indexed
 /// by constants, and by pick and put, which leaves them in registers.
@@ -154,10 +155,9 @@ float shareOf(HiddenLine line, uint which) {
     return which == 0u ? line.first : firstBehind + float(which - 1u) * line.spacing;
 }
 
-vec2 placeOf(ScreenRay ray, float share) {
-    vec2 at = ray.startPX + ray.deltaPX * share;
-    vec2 px = floor(at);
-    return clamp(at, px, px + 0.999);
+/// The place of a sample there, as takeSample has it.
+vec2 placeOfSample(ScreenRay ray, float share) {
+    return placeInPixel(ray, floorToInt(ray.startPX + ray.deltaPX * share), share);
 }
 
 /// The nearest pixel beside the occluder that shows the plane's surface, and how much it tells about the crossing, 0 to
@@ -175,7 +175,7 @@ float findSurface(Ray r, ShownPlane plane, Sample crossing, HiddenLine line, ino
     for (uint i = 0u; i < line.count; ++i) {
         float share = shareOf(line, i);
         bool after = share > crossing.share;
-        vec2 at = placeOf(r.screen, share);
+        vec2 at = placeOfSample(r.screen, share);
         float apart = distance(at, crossing.px);
         if (apart < 1.0 || apart >= (after ? knownAfter : knownBefore).distance)
             continue;
@@ -273,7 +273,7 @@ void inferCrossing(Ray r, inout March end) {
             which = line.crossings[i] == share ? i : which;
         for (uint i = 0u; i < kHiddenSamples; ++i) // the same plane
             line.crossings[i] = line.crossings[i] <= share + pixelShare ? kNowhere : line.crossings[i];
-        vec2 shownPX = placeOf(r.screen, shareOf(line, which));
+        vec2 shownPX = placeOfSample(r.screen, shareOf(line, which));
         vec2 crossingPX = r.screen.startPX + r.screen.deltaPX * share;
         if (distance(shownPX, crossingPX) > kInferReach * frame.constants.size.y)
             continue; // no search would find it

@@ -35,7 +35,8 @@ uint whyNoRay(ivec2 px, vec2 uv, float z, Surface here) {
 }
 
 /// True if the surface `here`, at `z` metres in pixel `px`, needs a ray. If not, stores that the traced pixel has no
-/// answer, unless whoever asks looks at the ray list (kTraceListedOnly). `fromRough`: the ray starts on a rough surface; known for cones alone.
+/// answer, unless whoever asks looks at the ray list (kTraceListedOnly). `fromRough`: the ray starts on a rough surface;
+/// known for cones alone.
 bool startsRay(ivec2 tracePX, ivec2 px, float z, Surface here, out bool fromRough) {
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     RayRecord record = RayRecord(uv, 0.0, 0u, kOutcomeNone, false);

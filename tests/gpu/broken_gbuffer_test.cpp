@@ -1,4 +1,4 @@
-// Numbers in a host's G-buffer that no surface has: every march ends, and other pixels are as without them.
+// Depths in a host's G-buffer that no surface has: every march ends, and no pixel of the picture is broken.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 
