@@ -20,3 +20,8 @@ if(NOT VMA_INCLUDE_DIR)
 endif()
 add_library(glint_vma INTERFACE)
 target_include_directories(glint_vma SYSTEM INTERFACE $<BUILD_INTERFACE:${VMA_INCLUDE_DIR}>)
+
+# fmt's headers alone: src/base/format.cpp compiles its code.
+add_library(glint_fmt INTERFACE)
+target_include_directories(glint_fmt SYSTEM INTERFACE
+    $<BUILD_INTERFACE:$<TARGET_PROPERTY:fmt::fmt-header-only,INTERFACE_INCLUDE_DIRECTORIES>>)

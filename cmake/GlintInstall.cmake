@@ -37,7 +37,7 @@ endif()
 configure_file(cmake/glint.pc.in glint.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/glint.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-if(GLINT_BUILD_APPS)
+if(GLINT_BUILD_LAB)
     # Optional: `cmake --install` of a build of the library alone.
     install(TARGETS glint_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
     find_package(Python3 COMPONENTS Interpreter)

@@ -17,7 +17,7 @@ get_filename_component(glint_root ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
 
 # Shared with the viewer, which reflects what it compiles while it runs.
 add_library(glint_shader_reflection STATIC ${glint_root}/src/gpu/embed/shader_reflection.cpp
-    ${glint_root}/src/gpu/embed/shader_variants.cpp)
+    ${glint_root}/src/gpu/embed/shader_variants.cpp ${glint_root}/src/base/format.cpp)
 target_include_directories(glint_shader_reflection PUBLIC ${glint_root}/src ${glint_root}/include)
 target_include_directories(glint_shader_reflection SYSTEM PRIVATE ${SPIRV_CROSS_C_INCLUDE_DIR})
 target_link_libraries(glint_shader_reflection PUBLIC fmt::fmt PRIVATE ${SPIRV_CROSS_C} glint_warnings)

@@ -16,7 +16,7 @@ else()
 endif()
 
 # One shader: `file`, its name with its stage's suffix, is compiled from `source` with the macros in ARGN. The SPIR-V file
-# is added to the list `spirv_files`. apps/view/shader_reload.cpp compiles in the same way.
+# is added to the list `spirv_files`. lab/view/shader_reload.cpp compiles in the same way.
 function(glint_compile_shader set file source)
     set(spirv ${CMAKE_CURRENT_BINARY_DIR}/shaders/${set}/${file}.spv)
     if(spirv IN_LIST spirv_files)
@@ -29,14 +29,14 @@ function(glint_compile_shader set file source)
     # No -O here: bindings are matched by name, so reflection sees all of them with their names.
     # SPIR-V 1.6 would say LocalSizeId, which the packaged SPIRV-Cross reads as 0: ask for 1.5.
     # Drivers optimize anyway, but slowly, and some each time that a pipeline is made: create takes two thirds of the time
-    # with what spirv-opt leaves. Paths alone run slower with it, by 8 % (docs/measurements/speed.md).
+    # with what spirv-opt leaves. Paths alone run slower with it, by 8 % (lab/notes/speed.md).
     set(optimize $<$<NOT:$<CONFIG:Debug>>:-O>)
     if(file MATCHES "^rays/")
         set(optimize)
     endif()
     add_custom_command(OUTPUT ${spirv} ${spirv}.opt
         COMMAND ${GLSLC} --target-env=vulkan1.3 --target-spv=spv1.5 -std=460 -Werror -fshader-stage=${stage}
-            $<$<CONFIG:Debug>:-g> -I ${PROJECT_SOURCE_DIR}/shaders ${macros}
+            $<$<CONFIG:Debug>:-g> -I ${PROJECT_SOURCE_DIR}/shaders -I ${root} ${macros}
             -MD -MF ${spirv}.d -o ${spirv} ${source}
         COMMAND ${SPIRV_VAL} --target-env vulkan1.3 --scalar-block-layout ${spirv}
         COMMAND ${SPIRV_OPT} --target-env=vulkan1.3 --scalar-block-layout ${optimize}
@@ -47,35 +47,33 @@ function(glint_compile_shader set file source)
     set(spirv_files ${spirv_files} ${spirv} PARENT_SCOPE)
 endfunction()
 
-# glint_embed_shaders(TARGET SET name FOLDERS shaders/trace ... [ROOT tests/gpu/shaders])
-# A shader is named by its path under ROOT (default: shaders): shaders/trace/classify.comp is "trace/classify"; raster
-# stages keep their suffix, "render/surface.vert". ROOT/variants.txt names those that are built from one source with
-# different macros; they belong to the folder in their name. The set appears in C++ as glint::gpu::shaders::<name>()
+# glint_embed_shaders(TARGET SET name FOLDERS shaders/trace lab/shaders/render ...)
+# A shader is named by its path in its folder `shaders`: shaders/trace/classify.comp is "trace/classify"; raster stages
+# keep their suffix, "render/surface.vert". shaders/variants.txt names those that are built from one source with different
+# macros; they belong to the folder in their name. The set appears in C++ as glint::gpu::shaders::<name>()
 # (gpu/shader.hpp).
 function(glint_embed_shaders target)
-    cmake_parse_arguments(arg "" "SET;ROOT" "FOLDERS" ${ARGN})
-    if(NOT arg_ROOT)
-        set(arg_ROOT shaders)
-    endif()
-    set(root ${PROJECT_SOURCE_DIR}/${arg_ROOT})
-    set(variants)
-    if(EXISTS ${root}/variants.txt)
-        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/variants.txt)
-        file(STRINGS ${root}/variants.txt variants REGEX "^[^#]")
-    endif()
+    cmake_parse_arguments(arg "" "SET" "FOLDERS" ${ARGN})
     set(spirv_files)
     foreach(folder ${arg_FOLDERS})
+        string(REGEX REPLACE "^(.*shaders)(/.*)?$" "\\1" root ${folder})
+        set(root ${PROJECT_SOURCE_DIR}/${root})
         file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.comp
             ${PROJECT_SOURCE_DIR}/${folder}/*.vert ${PROJECT_SOURCE_DIR}/${folder}/*.frag)
         foreach(source ${sources})
             file(RELATIVE_PATH file ${root} ${source})
             glint_compile_shader(${arg_SET} ${file} ${source})
         endforeach()
+        set(variants)
+        if(EXISTS ${root}/variants.txt)
+            set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/variants.txt)
+            file(STRINGS ${root}/variants.txt variants REGEX "^[^#]")
+        endif()
         foreach(variant ${variants})
             string(REGEX MATCHALL "[^ \t]+" words "${variant}")
             list(POP_FRONT words file source)
             if(NOT source)
-                message(FATAL_ERROR "${arg_ROOT}/variants.txt: ${variant}: a line is NAME SOURCE [MACRO ...]")
+                message(FATAL_ERROR "${root}/variants.txt: ${variant}: a line is NAME SOURCE [MACRO ...]")
             endif()
             get_filename_component(place ${root}/${file} DIRECTORY)
             if(NOT place STREQUAL ${PROJECT_SOURCE_DIR}/${folder})

@@ -20,41 +20,13 @@ function(glint_sources target)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
     list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/.*/embed/") # build tools have a folder of their own
     target_sources(${target} PRIVATE ${sources})
-    if(GLINT_UNITY GREATER 1)
-        glint_unity(${target} ${sources})
-    endif()
 endfunction()
 
+# Takes a source, or all below a folder, out of a target that globbed them.
 function(glint_without_source target source)
     get_target_property(sources ${target} SOURCES)
-    list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/${source})
+    list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/${source}(/|$)")
     set_property(TARGET ${target} PROPERTY SOURCES ${sources})
-endfunction()
-
-# Compiles up to GLINT_UNITY of the sources as one where that is possible (unity_groups.py), and looks at an edited source
-# anew, since it may not be possible any more.
-function(glint_unity target)
-    find_package(Python3 REQUIRED COMPONENTS Interpreter)
-    execute_process(COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py ${GLINT_UNITY} ${ARGN}
-        OUTPUT_VARIABLE lines OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-    string(REPLACE "\n" ";" lines "${lines}")
-    set(own_names "")
-    foreach(line ${lines})
-        if(line MATCHES "^own (.*)$")
-            string(APPEND own_names "#define ${CMAKE_MATCH_1} GLINT_OWN(${CMAKE_MATCH_1}_, GLINT_UNITY_FILE)\n")
-        elseif(line MATCHES "^([0-9]+) (.*)$")
-            set_source_files_properties(${CMAKE_MATCH_2} PROPERTIES UNITY_GROUP ${target}_${CMAKE_MATCH_1})
-        endif()
-    endforeach()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    if(own_names)
-        set_target_properties(${target} PROPERTIES
-            UNITY_BUILD_UNIQUE_ID GLINT_UNITY_FILE
-            UNITY_BUILD_CODE_BEFORE_INCLUDE
-                "#define GLINT_JOIN(a, b) a##b\n#define GLINT_OWN(a, b) GLINT_JOIN(a, b)\n${own_names}")
-    endif()
-    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-        ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/unity_groups.py)
 endfunction()
 
 # For code that no frame and no measurement waits for: compiling it with all optimizations takes half as long again, and
@@ -78,6 +50,7 @@ function(glint_common target)
     # Only what include/glint marks GLINT_API leaves a shared library: its copies of VMA, fmt and our own internals must
     # not take the place of a host's.
     set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    glint_precompile(${target} core)
 endfunction()
 
 # An internal part: other parts link it, strangers never see it.

@@ -50,8 +50,8 @@ foreach(marker TITLE STYLE DATA SCRIPT)
     endif()
 endforeach()
 add_text("${rest}")
-file(WRITE ${OUTPUT} "// Made by cmake/embed_page.cmake from apps/glint/page.
-#include \"page_template.hpp\"
+file(WRITE ${OUTPUT} "// Made by cmake/embed_page.cmake from lab/cli/report/page.
+#include \"lab/cli/report/page_template.hpp\"
 
 namespace glint::cli {
 

@@ -1,5 +1,5 @@
 # Toolchain: the library for 64-bit Windows, by MinGW-w64 on Linux. The variant with POSIX threads has std::mutex.
-#   cmake -S . -B build/mingw --toolchain cmake/mingw-w64-x86_64.cmake -DGLINT_BUILD_APPS=OFF
+#   cmake -S . -B build/mingw --toolchain cmake/mingw-w64-x86_64.cmake -DGLINT_BUILD_LAB=OFF
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

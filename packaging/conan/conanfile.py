@@ -50,7 +50,7 @@ class Glint(ConanFile):
     def generate(self):
         CMakeDeps(self).generate()
         toolchain = CMakeToolchain(self)
-        toolchain.cache_variables["GLINT_BUILD_APPS"] = False
+        toolchain.cache_variables["GLINT_BUILD_LAB"] = False
         toolchain.cache_variables["GLINT_BUILD_TESTS"] = False
         folder = self.dependencies["vulkan-memory-allocator"].cpp_info.includedirs[0]
         toolchain.cache_variables["VMA_INCLUDE_DIR"] = folder

@@ -7,7 +7,7 @@ build_packages=(
     libglm-dev libfmt-dev libcli11-dev nlohmann-json3-dev
     libdraco-dev libmeshoptimizer-dev libwebp-dev libstb-dev libopenexr-dev libembree-dev
     libpagmo-dev # the optimiser of glint tune
-    libglfw3-dev libimgui-dev fonts-dejavu-core # the viewer's window, apps/view alone
+    libglfw3-dev libimgui-dev fonts-dejavu-core # the viewer's window, lab/view alone
     libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool
 )
 

@@ -6,7 +6,7 @@ library() {
     local folder=$root/build/$1
     shift
     cmake -G Ninja -S "$root" -B "$folder" -DCMAKE_PROJECT_TOP_LEVEL_INCLUDES="$root/cmake/ccache.cmake" \
-        -DCMAKE_BUILD_TYPE=Release -DGLINT_BUILD_APPS=OFF -DGLINT_WERROR=ON -DGLINT_UNITY=8 "$@" >&2
+        -DCMAKE_BUILD_TYPE=Release -DGLINT_BUILD_LAB=OFF -DGLINT_WERROR=ON "$@" >&2
     ninja -C "$folder" >&2
 }
 

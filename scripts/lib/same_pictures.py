@@ -6,7 +6,7 @@
         --jobs N       programs at a time (2)
         --only REGEX   cases whose name it matches; `list` instead of `record` or `check` prints all names
 
-PROGRAM is a built `glint`, as in build/ci/bin/glint; copy it out of the build folder first if the next build replaces
+PROGRAM is a built `glint`, as in build/dev/bin/glint; copy it out of the build folder first if the next build replaces
 it. `record` runs it once for each case and keeps all files that it writes in FOLDER/recorded. A case is one command
 line: `glint render` of every built-in scene with every preset, all views in one EXR file; every view of every scene as
 a PNG; the settings that the presets leave alone (sources, antialiasing, sampling of frames); compare, inspect, bench,

@@ -30,7 +30,7 @@ bool isChange(vec2 change) {
 }
 
 /// A witness is no random sample: the older, the rarer what it saw is among those that start here. (One over its age would
-/// be that share, but then small lights come back late: docs/measurements/motion.md.)
+/// be that share, but then small lights come back late: lab/notes/motion.md.)
 float weightOfWitness(uint age) {
     return inversesqrt(float(1u + age));
 }

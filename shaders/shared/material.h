@@ -21,7 +21,7 @@ GLINT_CONSTANT(uint, kMaterialSpecularGlossiness, 2u);
 GLINT_CONSTANT(uint, kMaterialAlphaMask, 4u);
 GLINT_CONSTANT(uint, kMaterialAlphaBlend, 8u);
 
-/// Names, units and defaults are glTF's (scene/scene.hpp).
+/// Names, units and defaults are glTF's (lab/scene/scene.hpp).
 struct Material {
     uint flags; ///< kMaterial...
     float alphaCutoff;

@@ -231,7 +231,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
 
 /// Rays intersect a pixel's plane in the pixel, or up to this many pixels before it: the surface may begin there. Of the
 /// hits that lie farther before it, in a pixel that shows another surface, about half are wrong
-/// (docs/measurements/hits.md).
+/// (lab/notes/hits.md).
 const float kBeforePixel = 0.5;
 
 /// A ray that is in front of the depth at the pixel's centre by less than this, in parts of that depth, may intersect the

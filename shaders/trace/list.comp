@@ -1,6 +1,6 @@
 // Lists the rays that trace/ray_list.glsl marked: tile by tile, and row by row within a tile. Neighbours stay
 // neighbours, and tracing runs over full groups. The order follows from the image alone, because the rays that share a
-// subgroup may change the last bits of what a driver computes for them (docs/measurements/subgroups.md).
+// subgroup may change the last bits of what a driver computes for them (lab/notes/subgroups.md).
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,7 +1,7 @@
 // Assertions for programming errors. Errors of input or environment are a Result (base/result.hpp), never an assertion.
 #pragma once
 
-#include <fmt/format.h>
+#include "base/format.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +13,7 @@
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \
             std::fprintf(stderr, "%s:%d: assertion failed: %s: %s\n", __FILE__, __LINE__, #condition,                  \
-                         fmt::format(__VA_ARGS__).c_str());                                                            \
+                         glint::formatText(__VA_ARGS__).c_str());                                                      \
             std::abort();                                                                                              \
         }                                                                                                              \
     } while (false)

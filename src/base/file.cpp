@@ -30,7 +30,7 @@ Error systemError(const std::string& path, int number) {
 std::string temporaryName(const std::string& path) {
     static std::atomic<unsigned> counter = 0;
     static const unsigned random = std::random_device()();
-    return fmt::format("{}.{}-{:08x}.{}.tmp", path, getpid(), random, counter++);
+    return formatText("{}.{}-{:08x}.{}.tmp", path, getpid(), random, counter++);
 }
 
 /// The file that a path means when its links are followed, so that they are still there when it is replaced.
@@ -85,7 +85,7 @@ std::string fileIdentity(const std::string& path) {
     const std::string target = targetOf(path);
     struct stat status = {};
     if (stat(target.c_str(), &status) == 0)
-        return fmt::format("{}:{}", status.st_dev, status.st_ino);
+        return formatText("{}:{}", status.st_dev, status.st_ino);
     std::error_code error;
     const std::filesystem::path whole = std::filesystem::weakly_canonical(std::filesystem::absolute(target), error);
     return error ? target : whole.string();

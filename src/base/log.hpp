@@ -1,7 +1,7 @@
 // Warnings and progress notes for the user, on standard error. Errors are values (base/result.hpp), not log lines.
 #pragma once
 
-#include <fmt/format.h>
+#include "base/format.hpp"
 
 #include <string_view>
 
@@ -16,7 +16,7 @@ void warningText(std::string_view text);
 /// Logs one line. The same text is logged once per process, so that a warning in a loop stays readable.
 template <class... Args>
 void warning(fmt::format_string<Args...> format, Args&&... args) {
-    warningText(fmt::format(format, std::forward<Args>(args)...));
+    warningText(formatText(format, std::forward<Args>(args)...));
 }
 
 } // namespace glint::log

@@ -1,9 +1,8 @@
 // Short forms for creating and propagating errors (include/glint/error.hpp).
 #pragma once
 
+#include "base/format.hpp"
 #include "glint/error.hpp"
-
-#include <fmt/format.h>
 
 #include <utility>
 
@@ -12,15 +11,15 @@ namespace glint {
 /// `return invalidInput("{}: accessor {} is empty", file, index);`
 template <class... Args>
 Error invalidInput(fmt::format_string<Args...> format, Args&&... args) {
-    return {ErrorCode::InvalidInput, fmt::format(format, std::forward<Args>(args)...)};
+    return {ErrorCode::InvalidInput, formatText(format, std::forward<Args>(args)...)};
 }
 template <class... Args>
 Error invalidArgument(fmt::format_string<Args...> format, Args&&... args) {
-    return {ErrorCode::InvalidArgument, fmt::format(format, std::forward<Args>(args)...)};
+    return {ErrorCode::InvalidArgument, formatText(format, std::forward<Args>(args)...)};
 }
 template <class... Args>
 Error makeError(ErrorCode code, fmt::format_string<Args...> format, Args&&... args) {
-    return {code, fmt::format(format, std::forward<Args>(args)...)};
+    return {code, formatText(format, std::forward<Args>(args)...)};
 }
 
 } // namespace glint

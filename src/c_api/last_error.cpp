@@ -32,6 +32,10 @@ GlintResult fail(const Error& error) {
     return codeOf(error.code);
 }
 
+GlintResult failNull(const char* function, const char* pointer) {
+    return fail({ErrorCode::InvalidArgument, std::string(function) + ": " + pointer + " is null"});
+}
+
 } // namespace glint::c_api
 
 const char* glint_last_error(void) {

@@ -9,6 +9,9 @@ namespace glint::c_api {
 /// Keeps the error's message for glint_last_error and returns its code.
 GlintResult fail(const Error& error);
 
+/// As fail, for a pointer that is null though it must not be.
+GlintResult failNull(const char* function, const char* pointer);
+
 /// GLINT_SUCCESS, or as fail.
 inline GlintResult outcome(const Result<void>& result) {
     return result ? GLINT_SUCCESS : fail(result.error());
@@ -20,8 +23,7 @@ inline GlintResult outcome(const Result<void>& result) {
 #define GLINT_C_REQUIRE(pointer)                                                                                       \
     do {                                                                                                               \
         if (!(pointer))                                                                                                \
-            return ::glint::c_api::fail(                                                                               \
-                {::glint::ErrorCode::InvalidArgument, std::string(__func__) + ": " #pointer " is null"});              \
+            return ::glint::c_api::failNull(__func__, #pointer);                                                       \
     } while (false)
 
 /// `GLINT_C_TRY(view, readStruct<View>(in));` declares `view`, or returns the error's code.

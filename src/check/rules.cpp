@@ -1,8 +1,7 @@
 #include "check/rules.hpp"
 
+#include "base/format.hpp"
 #include "check/normal_agreement.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -105,23 +104,23 @@ Comparison explain(const Evidence& evidence, const Hypothesis& declared, const H
     const Turn turn = bestTurn(evidence);
     const OtherCamera camera = bestCamera ? bestCamera() : OtherCamera();
     if (camera.fit.share >= kGood && camera.fit.score > best.score + kClearly && camera.fit.score > turn.fit.score)
-        return with(0, fmt::format("depth and normals agree with {} (half of the pixels within {:.1f} degrees, {:.1f} "
-                                   "as declared): {}",
-                                   camera.name, camera.fit.middleDegrees, declared.middleDegrees,
-                                   evidence.advice().otherCamera));
+        return with(0, formatText("depth and normals agree with {} (half of the pixels within {:.1f} degrees, {:.1f} "
+                                  "as declared): {}",
+                                  camera.name, camera.fit.middleDegrees, declared.middleDegrees,
+                                  evidence.advice().otherCamera));
     if (turn.fit.share >= kGood && turn.degrees > kAgreeDegrees && turn.fit.score > best.score + kClearly)
-        return with(0, fmt::format("depth and normals agree with a camera that is turned by {:.0f} degrees ({} of "
-                                   "pixels, {} as declared): {}",
-                                   turn.degrees, percent(turn.fit.share), percent(declared.agree),
-                                   evidence.advice().turnedCamera));
+        return with(0, formatText("depth and normals agree with a camera that is turned by {:.0f} degrees ({} of "
+                                  "pixels, {} as declared): {}",
+                                  turn.degrees, percent(turn.fit.share), percent(declared.agree),
+                                  evidence.advice().turnedCamera));
     if (best.reading != 0 && best.agree >= kGood && best.score > declared.score + kClearly)
         return with(best.reading,
-                    fmt::format("depth and normals agree with {} ({} of pixels, {} as declared)",
-                                evidence.differences(best.reading), percent(best.agree), percent(declared.agree)));
+                    formatText("depth and normals agree with {} ({} of pixels, {} as declared)",
+                               evidence.differences(best.reading), percent(best.agree), percent(declared.agree)));
     if (declared.agree < kGood)
-        return with(0, fmt::format("the normals of only {} of pixels agree with depth and camera, and no other meaning "
-                                   "agrees better: {}",
-                                   percent(declared.agree), evidence.advice().nothingAgrees));
+        return with(0, formatText("the normals of only {} of pixels agree with depth and camera, and no other meaning "
+                                  "agrees better: {}",
+                                  percent(declared.agree), evidence.advice().nothingAgrees));
     return with(0, {});
 }
 
@@ -149,7 +148,7 @@ constexpr double kMuchMoreMotion = 0.1; ///< than as declared
 } // namespace
 
 std::string percent(double share) {
-    return fmt::format("{:.0f} %", 100 * share);
+    return formatText("{:.0f} %", 100 * share);
 }
 
 float median(std::span<float> values) {
@@ -178,8 +177,8 @@ Finding findOddLengths(const Evidence& evidence, size_t reading) {
     const double share = double(odd) / double(evidence.samples());
     if (!(share > kMany))
         return {};
-    return fmt::format("the normals of {} of pixels do not have unit length: {}", percent(share),
-                       evidence.advice().unitLength);
+    return formatText("the normals of {} of pixels do not have unit length: {}", percent(share),
+                      evidence.advice().unitLength);
 }
 
 Finding findAverted(const Evidence& evidence, size_t reading) {
@@ -193,8 +192,8 @@ Finding findAverted(const Evidence& evidence, size_t reading) {
     const double share = double(away) / double(evidence.samples());
     if (!(share > kMany))
         return {};
-    return fmt::format("the normals of {} of pixels point away from the camera: {}", percent(share),
-                       evidence.advice().facing);
+    return formatText("the normals of {} of pixels point away from the camera: {}", percent(share),
+                      evidence.advice().facing);
 }
 
 Finding findOutOfRange(const Evidence& evidence, size_t reading) {
@@ -208,9 +207,9 @@ Finding findOutOfRange(const Evidence& evidence, size_t reading) {
     const glm::vec2 planes = evidence.planes(reading);
     if (!(middle < planes.x || middle > planes.y))
         return {};
-    return fmt::format("half of the surfaces lie {} than {:.3g} m, outside the near and far planes of the camera "
-                       "({:.3g} and {:.3g} m): {}",
-                       middle < planes.x ? "nearer" : "farther", middle, planes.x, planes.y, evidence.advice().range);
+    return formatText("half of the surfaces lie {} than {:.3g} m, outside the near and far planes of the camera "
+                      "({:.3g} and {:.3g} m): {}",
+                      middle < planes.x ? "nearer" : "farther", middle, planes.x, planes.y, evidence.advice().range);
 }
 
 Finding findRoughnessOutside(std::span<const float> roughness) {
@@ -220,7 +219,7 @@ Finding findRoughnessOutside(std::span<const float> roughness) {
     const double share = double(outside) / double(std::max<size_t>(roughness.size(), 1));
     if (!(share > kSome))
         return {};
-    return fmt::format("the roughness of {} of pixels is not from 0 to 1", percent(share));
+    return formatText("the roughness of {} of pixels is not from 0 to 1", percent(share));
 }
 
 MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size, const MotionUnit& declared,
@@ -245,11 +244,11 @@ MotionCheck compareMotion(std::span<const Motion> motions, const glm::vec2& size
     if (asDeclared >= kGoodMotion && most < asDeclared + kMuchMoreMotion)
         return {true, {}};
     if (most < kGoodMotion)
-        return {true, fmt::format("the motion of only {} of pixels agrees with the cameras: everything moves, or "
-                                  "motion is not that to the previous frame",
-                                  percent(asDeclared))};
-    return {true, fmt::format("motion agrees with the cameras as {}, not {} as declared ({} of pixels, {} as declared)",
-                              nameOf(best), nameOf(declared), percent(most), percent(asDeclared))};
+        return {true, formatText("the motion of only {} of pixels agrees with the cameras: everything moves, or "
+                                 "motion is not that to the previous frame",
+                                 percent(asDeclared))};
+    return {true, formatText("motion agrees with the cameras as {}, not {} as declared ({} of pixels, {} as declared)",
+                             nameOf(best), nameOf(declared), percent(most), percent(asDeclared))};
 }
 
 MotionCheck compareDepthMotion(std::span<const DepthMotion> motions, float declared) {
@@ -270,12 +269,12 @@ MotionCheck compareDepthMotion(std::span<const DepthMotion> motions, float decla
     if (asDeclared >= kGoodMotion && most < asDeclared + kMuchMoreMotion)
         return {true, {}};
     if (most < kGoodMotion)
-        return {true, fmt::format("motion's third channel agrees with the cameras in only {} of pixels: everything "
-                                  "moves, or it is not previous - current viewZ; state motionDepthScale 0 then",
-                                  percent(asDeclared))};
-    return {true, fmt::format("motion agrees with the cameras as motionDepthScale {}, not {} as declared ({} of "
-                              "pixels, {} as declared)",
-                              best, declared, percent(most), percent(asDeclared))};
+        return {true, formatText("motion's third channel agrees with the cameras in only {} of pixels: everything "
+                                 "moves, or it is not previous - current viewZ; state motionDepthScale 0 then",
+                                 percent(asDeclared))};
+    return {true, formatText("motion agrees with the cameras as motionDepthScale {}, not {} as declared ({} of "
+                             "pixels, {} as declared)",
+                             best, declared, percent(most), percent(asDeclared))};
 }
 
 } // namespace glint::check

@@ -30,9 +30,9 @@ DeviceInfo describe(const Api& api, VkPhysicalDevice device, Demands demands) {
     const uint32_t version = properties.properties.apiVersion;
     DeviceInfo info;
     info.name = properties.properties.deviceName;
-    info.driver = fmt::format("{} {}", driver.driverName, driver.driverInfo);
-    info.apiVersion = fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
-                                  VK_API_VERSION_PATCH(version));
+    info.driver = formatText("{} {}", driver.driverName, driver.driverInfo);
+    info.apiVersion = formatText("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                                 VK_API_VERSION_PATCH(version));
     info.software = properties.properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
     info.missing = missingRequirements(api, device, demands);
     info.rayQuery = version >= VK_API_VERSION_1_2 && supportsRayQuery(api, device);
@@ -210,7 +210,7 @@ Result<void> Context::chooseDevice(const ContextDesc& desc) {
         if (!chosen) {
             std::string names;
             for (size_t i = 0; i < infos.size(); ++i)
-                names += fmt::format("{}{}: {}", i ? ", " : "", i, infos[i].name);
+                names += formatText("{}{}: {}", i ? ", " : "", i, infos[i].name);
             return makeError(ErrorCode::NotFound, "no device '{}'; this machine has {}", desc.device, names);
         }
     } else {

@@ -1,6 +1,6 @@
 #include "gpu/device_requirements.hpp"
 
-#include <fmt/format.h>
+#include "base/format.hpp"
 
 #include <cstring>
 
@@ -93,7 +93,7 @@ std::vector<std::string> missingRequirements(const Api& api, VkPhysicalDevice de
     FeatureChain available;
     if (version < VK_API_VERSION_1_3) {
         missing.push_back(
-            fmt::format("Vulkan 1.3 (has {}.{})", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version)));
+            formatText("Vulkan 1.3 (has {}.{})", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version)));
         if (version < VK_API_VERSION_1_2)
             return missing;
         available.v12.pNext = nullptr; // a device older than 1.3 must not be queried for the 1.3 struct

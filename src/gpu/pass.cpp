@@ -21,7 +21,7 @@ const char* accessWord(bool reads, bool writes) {
 std::string bindingNames(const Pipeline& pipeline) {
     std::vector<std::string> names;
     for (const ShaderBinding& binding : pipeline.bindings())
-        names.push_back(fmt::format("{} ({})", binding.name, accessWord(binding.reads, binding.writes)));
+        names.push_back(formatText("{} ({})", binding.name, accessWord(binding.reads, binding.writes)));
     return joinText(names, ", ");
 }
 
@@ -78,15 +78,15 @@ const ShaderBinding* Pass::find(std::string_view name, bool reads, bool writes, 
             continue;
         const ResourceKind declared = resourceKind(binding.kind);
         if (binding.reads != reads || binding.writes != writes || declared != kind) {
-            frame_.fail(fmt::format("{}: '{}' is declared for {} as {}, but bound for {} as {}", pipeline_.name(), name,
-                                    accessWord(binding.reads, binding.writes), kindWord(declared),
-                                    accessWord(reads, writes), kindWord(kind)));
+            frame_.fail(formatText("{}: '{}' is declared for {} as {}, but bound for {} as {}", pipeline_.name(), name,
+                                   accessWord(binding.reads, binding.writes), kindWord(declared),
+                                   accessWord(reads, writes), kindWord(kind)));
             return nullptr;
         }
         boundMask_ |= 1u << i;
         return &binding;
     }
-    frame_.fail(fmt::format("{}: no binding '{}'; the shader has {}", pipeline_.name(), name, bindingNames(pipeline_)));
+    frame_.fail(formatText("{}: no binding '{}'; the shader has {}", pipeline_.name(), name, bindingNames(pipeline_)));
     return nullptr;
 }
 
@@ -129,8 +129,8 @@ Pass& Pass::read(std::string_view name, std::span<Image* const> images, SamplerK
     if (!binding)
         return *this;
     if (binding->count != images.size() || arrayImages_ + images.size() > kMaxArrayImages) {
-        frame_.fail(fmt::format("{}: '{}' is an array of {} images, but {} are bound; all arrays may have {}",
-                                pipeline_.name(), name, binding->count, images.size(), kMaxArrayImages));
+        frame_.fail(formatText("{}: '{}' is an array of {} images, but {} are bound; all arrays may have {}",
+                               pipeline_.name(), name, binding->count, images.size(), kMaxArrayImages));
         return *this;
     }
     for (size_t i = 0; i < images.size(); ++i)
@@ -235,7 +235,7 @@ Pass& Pass::indices(Buffer& buffer) {
 Pass& Pass::pushBytes(const void* data, size_t size) {
     if (size != pipeline_.pushSize())
         frame_.fail(
-            fmt::format("{}: {} bytes pushed, the shader takes {}", pipeline_.name(), size, pipeline_.pushSize()));
+            formatText("{}: {} bytes pushed, the shader takes {}", pipeline_.name(), size, pipeline_.pushSize()));
     std::memcpy(pushed_.data(), data, size);
     pushedSize_ = size;
     return *this;
@@ -300,8 +300,8 @@ bool Pass::begin() {
     const std::span<const ShaderBinding> bindings = pipeline_.bindings();
     for (size_t i = 0; i < bindings.size(); ++i)
         if ((boundMask_ & (1u << i)) == 0)
-            frame_.fail(fmt::format("{}: '{}' is not bound; the shader has {}", pipeline_.name(), bindings[i].name,
-                                    bindingNames(pipeline_)));
+            frame_.fail(formatText("{}: '{}' is not bound; the shader has {}", pipeline_.name(), bindings[i].name,
+                                   bindingNames(pipeline_)));
     if (frame_.rehearsing() || !pipeline_)
         return false;
     GLINT_ASSERT(pipeline_.handle() != VK_NULL_HANDLE, "{} is recorded, but was never compiled", pipeline_.name());
@@ -335,8 +335,8 @@ bool Pass::begin() {
 
 void Pass::dispatch(uint32_t width, uint32_t height, uint32_t depth) {
     if (pushedSize_ != pipeline_.pushSize())
-        frame_.fail(fmt::format("{}: takes {} bytes of push constants, none were given", pipeline_.name(),
-                                pipeline_.pushSize()));
+        frame_.fail(formatText("{}: takes {} bytes of push constants, none were given", pipeline_.name(),
+                               pipeline_.pushSize()));
     if (!begin())
         return;
     const uint32_t* local = pipeline_.localSize();
@@ -348,8 +348,8 @@ void Pass::dispatch(uint32_t width, uint32_t height, uint32_t depth) {
 
 void Pass::dispatchIndirect(Buffer& arguments, size_t offset) {
     if (pushedSize_ != pipeline_.pushSize())
-        frame_.fail(fmt::format("{}: takes {} bytes of push constants, none were given", pipeline_.name(),
-                                pipeline_.pushSize()));
+        frame_.fail(formatText("{}: takes {} bytes of push constants, none were given", pipeline_.name(),
+                               pipeline_.pushSize()));
     frame_.use(arguments, {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT});
     if (!begin())
         return;

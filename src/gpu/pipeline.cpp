@@ -60,27 +60,27 @@ struct Specialization {
 std::string constantsKey(const std::vector<SpecConstant>& constants) {
     std::string key;
     for (const SpecConstant& constant : constants)
-        key += fmt::format(" {}={}", constant.id, constant.value);
+        key += formatText(" {}={}", constant.id, constant.value);
     return key;
 }
 
 /// Keys that distinguish the pipelines of one context. Handles of table layouts are never used twice: the context keeps
 /// the layouts.
 std::string keyOf(const EmbeddedShader& shader, const ComputeDesc& desc) {
-    return fmt::format("{} {} {} {}{}", desc.shader, static_cast<const void*>(&shader), desc.pushSize,
-                       reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
+    return formatText("{} {} {} {}{}", desc.shader, static_cast<const void*>(&shader), desc.pushSize,
+                      reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
 }
 
 std::string keyOf(std::span<const EmbeddedShader* const> shaders, const RasterDesc& desc) {
     std::string key;
     for (const EmbeddedShader* shader : shaders)
-        key += fmt::format("{} ", static_cast<const void*>(shader));
+        key += formatText("{} ", static_cast<const void*>(shader));
     for (VkFormat format : desc.colorFormats)
-        key += fmt::format("color {} ", static_cast<int>(format));
-    return fmt::format("{}{} {} {} {} {} {} {} {} {} {}{}", key, desc.pushSize, static_cast<int>(desc.depthFormat),
-                       desc.samples, static_cast<int>(desc.topology), static_cast<int>(desc.depthCompare),
-                       desc.depthWrite, desc.depthBiasConstant, desc.depthBiasSlope, static_cast<int>(desc.blend),
-                       reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
+        key += formatText("color {} ", static_cast<int>(format));
+    return formatText("{}{} {} {} {} {} {} {} {} {} {}{}", key, desc.pushSize, static_cast<int>(desc.depthFormat),
+                      desc.samples, static_cast<int>(desc.topology), static_cast<int>(desc.depthCompare),
+                      desc.depthWrite, desc.depthBiasConstant, desc.depthBiasSlope, static_cast<int>(desc.blend),
+                      reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
 }
 
 } // namespace

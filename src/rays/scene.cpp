@@ -61,7 +61,7 @@ Result<void> Scene::check(std::span<const RayInstance> instances) const {
 RayBackend Scene::fasterBackend() const {
     if (!context_.rayQuery())
         return RayBackend::Bvh;
-    // A driver that runs on the CPU traverses its structures in software, slower than Bvh (docs/measurements/rays.md).
+    // A driver that runs on the CPU traverses its structures in software, slower than Bvh (lab/notes/rays.md).
     const size_t triangles = std::reduce(meshTriangles_.begin(), meshTriangles_.end(), size_t(0));
     const bool bvh = context_.info().software && BvhScene::fits(context_, triangles, maxInstances_);
     return bvh ? RayBackend::Bvh : RayBackend::Query;

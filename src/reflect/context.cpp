@@ -16,7 +16,7 @@ gpu::Demands toDemands(DeviceDemands demands) {
 }
 
 std::string versionText(uint32_t version) {
-    return fmt::format("{}.{}.{}", version / 1000000, version / 1000 % 1000, version % 1000);
+    return formatText("{}.{}.{}", version / 1000000, version / 1000 % 1000, version % 1000);
 }
 
 /// Layouts of structs may differ between minor versions, so no struct is read before this check. The version arrives

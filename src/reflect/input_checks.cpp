@@ -77,7 +77,7 @@ Result<void> checkSize(const HostImage& image, const GBufferImage& known, const 
 Result<void> checkHostImage(const gpu::Context& context, const HostImage& image, const GBufferImage& known,
                             uint32_t surfaces, const ReflectionsDesc& desc) {
     GLINT_CHECK(checkSize(image, known, desc));
-    GLINT_CHECK(checkImage(context, image, fmt::format("the G-buffer's `{}`", known.name), known.role));
+    GLINT_CHECK(checkImage(context, image, formatText("the G-buffer's `{}`", known.name), known.role));
     const uint32_t wanted = known.ofSurfaces ? surfaces : 1;
     if (image.samples != wanted)
         return invalidArgument(
@@ -316,7 +316,7 @@ Result<void> checkOutput(const gpu::Context& context, const HostImage& image, co
     if (image.width != desc.width || image.height != desc.height)
         return invalidArgument("the output `{}` is {}x{}, but these reflections were made for {}x{}", name, image.width,
                                image.height, desc.width, desc.height);
-    GLINT_CHECK(checkImage(context, image, fmt::format("the output `{}`", name), ImageRole::Color));
+    GLINT_CHECK(checkImage(context, image, formatText("the output `{}`", name), ImageRole::Color));
     if (image.format != VK_FORMAT_R16G16B16A16_SFLOAT)
         return invalidArgument("the output `{}` has VkFormat {}, but must have VK_FORMAT_R16G16B16A16_SFLOAT ({})",
                                name, static_cast<int>(image.format), static_cast<int>(VK_FORMAT_R16G16B16A16_SFLOAT));
@@ -386,7 +386,7 @@ Result<void> checkLayer(const gpu::Context& context, const TransparentLayer& lay
                                    image.width, image.height, desc.width, desc.height);
         if (image.samples != 1)
             return invalidArgument("the layer's `{}` has {} samples a pixel, but must have 1", name, image.samples);
-        GLINT_CHECK(checkImage(context, image, fmt::format("the layer's `{}`", name),
+        GLINT_CHECK(checkImage(context, image, formatText("the layer's `{}`", name),
                                host == &TransparentLayer::depth ? ImageRole::Depth : ImageRole::Color));
     }
     return {};

@@ -25,7 +25,7 @@ public:
     void handOut(gpu::Frame& frame);
     /// Keeps the previous frame's image, with what the host drew over it. A copy, so that the image with reflections is
     /// the same one in every frame; by a dispatch, because a GPU took four times as long for vkCmdCopyImage
-    /// (docs/measurements/gpu.md).
+    /// (lab/notes/gpu.md).
     void remember(gpu::Frame& frame);
 
     bool areHosts() const { return stated_.composite || stated_.reflection; }

@@ -17,7 +17,7 @@ using reflect::handOut;
 namespace {
 
 std::string nameOf(const gpu::WrittenImage& image) {
-    return fmt::format("{}:{}", *image.pass, image.binding);
+    return formatText("{}:{}", *image.pass, image.binding);
 }
 
 Result<void> checkFrameSize(uint32_t width, uint32_t height) {
@@ -68,7 +68,7 @@ void Reflections::State::collectNotes() {
                                            std::pair(settings.blur.strength > 0, "blur.strength"),
                                            std::pair(settings.rough.factor > 0, "rough.factor")})
             if (wanted)
-                notes.push_back(fmt::format("{} has no effect with denoise.enabled", name));
+                notes.push_back(formatText("{} has no effect with denoise.enabled", name));
     notes.insert(notes.end(), check.findings.begin(), check.findings.end());
     if (!frame->host().isSet())
         return;

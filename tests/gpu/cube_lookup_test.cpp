@@ -1,4 +1,4 @@
-// The accuracy that Glint may expect of a driver's cube map fetches: docs/measurements/subgroups.md.
+// The accuracy that Glint may expect of a driver's cube map fetches: lab/notes/subgroups.md.
 #include "gpu/support/library_test.hpp"
 
 #include <cstring>

@@ -1,6 +1,6 @@
 #include "base/settings/setting_rows.hpp"
 
-#include <fmt/format.h>
+#include "base/format.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -11,7 +11,7 @@ namespace glint {
 namespace {
 
 [[noreturn]] void malformed(std::string_view key, std::string_view text) {
-    fmt::print(stderr, "glint: the list of settings is malformed at {}: '{}'\n", key, text);
+    std::fputs(formatText("glint: the list of settings is malformed at {}: '{}'\n", key, text).c_str(), stderr);
     std::abort();
 }
 

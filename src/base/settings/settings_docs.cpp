@@ -25,7 +25,7 @@ std::string_view typeName(SettingType type) {
 std::string numbersText(const SettingInfo& info, const SettingAlias& alias) {
     std::vector<std::string> pairs;
     for (const auto& [theirs, ours] : alias.numbers)
-        pairs.push_back(fmt::format("{}: {}", theirs, settingText(info, ours)));
+        pairs.push_back(formatText("{}: {}", theirs, settingText(info, ours)));
     return joinText(pairs, ", ");
 }
 
@@ -36,7 +36,7 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
     case AliasTransform::OneMinus: return "1-x";
     case AliasTransform::InverseOnePlus: return "1/(n+1)";
     case AliasTransform::Choice:
-        return fmt::format("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
+        return formatText("{}|{}", settingText(info, alias.whenFalse), settingText(info, alias.whenTrue));
     case AliasTransform::Fixed:
     case AliasTransform::Instead: return settingText(info, alias.whenTrue);
     case AliasTransform::Numbers: return numbersText(info, alias);
@@ -47,20 +47,20 @@ std::string transformText(const SettingInfo& info, const SettingAlias& alias) {
 
 /// "`babylon:attenuateScreenBorders` (false: none, true: smooth)"
 std::string aliasMarkdown(const SettingInfo& info, const SettingAlias& alias) {
-    std::string name = fmt::format("`{}:{}`", alias.system, alias.name);
+    std::string name = formatText("`{}:{}`", alias.system, alias.name);
     switch (alias.transform) {
     case AliasTransform::Same: break;
     case AliasTransform::Choice:
-        return fmt::format("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
-                           settingText(info, alias.whenTrue));
-    case AliasTransform::Fixed: return fmt::format("{} (implies {})", name, settingText(info, alias.whenTrue));
+        return formatText("{} (false: {}, true: {})", name, settingText(info, alias.whenFalse),
+                          settingText(info, alias.whenTrue));
+    case AliasTransform::Fixed: return formatText("{} (implies {})", name, settingText(info, alias.whenTrue));
     case AliasTransform::Instead:
-        return fmt::format("{} (makes {} {})", name, settingText(info, alias.whenFalse),
-                           settingText(info, alias.whenTrue));
+        return formatText("{} (makes {} {})", name, settingText(info, alias.whenFalse),
+                          settingText(info, alias.whenTrue));
     case AliasTransform::OneMinus:
     case AliasTransform::Numbers:
     case AliasTransform::Component:
-    case AliasTransform::InverseOnePlus: return fmt::format("{} ({})", name, transformText(info, alias));
+    case AliasTransform::InverseOnePlus: return formatText("{} ({})", name, transformText(info, alias));
     }
     return name;
 }
@@ -96,8 +96,8 @@ std::string_view scaleName(SettingSearch::Scale scale) {
 /// "screen.march = hiz or linear", "reuse.samples > 0"
 std::string conditionText(const SettingSearch::Condition& condition) {
     if (condition.values.empty())
-        return fmt::format("{} > {:g}", condition.key, condition.above);
-    return fmt::format("{} = {}", condition.key, listText(condition.values, " or "));
+        return formatText("{} > {:g}", condition.key, condition.above);
+    return formatText("{} = {}", condition.key, listText(condition.values, " or "));
 }
 
 std::vector<std::string> conditionTexts(const SettingSearch& search) {
@@ -162,15 +162,15 @@ std::string settingsMarkdown(SettingsTables tables) {
         for (const SettingInfo& info : table) {
             if (groupOf(info) != group) {
                 group = groupOf(info);
-                text += fmt::format("{}## {}\n\n| Key | Default | Range | Meaning | In other systems |\n"
-                                    "|---|---|---|---|---|\n",
-                                    text.empty() ? "" : "\n", group);
+                text += formatText("{}## {}\n\n| Key | Default | Range | Meaning | In other systems |\n"
+                                   "|---|---|---|---|---|\n",
+                                   text.empty() ? "" : "\n", group);
             }
             std::vector<std::string> aliases;
             for (const SettingAlias& alias : info.aliases)
                 aliases.push_back(aliasMarkdown(info, alias));
-            text += fmt::format("| `{}` | {} | {} | {} | {} |\n", info.key, defaultText(info), allowed(info),
-                                info.meaning, joinText(aliases, ", "));
+            text += formatText("| `{}` | {} | {} | {} | {} |\n", info.key, defaultText(info), allowed(info),
+                               info.meaning, joinText(aliases, ", "));
         }
     }
     return text;
@@ -186,12 +186,12 @@ std::string searchMarkdown(SettingsTables tables) {
             std::vector<std::string> conditions = conditionTexts(search);
             if (search.motionOnly)
                 conditions.emplace_back("something moves");
-            text += fmt::format("| `{}` | {}{} | {} | {} |\n", info.key, scaleName(search.scale),
-                                hasInterval(search) ? fmt::format(" {:g} to {:g}", search.min, search.max) : "",
-                                joinText(conditions, ", "),
-                                search.cost > 0   ? "more"
-                                : search.cost < 0 ? "less"
-                                                  : "");
+            text += formatText("| `{}` | {}{} | {} | {} |\n", info.key, scaleName(search.scale),
+                               hasInterval(search) ? formatText(" {:g} to {:g}", search.min, search.max) : "",
+                               joinText(conditions, ", "),
+                               search.cost > 0   ? "more"
+                               : search.cost < 0 ? "less"
+                                                 : "");
         }
     }
     return text;
@@ -218,8 +218,8 @@ std::string settingsText(SettingsTables tables) {
     std::string text;
     for (const auto& table : tables) {
         for (const SettingInfo& info : table)
-            text += fmt::format("{:<{}}  {:<{}}  {:<{}}  {}\n", info.key, keyWidth, defaultText(info), defaultWidth,
-                                allowed(info), rangeWidth, info.meaning);
+            text += formatText("{:<{}}  {:<{}}  {:<{}}  {}\n", info.key, keyWidth, defaultText(info), defaultWidth,
+                               allowed(info), rangeWidth, info.meaning);
     }
     return text;
 }

@@ -1,9 +1,8 @@
 #include "base/settings/settings_target.hpp"
 
+#include "base/format.hpp"
 #include "base/settings/setting_suggestion.hpp"
 #include "base/text.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -60,7 +59,7 @@ Error unknownName(SettingsTargets targets, std::string_view name) {
                                name);
     std::vector<std::string> meant = likelySettings(targets, name);
     for (std::string& suggestion : meant)
-        suggestion = fmt::format("'{}'", suggestion);
+        suggestion = formatText("'{}'", suggestion);
     if (!meant.empty())
         return invalidArgument("unknown setting '{}'; did you mean {}?", printable(name), listText(meant, " or "));
     return invalidArgument("unknown setting '{}'; `glint settings` lists them all", printable(name));
@@ -87,7 +86,7 @@ Result<std::vector<Match>> findSettings(SettingsTargets targets, std::string_vie
     }
     std::vector<std::string> candidates;
     for (const std::string& candidate : systems)
-        candidates.push_back(fmt::format("'{}:{}'", candidate, name));
+        candidates.push_back(formatText("'{}:{}'", candidate, name));
     return invalidArgument("'{}' is a name in several systems: write {}", printable(name),
                            listText(candidates, " or "));
 }
@@ -266,9 +265,9 @@ Result<SettingAssignment> makeAssignment(std::string_view name, const Match& mat
     const double value = transformed(info, match.alias, written);
     assignment.value = narrowed(info, value);
     if (!inRange(info, assignment.value)) {
-        Error error = outOfRange(info, fmt::format("{}", value));
+        Error error = outOfRange(info, formatText("{}", value));
         if (match.alias)
-            error.message += fmt::format(" (from {} = {})", fullName(*match.alias), printable(input.text));
+            error.message += formatText(" (from {} = {})", fullName(*match.alias), printable(input.text));
         return error;
     }
     return assignment;
@@ -290,12 +289,12 @@ double settingValue(const SettingInfo& info, const void* object) {
 std::string settingText(const SettingInfo& info, double value) {
     switch (info.type) {
     case SettingType::Boolean: return value != 0 ? "true" : "false";
-    case SettingType::Int: return fmt::format("{}", static_cast<int>(value));
-    case SettingType::Float: return fmt::format("{}", static_cast<float>(value));
+    case SettingType::Int: return formatText("{}", static_cast<int>(value));
+    case SettingType::Float: return formatText("{}", static_cast<float>(value));
     case SettingType::Enum: break;
     }
     const auto index = static_cast<size_t>(value);
-    return value >= 0 && index < info.choices.size() ? info.choices[index] : fmt::format("{}", value);
+    return value >= 0 && index < info.choices.size() ? info.choices[index] : formatText("{}", value);
 }
 
 Result<std::vector<SettingAssignment>> resolveSetting(SettingsTargets targets, std::string_view name,

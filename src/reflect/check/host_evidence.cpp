@@ -1,9 +1,9 @@
 #include "reflect/check/host_evidence.hpp"
 
+#include "base/format.hpp"
 #include "base/text.hpp"
 #include "reflect/prepare/conventions.hpp"
 
-#include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -221,22 +221,22 @@ std::string HostEvidence::differences(size_t reading) const {
     const bool linear = now.depth == DepthKind::LinearViewZ;
     const auto sign = [](float scale) { return scale < 0 ? "negative" : "positive"; };
     if (now.depth != declared_.depth)
-        parts.push_back(linear ? fmt::format("DepthKind::LinearViewZ and a {} linearDepthScale, not Device as declared",
-                                             sign(now.linearDepthScale))
+        parts.push_back(linear ? formatText("DepthKind::LinearViewZ and a {} linearDepthScale, not Device as declared",
+                                            sign(now.linearDepthScale))
                                : "DepthKind::Device, not LinearViewZ as declared");
     else if (linear && (now.linearDepthScale < 0) != (declared_.linearDepthScale < 0))
-        parts.push_back(fmt::format("a {} linearDepthScale, not a {} one as declared", sign(now.linearDepthScale),
-                                    sign(declared_.linearDepthScale)));
+        parts.push_back(formatText("a {} linearDepthScale, not a {} one as declared", sign(now.linearDepthScale),
+                                   sign(declared_.linearDepthScale)));
     if (now.depthMinusOneToOne != declared_.depthMinusOneToOne)
-        parts.push_back(fmt::format("depthMinusOneToOne {}, not {} as declared", now.depthMinusOneToOne,
-                                    declared_.depthMinusOneToOne));
+        parts.push_back(formatText("depthMinusOneToOne {}, not {} as declared", now.depthMinusOneToOne,
+                                   declared_.depthMinusOneToOne));
     if (found.matrices.otherOrder) {
         const bool reversed = (found.frame.flags & shared::kInputReversedDepth) != 0;
         parts.emplace_back(reversed ? "depth that is reversed although View::viewToClip is not"
                                     : "depth that is not reversed although View::viewToClip is");
     }
     if (now.clipYDown != declared_.clipYDown)
-        parts.push_back(fmt::format("clipYDown {}, not {} as declared", now.clipYDown, declared_.clipYDown));
+        parts.push_back(formatText("clipYDown {}, not {} as declared", now.clipYDown, declared_.clipYDown));
     const bool left = now.handedness == Handedness::Left;
     add(now.handedness != declared_.handedness,
         left ? "Handedness::Left, not Right as declared" : "Handedness::Right, not Left as declared");
@@ -246,8 +246,8 @@ std::string HostEvidence::differences(size_t reading) const {
     add(now.normalSpace != declared_.normalSpace,
         view ? "NormalSpace::View, not World as declared" : "NormalSpace::World, not View as declared");
     if (now.normalEncoding != declared_.normalEncoding)
-        parts.push_back(fmt::format("NormalEncoding::{}, not {} as declared", kEncodings[size_t(now.normalEncoding)],
-                                    kEncodings[size_t(declared_.normalEncoding)]));
+        parts.push_back(formatText("NormalEncoding::{}, not {} as declared", kEncodings[size_t(now.normalEncoding)],
+                                   kEncodings[size_t(declared_.normalEncoding)]));
     add(found.inward, "normals that point into the surfaces, which Glint needs negated");
     return listText(parts, " and ");
 }
@@ -358,8 +358,8 @@ std::vector<check::DepthMotion> HostEvidence::depthMotions(size_t reading, const
 
 std::string nameOfMotion(const check::MotionUnit& unit, const glm::uvec2& extent) {
     if (!unit.pixels)
-        return fmt::format("motionScale {{{}, {}}}", unit.scale.x, unit.scale.y);
-    return fmt::format("motionScale {{{} / {}, {} / {}}}", unit.scale.x, extent.x, unit.scale.y, extent.y);
+        return formatText("motionScale {{{}, {}}}", unit.scale.x, unit.scale.y);
+    return formatText("motionScale {{{} / {}, {} / {}}}", unit.scale.x, extent.x, unit.scale.y, extent.y);
 }
 
 } // namespace glint::reflect

@@ -1,8 +1,7 @@
 #include "reflect/check/known_plane.hpp"
 
+#include "base/format.hpp"
 #include "reflect/host_numbers.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,12 +61,12 @@ Scale bestScale(const HostEvidence& evidence, size_t reading, const Plane& plane
 }
 
 std::string wrongScale(const Scale& scale, double declared, const Conventions& conventions) {
-    const std::string where = fmt::format("the known plane lies {:.3g} times as far away as depth says ({} of pixels, "
-                                          "{} as declared)",
-                                          scale.factor, check::percent(scale.share), check::percent(declared));
+    const std::string where = formatText("the known plane lies {:.3g} times as far away as depth says ({} of pixels, "
+                                         "{} as declared)",
+                                         scale.factor, check::percent(scale.share), check::percent(declared));
     if (conventions.depth == DepthKind::LinearViewZ)
-        return fmt::format("{}: linearDepthScale {:.3g}, not {:.3g} as declared, or other units in View::worldToView",
-                           where, scale.factor * conventions.linearDepthScale, conventions.linearDepthScale);
+        return formatText("{}: linearDepthScale {:.3g}, not {:.3g} as declared, or other units in View::worldToView",
+                          where, scale.factor * conventions.linearDepthScale, conventions.linearDepthScale);
     return where + ": View::viewToClip has another near plane than depth, or View::worldToView other units";
 }
 
@@ -88,13 +87,13 @@ check::Finding findPlaneElsewhere(const HostEvidence& evidence, size_t reading, 
             most = share;
         }
     if (most >= kEnough)
-        return fmt::format("the known plane agrees with {} ({} of pixels, {} as declared)", evidence.differences(best),
-                           check::percent(most), check::percent(declared));
+        return formatText("the known plane agrees with {} ({} of pixels, {} as declared)", evidence.differences(best),
+                          check::percent(most), check::percent(declared));
     if (const Scale scale = bestScale(evidence, reading, plane); scale.share >= kEnough)
         return wrongScale(scale, declared, conventions);
-    return fmt::format("only {} of pixels lie on the known plane, and no other declaration puts them there: check "
-                       "View::worldToView and the plane, of which a tenth of the pixels must be",
-                       check::percent(declared));
+    return formatText("only {} of pixels lie on the known plane, and no other declaration puts them there: check "
+                      "View::worldToView and the plane, of which a tenth of the pixels must be",
+                      check::percent(declared));
 }
 
 } // namespace glint::reflect

@@ -42,7 +42,7 @@ Result<void> checkPicture(const gpu::Context& context, const HostImage& image, c
     if (!image.image || !image.view || image.width < 1 || image.height < 1)
         return invalidArgument("mirror {}: its picture's `{}` is missing: hand over an image and its view", mirror,
                                name);
-    return checkImage(context, image, fmt::format("mirror {}: its picture's `{}`", mirror, name),
+    return checkImage(context, image, formatText("mirror {}: its picture's `{}`", mirror, name),
                       std::string_view(name) == "depth" ? ImageRole::Depth : ImageRole::Color);
 }
 

@@ -54,7 +54,7 @@ Result<void> checkVolumes(const Probe& probe, size_t number) {
 }
 
 Result<void> checkProbeCube(const gpu::Context& context, const Probe& probe, size_t number) {
-    GLINT_CHECK(checkCube(context, probe.cube, probe.mips, fmt::format("probe {}: its cube", number)));
+    GLINT_CHECK(checkCube(context, probe.cube, probe.mips, formatText("probe {}: its cube", number)));
     if (probe.prefiltered && probe.cube.layout != VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL)
         return invalidArgument("probe {}: a prefiltered cube must be in SHADER_READ_ONLY_OPTIMAL, not VkImageLayout {}",
                                number, static_cast<int>(probe.cube.layout));

@@ -82,7 +82,7 @@ Result<std::string_view> presetJson(std::string_view name) {
 Result<void> applyPreset(Settings& settings, std::string_view name) {
     GLINT_TRY(text, presetJson(name));
     Settings fresh;
-    GLINT_CHECK(fromJson(fresh, text, fmt::format("presets/{}.json", name), name));
+    GLINT_CHECK(fromJson(fresh, text, formatText("presets/{}.json", name), name));
     settings = fresh;
     return {};
 }

@@ -1,0 +1,172 @@
+#include "lab/measure/truth/ray_hits.hpp"
+
+#include "base/assert.hpp"
+#include "lab/measure/figures/parallel.hpp"
+#include "lab/measure/truth/pixel_camera.hpp"
+
+#include <algorithm>
+
+namespace glint::measure {
+namespace {
+
+constexpr double kRightPX = 2;
+constexpr double kRightShare = 0.01; ///< of the ray's length, in 3D
+
+struct Verdict {
+    HitClass hitClass = HitClass::NoRay;
+    float errorPX = 0; ///< of hits whose true hit is visible
+};
+
+struct ReportedRay {
+    glm::dvec2 hitUV;
+    uint32_t outcome;
+    uint32_t lookups;
+};
+
+ReportedRay reportedRay(std::span<const float> rays, size_t pixel) {
+    const float* ray = rays.data() + 4 * pixel;
+    return {{ray[0], ray[1]},
+            std::min(static_cast<uint32_t>(ray[2]), shared::kOutcomeCount - 1),
+            static_cast<uint32_t>(ray[3])};
+}
+
+bool wasTraced(uint32_t outcome) {
+    return outcome != shared::kOutcomeNone && outcome < shared::kOutcomeBelowThreshold;
+}
+
+/// True if the visible surface at `px` is near the true hit, by distance in space.
+bool nearInSpace(const PixelCamera& camera, const GBufferPicture& gbuffer, const RayTruth& truth,
+                 const glm::dvec2& px) {
+    const auto x = std::min(static_cast<uint32_t>(px.x), camera.width() - 1);
+    const auto y = std::min(static_cast<uint32_t>(px.y), camera.height() - 1);
+    const auto viewZ = static_cast<double>(gbuffer.viewZ[4 * (size_t(y) * camera.width() + x)]);
+    if (viewZ <= 0)
+        return false;
+    const glm::dvec3 positionWS = camera.position(camera.ray(px), viewZ);
+    return glm::distance(positionWS, glm::dvec3(truth.positionWS)) <= kRightShare * static_cast<double>(truth.distance);
+}
+
+Verdict judge(const PixelCamera& camera, const GBufferPicture& gbuffer, const RayTruth& truth,
+              const ReportedRay& reported) {
+    const bool hit = reported.outcome == shared::kOutcomeHit;
+    const bool visible = truth.kind == TruthKind::Visible;
+    if (truth.kind == TruthKind::NoRay)
+        return {};
+    if (!hit)
+        return {visible ? HitClass::Missed : HitClass::RightlyNone};
+    if (!visible)
+        return {HitClass::FalseHit};
+    const glm::dvec2 px = reported.hitUV * glm::dvec2(camera.width(), camera.height());
+    const double error = glm::distance(px, glm::dvec2(truth.px));
+    const bool right = error <= kRightPX || nearInSpace(camera, gbuffer, truth, px);
+    return {right ? HitClass::Right : HitClass::WrongPlace, static_cast<float>(error)};
+}
+
+/// Gathers pixels into figures.
+class Tally {
+public:
+    void add(const RayTruth& truth, const ReportedRay& reported, const Verdict& verdict) {
+        ++figures_.rays;
+        ++figures_.outcomes[reported.outcome];
+        const bool visible = truth.kind == TruthKind::Visible;
+        const bool right = verdict.hitClass == HitClass::Right;
+        figures_.dipping += truth.dips;
+        figures_.visibleTruths += visible;
+        figures_.facingAway += visible && truth.facesAway;
+        if (wasTraced(reported.outcome))
+            lookups_.push_back(reported.lookups);
+        if (visible && !right)
+            ++figures_.missedByOutcome[reported.outcome];
+        if (reported.outcome != shared::kOutcomeHit)
+            return;
+        ++figures_.reported;
+        if (right) {
+            ++figures_.right;
+            errors_.push_back(verdict.errorPX);
+            return;
+        }
+        figures_.dippingWrong += truth.dips;
+        ++figures_.wrongByTruth[static_cast<size_t>(truth.kind)];
+        if (visible) {
+            const auto band = std::ranges::lower_bound(kDistanceBandsPX, verdict.errorPX);
+            ++figures_.wrongPlaceByDistance[static_cast<size_t>(band - kDistanceBandsPX.begin())];
+        }
+    }
+
+    HitFigures take() {
+        double sum = 0;
+        for (const uint32_t lookups : lookups_)
+            sum += lookups;
+        figures_.lookupsMean = lookups_.empty() ? 0 : sum / static_cast<double>(lookups_.size());
+        figures_.lookups95 = percentile(lookups_, 0.95);
+        figures_.positionErrorMedian = static_cast<double>(percentile(errors_, 0.5));
+        figures_.positionError95 = static_cast<double>(percentile(errors_, 0.95));
+        return figures_;
+    }
+
+private:
+    /// Returns the smallest value that at least this fraction of all values does not exceed; 0 without values.
+    template <class T>
+    static T percentile(std::vector<T>& values, double share) {
+        if (values.empty())
+            return 0;
+        const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+        std::ranges::nth_element(values, values.begin() + rank);
+        return values[static_cast<size_t>(rank)];
+    }
+
+    HitFigures figures_;
+    std::vector<float> errors_;
+    std::vector<uint32_t> lookups_;
+};
+
+size_t bandOf(float perceptualRoughness) {
+    return static_cast<size_t>(std::ranges::upper_bound(kRoughnessBands, perceptualRoughness) -
+                               kRoughnessBands.begin());
+}
+
+} // namespace
+
+HitReport judgeHits(const render::View& view, const GBufferPicture& gbuffer, std::span<const RayTruth> truths,
+                    std::span<const float> rays) {
+    const size_t pixels = size_t(view.width) * view.height;
+    GLINT_ASSERT(truths.size() == pixels && rays.size() == 4 * pixels, "{} truths, {} floats of rays for {} pixels",
+                 truths.size(), rays.size(), pixels);
+    const PixelCamera camera(view);
+    std::vector<Verdict> verdicts(pixels);
+    forEachRow(view.height, [&](uint32_t y) {
+        for (size_t i = size_t(y) * view.width; i < (size_t(y) + 1) * view.width; ++i)
+            verdicts[i] = judge(camera, gbuffer, truths[i], reportedRay(rays, i));
+    });
+
+    HitReport report;
+    report.classes.reserve(pixels);
+    Tally all;
+    std::array<Tally, kRoughnessBands.size() + 1> bands;
+    for (size_t i = 0; i < pixels; ++i) {
+        report.classes.push_back(verdicts[i].hitClass);
+        if (truths[i].kind == TruthKind::NoRay)
+            continue;
+        const ReportedRay reported = reportedRay(rays, i);
+        all.add(truths[i], reported, verdicts[i]);
+        bands[bandOf(gbuffer.material[4 * i + 3])].add(truths[i], reported, verdicts[i]);
+    }
+    report.all = all.take();
+    for (size_t band = 0; band < bands.size(); ++band)
+        report.bands[band] = bands[band].take();
+    return report;
+}
+
+std::vector<uint8_t> classColors(std::span<const HitClass> classes) {
+    constexpr std::array<std::array<uint8_t, 3>, kHitClasses> kColors = {
+        {{0, 0, 0}, {40, 170, 60}, {245, 150, 20}, {220, 30, 40}, {50, 90, 230}, {70, 70, 70}}};
+    std::vector<uint8_t> rgb;
+    rgb.reserve(3 * classes.size());
+    for (const HitClass hitClass : classes) {
+        const auto& color = kColors[static_cast<size_t>(hitClass)];
+        rgb.insert(rgb.end(), color.begin(), color.end());
+    }
+    return rgb;
+}
+
+} // namespace glint::measure

@@ -1,0 +1,135 @@
+#include "lab/session/frame_views.hpp"
+
+#include "gpu/transfer.hpp"
+#include "lab/renderer/lending.hpp"
+
+namespace glint::render {
+namespace {
+
+/// A view that is an image of the host, as it is; null: another view.
+gpu::Image* hostImage(const std::string& name, HostFrame& host) {
+    if (name == "albedo")
+        return &host.gbuffer().albedo;
+    if (name == "fallbackSpecular")
+        return &host.gbuffer().fallbackSpecular;
+    return name == "motion" ? &host.gbuffer().motion : nullptr;
+}
+
+} // namespace
+
+Result<FrameViews> FrameViews::create(gpu::Context& context) {
+    FrameViews views(context);
+    GLINT_TRY(viewPass, ViewPass::create(context));
+    views.viewPass_ = std::move(viewPass);
+    GLINT_TRY(opacity, gpu::Pipeline::compute(context, {"render/opacity", sizeof(glm::uvec2), {}}));
+    views.opacity_ = std::move(opacity);
+    return views;
+}
+
+Result<void> FrameViews::resize(uint32_t width, uint32_t height) {
+    const auto make = [&](const char* name, VkFormat format, VkImageUsageFlags usage) {
+        return gpu::Image::create(*context_, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
+                                              usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+    };
+    GLINT_TRY(display, make("job/display", VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT));
+    display_ = std::move(display);
+    GLINT_TRY(scene, make("job/scene", kRadianceFormat,
+                          VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
+                              VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_STORAGE_BIT));
+    scene_ = std::move(scene);
+    return {};
+}
+
+void FrameViews::keepScene(gpu::Frame& frame, GBuffer& gbuffer) {
+    frame.copy(gbuffer.litRadiance, scene_);
+    frame
+        .pass(opacity_) // the alpha of the host's image is not opacity (Conventions::highlightsInAlpha)
+        .read("albedo", gbuffer.albedo, gpu::SamplerKind::NearestClamp)
+        .readWrite("picture", scene_)
+        .push(glm::uvec2(scene_.width(), scene_.height()))
+        .dispatch(scene_.width(), scene_.height());
+}
+
+Result<void> FrameViews::show(const std::string& name, HostFrame& host, Reflections& reflections, gpu::Image& target) {
+    GLINT_TRY(info, findView(name));
+    Result<void> done;
+    GLINT_CHECK(context_->submitAndWait([&](VkCommandBuffer commands) {
+        gpu::Frame frame(*context_, commands);
+        if (name == "composite" || name == "scene") {
+            host.display(frame, name == "composite" ? composite_ : scene_, target);
+        } else if (gpu::Image* const drawn = hostImage(name, host)) {
+            if (info->kind == ViewKind::Radiance)
+                host.display(frame, *drawn, target);
+            else
+                viewPass_.draw(frame, *drawn, info->kind, target);
+        } else if (const auto recorded = reflections.recordView(commands, name); !recorded) {
+            done = recorded.error();
+            return;
+        } else {
+            gpu::Image image = borrow(*recorded, "job/view");
+            if (info->kind == ViewKind::Radiance)
+                host.display(frame, image, target);
+            else
+                viewPass_.draw(frame, image, info->kind, target);
+            frame.hand(image, kSampled);
+        }
+        frame.hand(composite_, kSampled); // the state in which the library left it
+        frame.hand(target, kSampled);
+    }));
+    return done;
+}
+
+Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, Reflections& reflections,
+                                      bool display) {
+    GLINT_TRY(info, findView(name));
+    RenderedView view;
+    view.name = name;
+    if (name == "composite" || name == "scene") {
+        gpu::Image& radiance = name == "composite" ? composite_ : scene_;
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, radiance));
+        view.rgba = std::move(rgba);
+        if (name == "composite") { // both show the same surfaces
+            GLINT_TRY(scene, gpu::downloadImageAsFloats(*context_, scene_));
+            for (size_t i = 3; i < scene.size(); i += 4)
+                view.rgba[i] = scene[i];
+        }
+        if (display)
+            GLINT_CHECK(displayInto(view, host, radiance));
+        return view;
+    }
+    if (gpu::Image* const drawn = hostImage(name, host)) {
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, *drawn));
+        view.rgba = std::move(rgba);
+        if (info->kind == ViewKind::Radiance && display)
+            GLINT_CHECK(displayInto(view, host, *drawn));
+        return view;
+    }
+    Result<HostImage> recorded = HostImage{};
+    GLINT_CHECK(
+        context_->submitAndWait([&](VkCommandBuffer commands) { recorded = reflections.recordView(commands, name); }));
+    GLINT_CHECK(recorded);
+    gpu::Image image = borrow(*recorded, "job/view");
+    GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, image));
+    view.rgba = std::move(rgba);
+    if (info->kind == ViewKind::Radiance && display)
+        GLINT_CHECK(displayInto(view, host, image));
+    if (!context_->submitAndWait(
+            [&](VkCommandBuffer commands) { gpu::Frame(*context_, commands).hand(image, kSampled); }))
+        return makeError(ErrorCode::DeviceLost, "view '{}' was lost with the device", name);
+    return view;
+}
+
+Result<void> FrameViews::displayInto(RenderedView& view, HostFrame& host, gpu::Image& radiance) {
+    GLINT_CHECK(context_->submitAndWait([&](VkCommandBuffer commands) {
+        gpu::Frame frame(*context_, commands);
+        host.display(frame, radiance, display_);
+    }));
+    GLINT_TRY(bytes, gpu::downloadImage(*context_, display_));
+    view.rgb8.reserve(bytes.size() / 4 * 3);
+    for (size_t i = 0; i < bytes.size(); ++i)
+        if (i % 4 != 3)
+            view.rgb8.push_back(static_cast<uint8_t>(bytes[i]));
+    return {};
+}
+
+} // namespace glint::render

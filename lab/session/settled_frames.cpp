@@ -1,0 +1,19 @@
+#include "lab/session/settled_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace glint::render {
+
+uint32_t settledFrames(const Settings& settings) {
+    uint32_t frames = 1;
+    const bool traces = settings.screen.enabled || settings.rays.enabled;
+    const bool accumulates = settings.rays.enabled && settings.rays.accumulate;
+    if (settings.denoise.enabled && traces && !accumulates)
+        frames = static_cast<uint32_t>(std::ceil(settings.denoise.historySeconds * kFramesPerSecond));
+    // The first frame has no previous one.
+    const uint32_t least = settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous ? 2 : 1;
+    return std::max(frames, least);
+}
+
+} // namespace glint::render
