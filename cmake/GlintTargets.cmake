@@ -20,6 +20,9 @@ function(glint_sources target)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
     list(FILTER sources EXCLUDE REGEX "^${PROJECT_SOURCE_DIR}/src/.*/embed/") # build tools have a folder of their own
     target_sources(${target} PRIVATE ${sources})
+    # Up to eight neighbours are compiled as one: they share the headers' templates. A name that two of them keep to
+    # themselves must differ.
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${GLINT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
 endfunction()
 
 # Takes a source, or all below a folder, out of a target that globbed them.

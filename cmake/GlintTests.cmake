@@ -36,7 +36,8 @@ function(glint_test_program name)
     glint_sources(${name} ${arg_FOLDERS})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src
         ${PROJECT_SOURCE_DIR}/shaders)
-    target_link_libraries(${name} PRIVATE glint_warnings GTest::gtest GTest::gmock GTest::gtest_main ${arg_LIBRARIES})
+    target_link_libraries(${name} PRIVATE glint_warnings GTest::gtest GTest::gmock GTest::gtest_main fmt::fmt
+        ${arg_LIBRARIES})
     target_compile_definitions(${name} PRIVATE GLINT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     glint_compile_quickly(${name})
     glint_precompile(${name} tests)

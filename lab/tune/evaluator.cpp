@@ -14,8 +14,6 @@
 namespace glint::tune {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
 /// An error of 0 would make the geometric mean 0, whatever the other views show.
 constexpr double kLeastError = 1e-6;
 
@@ -168,7 +166,8 @@ private:
             }
         }
         error /= static_cast<double>(references.size());
-        return std::optional(Figures{costOf(counted, times), std::isnan(error) ? kInfinite : error});
+        return std::optional(
+            Figures{costOf(counted, times), std::isnan(error) ? std::numeric_limits<double>::infinity() : error});
     }
 
     double errorOf(const render::RenderedView& reference, const render::RenderedView& picture) const {
@@ -232,7 +231,8 @@ Result<Evaluation> Evaluator::evaluate(const Settings& settings, ViewSet set, do
     for (Stage& stage : state_->stages) {
         GLINT_TRY(judged, stage.evaluate(settings, set, left, evaluation.views));
         if (!judged)
-            return Evaluation{{kInfinite, kInfinite}, {}, mostCost};
+            return Evaluation{
+                {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, {}, mostCost};
     }
     evaluation.figures = combine(evaluation.views);
     return evaluation;

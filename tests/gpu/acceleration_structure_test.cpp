@@ -4,7 +4,7 @@
 #include <array>
 
 namespace glint::test {
-namespace {
+namespace acceleration_structure_test {
 
 class AccelerationStructureTest : public GpuTest {};
 
@@ -63,5 +63,5 @@ TEST_F(AccelerationStructureTest, aPassReadsTheTopLevelAndEveryBottomLevelBelowI
               "ray_query: 'scene' is declared for read as an acceleration structure, but bound for read as a buffer");
 }
 
-} // namespace
+} // namespace acceleration_structure_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace glint::test {
-namespace {
+namespace antilag_test {
 
 constexpr uint32_t kWidth = 60;
 constexpr uint32_t kHeight = 40;
@@ -243,5 +243,5 @@ TEST_F(AntilagTest, aSmallLightComesBackAtOnce) {
     EXPECT_GT((shown[3] - dark.back()) / (lit.back() - dark.back()), 0.6);
 }
 
-} // namespace
+} // namespace antilag_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace arithmetic_test {
 
 struct Operands {
     float x, y, z;
@@ -92,5 +92,5 @@ TEST_F(ArithmeticTest, rewrittenShadersComputeAsGpusMay) {
 #endif
 }
 
-} // namespace
+} // namespace arithmetic_test
 } // namespace glint::test

@@ -10,7 +10,7 @@
 #include <bit>
 
 namespace glint::test {
-namespace {
+namespace back_faces_test {
 
 constexpr uint32_t kWidth = 32;
 constexpr uint32_t kHeight = 18;
@@ -235,5 +235,5 @@ TEST_F(PreparedBackFacesTest, atEdgesTheCentreDoesNotSpeakForTheSurface) {
     EXPECT_EQ(prepare(in), (std::vector<float>{2.5f, 2.5f, 7, 7, kUnknown, 7, 2.6f}));
 }
 
-} // namespace
+} // namespace back_faces_test
 } // namespace glint::test

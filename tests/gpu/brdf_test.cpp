@@ -6,7 +6,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace brdf_test {
 
 /// Layout of tests/gpu/shaders/brdf.comp.
 struct Item {
@@ -70,5 +70,5 @@ TEST_F(BrdfTest, SplitSumIsTheIntegral) {
     }
 }
 
-} // namespace
+} // namespace brdf_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace glint::test {
-namespace {
+namespace broken_gbuffer_test {
 
 constexpr uint32_t kWidth = 64;
 constexpr uint32_t kHeight = 40;
@@ -46,5 +46,5 @@ TEST_F(BrokenGBufferTest, EveryMarchEndsWhateverTheDepth) {
         }
 }
 
-} // namespace
+} // namespace broken_gbuffer_test
 } // namespace glint::test

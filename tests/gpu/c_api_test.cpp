@@ -11,7 +11,7 @@
 #include <deque>
 
 namespace glint::test {
-namespace {
+namespace c_api_test {
 
 using c_api::toC;
 using testing::HasSubstr;
@@ -659,5 +659,5 @@ TEST_F(CApiTest, MistakesAreErrors) {
     EXPECT_EQ(glint_reflections_pass_milliseconds(reflections_, 99), 0);
 }
 
-} // namespace
+} // namespace c_api_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include <map>
 
 namespace glint::test {
-namespace {
+namespace classify_test {
 
 constexpr uint32_t kWidth = 77; // whole tiles neither way
 constexpr uint32_t kHeight = 43;
@@ -130,5 +130,5 @@ TEST_F(ClassifyTest, FramesThatTraceNothingSayTheSameEachTime) {
         EXPECT_EQ(trace(made, camera.view(kWidth, kHeight)).outcomeColor, first.outcomeColor) << i;
 }
 
-} // namespace
+} // namespace classify_test
 } // namespace glint::test

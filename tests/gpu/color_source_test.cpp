@@ -4,7 +4,7 @@
 #include "gpu/support/scenes.hpp"
 
 namespace glint::test {
-namespace {
+namespace color_source_test {
 
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
@@ -399,5 +399,5 @@ TEST_F(ColorSourceTest, withEverySourceOffEncodingsChangeNothing) {
     EXPECT_EQ(result.image, host.gbuffer.litRadiance.image);
 }
 
-} // namespace
+} // namespace color_source_test
 } // namespace glint::test

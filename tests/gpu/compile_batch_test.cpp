@@ -2,7 +2,7 @@
 #include "gpu/support/gpu_test.hpp"
 
 namespace glint::test {
-namespace {
+namespace compile_batch_test {
 
 /// Uses a device of its own: no other test has compiled these pipelines.
 class CompileBatchTest : public testing::Test {
@@ -53,5 +53,5 @@ TEST_F(CompileBatchTest, WhatAFailedCallLeftIsCompiledWhenAskedAgain) {
     EXPECT_NE(ask("denoise/filter").handle(), VK_NULL_HANDLE);
 }
 
-} // namespace
+} // namespace compile_batch_test
 } // namespace glint::test

@@ -18,7 +18,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace composite_test {
 
 constexpr double kHalf = 1.0 / 1024; ///< relative step of a half, with one step to spare
 
@@ -695,5 +695,5 @@ TEST_F(HierarchyPassTest, brokenEnvironmentStaysFinite) {
         ASSERT_TRUE(answer.reflected[i] >= 0 && answer.reflected[i] <= 65504) << i << ": " << answer.reflected[i];
 }
 
-} // namespace
+} // namespace composite_test
 } // namespace glint::test

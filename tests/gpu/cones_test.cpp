@@ -10,7 +10,7 @@
 #include <cstdio>
 
 namespace glint::test {
-namespace {
+namespace cones_test {
 
 constexpr uint32_t kWidth = 160;
 constexpr uint32_t kHeight = 90;
@@ -317,5 +317,5 @@ TEST_F(ConesTest, thePreviousFramesPictureIsBlurredWhereHitsTakeItsColours) {
         << "the first frame blurs its own picture";
 }
 
-} // namespace
+} // namespace cones_test
 } // namespace glint::test

@@ -5,7 +5,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace cube_lookup_test {
 
 class CubeLookupTest : public LibraryTest {
 protected:
@@ -62,5 +62,5 @@ TEST_F(CubeLookupTest, neighboursAtACornerMoveNoMoreThanTheLastBits) {
     EXPECT_LT(worst, 0x1p-12) << "half of the last bit of a half float";
 }
 
-} // namespace
+} // namespace cube_lookup_test
 } // namespace glint::test

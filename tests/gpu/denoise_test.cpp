@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace denoise_test {
 
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
@@ -436,5 +436,5 @@ TEST_F(DenoiseTest, theFormatMayChangeBetweenFrames) {
     EXPECT_EQ(trace(made, view).composite, first.composite);
 }
 
-} // namespace
+} // namespace denoise_test
 } // namespace glint::test

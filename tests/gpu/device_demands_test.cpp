@@ -8,7 +8,7 @@
 #include <cstring>
 
 namespace glint::test {
-namespace {
+namespace device_demands_test {
 
 using testing::HasSubstr;
 
@@ -159,5 +159,5 @@ TEST_F(DeviceDemandsTest, aDeviceForTheScreenAloneReflectsAndRefusesTheOtherSour
     EXPECT_EQ(both.error().code, ErrorCode::InvalidArgument);
 }
 
-} // namespace
+} // namespace device_demands_test
 } // namespace glint::test

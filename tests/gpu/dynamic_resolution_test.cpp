@@ -10,7 +10,7 @@
 #include <list>
 
 namespace glint::test {
-namespace {
+namespace dynamic_resolution_test {
 
 using testing::HasSubstr;
 
@@ -315,5 +315,5 @@ TEST_F(DynamicResolutionTest, ResizeKeepsPipelinesAndFramesInFlight) {
     EXPECT_THAT(wrong.error().message, HasSubstr("0x5"));
 }
 
-} // namespace
+} // namespace dynamic_resolution_test
 } // namespace glint::test

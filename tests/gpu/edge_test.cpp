@@ -6,7 +6,7 @@
 #include "reflect/trace/technique.hpp"
 
 namespace glint::test {
-namespace {
+namespace edge_test {
 
 constexpr uint32_t kWidth = 481;
 constexpr uint32_t kHeight = 270;
@@ -146,5 +146,5 @@ TEST_P(EdgeTest, raysMeetASurfaceUpToWhereTheyLeaveItsPixel) {
 INSTANTIATE_TEST_SUITE_P(Registry, EdgeTest, testing::Range<size_t>(0, reflect::techniques().size()),
                          [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
 
-} // namespace
+} // namespace edge_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <cstring>
 
 namespace glint::test {
-namespace {
+namespace errors_test {
 
 using testing::AllOf;
 using testing::Each;
@@ -349,5 +349,5 @@ TEST_F(ErrorsTest, depthStencilImagesAreTaken) {
     }
 }
 
-} // namespace
+} // namespace errors_test
 } // namespace glint::test

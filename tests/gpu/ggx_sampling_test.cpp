@@ -7,7 +7,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace ggx_sampling_test {
 
 /// Layout of tests/gpu/shaders/ggx_samples.comp.
 struct Item {
@@ -181,5 +181,5 @@ TEST_F(GgxSamplingTest, WeightsAverageToTheAlbedo) {
             }
 }
 
-} // namespace
+} // namespace ggx_sampling_test
 } // namespace glint::test

@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace hit_color_test {
 
 constexpr double kWallX = -0.5;
 
@@ -59,5 +59,5 @@ TEST_P(HitColorTest, MagnifiedTexelsAreBlended) {
 
 INSTANTIATE_TEST_SUITE_P(Marchers, HitColorTest, testing::Values(March::Linear, March::Adaptive, March::Hiz));
 
-} // namespace
+} // namespace hit_color_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace hit_motion_test {
 
 constexpr uint32_t kWidth = 72;
 constexpr uint32_t kHeight = 48;
@@ -215,5 +215,5 @@ INSTANTIATE_TEST_SUITE_P(By, HitMotionTest,
                          testing::Values(Told::Transform, Told::Vertices, Told::MotionImage, Told::MotionWithDepth),
                          nameOf);
 
-} // namespace
+} // namespace hit_motion_test
 } // namespace glint::test

@@ -11,7 +11,7 @@
 #include <optional>
 
 namespace glint::test {
-namespace {
+namespace host_acceleration_structure_test {
 
 constexpr uint32_t kWidth = 64;
 constexpr uint32_t kHeight = 48;
@@ -469,5 +469,5 @@ TEST_F(HostAccelerationStructureTest, MistakesAreErrorsOfOneLine) {
     expectError(made.setRays(rays, world.surfaces), "rays.backend is bvh");
 }
 
-} // namespace
+} // namespace host_acceleration_structure_test
 } // namespace glint::test

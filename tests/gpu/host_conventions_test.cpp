@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace glint::test {
-namespace {
+namespace host_conventions_test {
 
 constexpr uint32_t kWidth = 96;
 constexpr uint32_t kHeight = 54;
@@ -286,5 +286,5 @@ TEST_F(HostConventionsTest, aWrongStatementIsSeen) {
     EXPECT_TRUE(differs([](GBuffer& g) { g.roughness.channel = 0; }, view));
 }
 
-} // namespace
+} // namespace host_conventions_test
 } // namespace glint::test

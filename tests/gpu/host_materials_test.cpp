@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace glint::test {
-namespace {
+namespace host_materials_test {
 
 constexpr uint32_t kWidth = 64;
 constexpr uint32_t kHeight = 36;
@@ -167,5 +167,5 @@ TEST_F(HostMaterialsTest, probesMayBeUpsideDown) {
     }
 }
 
-} // namespace
+} // namespace host_materials_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace glint::test {
-namespace {
+namespace host_mistakes_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -282,5 +282,5 @@ TEST_F(HostMistakes, theContextMayBeDestroyedBeforeWhatWasMadeFromIt) {
     surfaces.reset();
 }
 
-} // namespace
+} // namespace host_mistakes_test
 } // namespace glint::test

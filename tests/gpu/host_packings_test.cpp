@@ -12,7 +12,7 @@
 #include <list>
 
 namespace glint::test {
-namespace {
+namespace host_packings_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -326,5 +326,5 @@ TEST_F(HostPackingsTest, UndefinedStatementsAreOneErrorEach) {
             [](GBuffer& g) { g.conventions.linearDepthScale = -1; });
 }
 
-} // namespace
+} // namespace host_packings_test
 } // namespace glint::test

@@ -10,7 +10,7 @@
 #include <mutex>
 
 namespace glint::test {
-namespace {
+namespace host_resources_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -198,5 +198,5 @@ TEST_F(HostResourcesTest, NotesReachTheHostsLogOnceAsTheyAreMade) {
     EXPECT_EQ(log, reflections.notes()) << "each once";
 }
 
-} // namespace
+} // namespace host_resources_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <deque>
 
 namespace glint::test {
-namespace {
+namespace in_flight_test {
 
 constexpr uint32_t kWidth = 48;
 constexpr uint32_t kHeight = 32;
@@ -280,5 +280,5 @@ TEST_F(InFlightTest, WhatWasReplacedIsFreedInTime) {
     EXPECT_LT(bytes(), before - kWidth * kHeight * 16);
 }
 
-} // namespace
+} // namespace in_flight_test
 } // namespace glint::test

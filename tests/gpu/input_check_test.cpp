@@ -9,7 +9,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 namespace glint::test {
-namespace {
+namespace input_check_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -530,5 +530,5 @@ TEST_F(InputCheckTest, WithoutItTheCallIsAnError) {
     });
 }
 
-} // namespace
+} // namespace input_check_test
 } // namespace glint::test

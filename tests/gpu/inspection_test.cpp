@@ -16,7 +16,7 @@
 #include <set>
 
 namespace glint::test {
-namespace {
+namespace inspection_test {
 
 using testing::HasSubstr;
 
@@ -406,5 +406,5 @@ TEST_F(InspectionTest, ViewsTellHitsFromSidesAndMisses) {
     EXPECT_EQ(colors.at(shared::kOutcomeBelowThreshold), glm::vec3(0));
 }
 
-} // namespace
+} // namespace inspection_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace light_tree_test {
 
 /// Layout of tests/gpu/shaders/light_draws.comp.
 struct Draw {
@@ -235,5 +235,5 @@ TEST_F(LightTreeTest, UniformLightIsLeftToTheLobes) {
         ASSERT_EQ(drawn.probability, 0);
 }
 
-} // namespace
+} // namespace light_tree_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <numeric>
 
 namespace glint::test {
-namespace {
+namespace memory_report_test {
 
 class MemoryReportTest : public LibraryTest {
 protected:
@@ -130,5 +130,5 @@ TEST_F(MemoryReportTest, WhatLaterSettingsNeedIsMadeThen) {
     }
 }
 
-} // namespace
+} // namespace memory_report_test
 } // namespace glint::test

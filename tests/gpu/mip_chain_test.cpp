@@ -9,7 +9,7 @@
 #include <cstring>
 
 namespace glint::test {
-namespace {
+namespace mip_chain_test {
 
 class MipChainTest : public GpuTest {
 protected:
@@ -100,5 +100,5 @@ TEST_F(MipChainTest, levelsAreThoseOfALinearBlit) {
     }
 }
 
-} // namespace
+} // namespace mip_chain_test
 } // namespace glint::test

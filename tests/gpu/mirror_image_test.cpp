@@ -9,7 +9,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace mirror_image_test {
 
 /// Layout of tests/gpu/shaders/mirror_image.comp.
 struct MirrorItem {
@@ -162,5 +162,5 @@ TEST_F(MirrorImageTest, ACausticHasNoImage) {
     EXPECT_NEAR(got[4].image.z, -3 + 4 / 3.0, 1e-4);
 }
 
-} // namespace
+} // namespace mirror_image_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace mirrored_test {
 
 constexpr uint32_t kWidth = 64;
 constexpr uint32_t kHeight = 64;
@@ -139,5 +139,5 @@ TEST_F(MirroredTest, mirrorsThatShowNoRoughSurfaceKeepTheirBits) {
     EXPECT_EQ(raw.weight, shown.weight);
 }
 
-} // namespace
+} // namespace mirrored_test
 } // namespace glint::test

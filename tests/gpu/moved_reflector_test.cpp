@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 
 namespace glint::test {
-namespace {
+namespace moved_reflector_test {
 
 constexpr uint32_t kWidth = 48;
 constexpr uint32_t kHeight = 32;
@@ -98,5 +98,5 @@ TEST_F(MovedReflectorTest, isLostWithoutItsDepth) {
     EXPECT_LT(framesKept({1, 1, 0}), 1.5);
 }
 
-} // namespace
+} // namespace moved_reflector_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace open_space_test {
 
 constexpr uint32_t kWidth = 161; // odd: the last cells reach beyond the picture
 constexpr uint32_t kHeight = 91;
@@ -109,5 +109,5 @@ TEST_F(OpenSpaceTest, mostSamplesAreLeftOut) {
     EXPECT_GT(lookups, 0);
 }
 
-} // namespace
+} // namespace open_space_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include "reflect/trace/technique.hpp"
 
 namespace glint::test {
-namespace {
+namespace outcome_test {
 
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
@@ -674,5 +674,5 @@ TEST_F(LibraryTest, whereAWallMirrorMeetsTheFloorItShowsIt) {
 INSTANTIATE_TEST_SUITE_P(Registry, OutcomeTest, testing::Range<size_t>(0, reflect::techniques().size()),
                          [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
 
-} // namespace
+} // namespace outcome_test
 } // namespace glint::test

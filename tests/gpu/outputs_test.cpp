@@ -9,7 +9,7 @@
 #include <list>
 
 namespace glint::test {
-namespace {
+namespace outputs_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -303,5 +303,5 @@ TEST_F(OutputsTest, MistakesAreOneErrorEach) {
     refuses(HasSubstr("colorSource"), [](Outputs& o) { std::swap(o.composite, o.reflection); });
 }
 
-} // namespace
+} // namespace outputs_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace packing_test {
 
 /// Layout of tests/gpu/shaders/packing.comp.
 struct Packed {
@@ -134,5 +134,5 @@ TEST_F(PackingTest, rayRecordsKeepWhatTheySay) {
     }
 }
 
-} // namespace
+} // namespace packing_test
 } // namespace glint::test

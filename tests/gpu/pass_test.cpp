@@ -11,7 +11,7 @@
 #include <new>
 
 namespace glint::test {
-namespace {
+namespace pass_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -432,5 +432,5 @@ TEST_F(PassTest, morePassesThanTimersHaveQueriesGoUntimed) {
     EXPECT_EQ(timers->latest().size(), 128u);
 }
 
-} // namespace
+} // namespace pass_test
 } // namespace glint::test

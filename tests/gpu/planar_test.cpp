@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace glint::test {
-namespace {
+namespace planar_test {
 
 /// A room whose walls' colour is their position; its floor, y = 0, is a mirror.
 constexpr glm::dvec3 kCenter = {0.5, 1.5, -1};
@@ -365,5 +365,5 @@ TEST_F(PlanarSourceTest, whatCannotBeIsNamed) {
                 testing::HasSubstr("8x8, its depth 8x4"));
 }
 
-} // namespace
+} // namespace planar_test
 } // namespace glint::test

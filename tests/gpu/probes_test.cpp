@@ -12,7 +12,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace probes_test {
 
 Settings probesAlone() {
     Settings settings;
@@ -541,5 +541,5 @@ TEST_F(ProbesTest, whatCannotBeIsNamed) {
     EXPECT_FALSE(probes.setVolumes(two));
 }
 
-} // namespace
+} // namespace probes_test
 } // namespace glint::test

@@ -4,7 +4,7 @@
 #include "gpu/support/frames_in_flight.hpp"
 
 namespace glint::test {
-namespace {
+namespace progress_test {
 
 class ProgressTest : public GpuTest {
 protected:
@@ -77,5 +77,5 @@ TEST_F(ProgressTest, StandingWorkIsNeededUntilItWasExecuted) {
     EXPECT_TRUE(work.isNeeded(progress));
 }
 
-} // namespace
+} // namespace progress_test
 } // namespace glint::test

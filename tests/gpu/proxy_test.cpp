@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace proxy_test {
 
 constexpr uint32_t kWidth = 192;
 constexpr uint32_t kHeight = 128;
@@ -451,5 +451,5 @@ TEST_F(ProxyTest, theInspectorNamesTheProxyAndHowFarItIs) {
     EXPECT_FALSE(inspected({roomVolume()}, March::Hiz).projection) << "others look for themselves";
 }
 
-} // namespace
+} // namespace proxy_test
 } // namespace glint::test

@@ -13,7 +13,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace pyramid_test {
 
 constexpr float kBackground = shared::kBackgroundZ;
 /// As in lib/pyramid.glsl.
@@ -379,5 +379,5 @@ TEST_F(PyramidTest, ABackgroundIsEmptyAtEveryLevel) {
     }
 }
 
-} // namespace
+} // namespace pyramid_test
 } // namespace glint::test

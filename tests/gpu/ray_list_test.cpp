@@ -7,7 +7,7 @@
 #include <cstring>
 
 namespace glint::test {
-namespace {
+namespace ray_list_test {
 
 constexpr reflect::RayLister::IfAny kIfAny = {{3, 2}, {7, 5}};
 
@@ -91,5 +91,5 @@ TEST_F(RayListTest, isInTheOrderOfThePicture) {
         }
 }
 
-} // namespace
+} // namespace ray_list_test
 } // namespace glint::test

@@ -12,7 +12,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace ray_scene_test {
 
 class RaySceneTest : public GpuTest, public testing::WithParamInterface<RayBackend> {
 protected:
@@ -551,5 +551,5 @@ TEST_P(RaySceneTest, aSmallPartCostsLittle) {
     EXPECT_LT(part, GetParam() == RayBackend::Bvh ? whole / 3 : whole / 2);
 }
 
-} // namespace
+} // namespace ray_scene_test
 } // namespace glint::test

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace rays_accumulate_test {
 
 constexpr uint32_t kWidth = 48;
 constexpr uint32_t kHeight = 32;
@@ -131,5 +131,5 @@ TEST_F(RaysAccumulateTest, StartsAnewWithTheViewTheSettingsAndWhenAsked) {
     EXPECT_GT(error(last(held, 1, [&](uint32_t) { return view(9); }), alone), 0.02) << "four frames more";
 }
 
-} // namespace
+} // namespace rays_accumulate_test
 } // namespace glint::test

@@ -3,7 +3,7 @@
 #include "gpu/support/surface_scene.hpp"
 
 namespace glint::test {
-namespace {
+namespace rays_interpolate_test {
 
 constexpr uint32_t kWidth = 65; // odd: the last column has neighbours on one side alone
 constexpr uint32_t kHeight = 35;
@@ -122,5 +122,5 @@ TEST_P(RaysInterpolateTest, meansOfRaysAreNotInterpolated) {
     }
 }
 
-} // namespace
+} // namespace rays_interpolate_test
 } // namespace glint::test

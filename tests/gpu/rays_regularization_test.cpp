@@ -6,7 +6,7 @@
 #include <numeric>
 
 namespace glint::test {
-namespace {
+namespace rays_regularization_test {
 
 constexpr uint32_t kWidth = 32;
 constexpr uint32_t kHeight = 20;
@@ -162,5 +162,5 @@ TEST_F(RaysRegularizationTest, aMirrorsHistoryIsThatOfWhatItShows) {
     expectFramesToCountAsSamples();
 }
 
-} // namespace
+} // namespace rays_regularization_test
 } // namespace glint::test

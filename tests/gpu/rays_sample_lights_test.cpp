@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace rays_sample_lights_test {
 
 constexpr uint32_t kWidth = 24;
 constexpr uint32_t kHeight = 16;
@@ -327,5 +327,5 @@ TEST_P(RaysSampleLightsTest, AMovedLampIsSampledWhereItIs) {
 INSTANTIATE_TEST_SUITE_P(BackEnds, RaysSampleLightsTest, testing::Values(RayBackend::Bvh, RayBackend::Query),
                          [](const auto& parameter) { return parameter.param == RayBackend::Bvh ? "Bvh" : "Query"; });
 
-} // namespace
+} // namespace rays_sample_lights_test
 } // namespace glint::test

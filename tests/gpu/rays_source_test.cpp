@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace rays_source_test {
 
 class RaysSourceTest : public LibraryTest, public testing::WithParamInterface<RayBackend> {
 protected:
@@ -524,5 +524,5 @@ TEST_P(RaysSourceTest, theOtherBackEndIsRefused) {
     must(reflections.setRays(world.rays, world.surfaces));
 }
 
-} // namespace
+} // namespace rays_source_test
 } // namespace glint::test

@@ -11,7 +11,7 @@
 #include <deque>
 
 namespace glint::test {
-namespace {
+namespace record_cost_test {
 
 double wallMilliseconds() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -191,5 +191,5 @@ TEST_F(RecordCostTest, DoesNotWaitForTheGpu) {
     EXPECT_LT(median(wall), 5) << "a frame takes far longer on the software driver";
 }
 
-} // namespace
+} // namespace record_cost_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace refraction_model_test {
 
 /// Layout of tests/gpu/shaders/refraction.comp.
 struct Item {
@@ -167,5 +167,5 @@ TEST_F(RefractionModelTest, NormalsThatLookAwayDoNoHarm) {
             }
 }
 
-} // namespace
+} // namespace refraction_model_test
 } // namespace glint::test

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace refraction_test {
 
 /// A room whose walls' colour is their position.
 constexpr glm::dvec3 kCenter = {0, 0, -3};
@@ -756,5 +756,5 @@ TEST_F(RefractionTest, SwitchedOffItCostsNothing) {
     EXPECT_EQ(over({pane(-1, surface)}, off), download(gpu(), g_.gbuffer.litRadiance)); // the host's own bits
 }
 
-} // namespace
+} // namespace refraction_test
 } // namespace glint::test

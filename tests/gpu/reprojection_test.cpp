@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace reprojection_test {
 
 /// A smooth floor before a wall whose brightness changes along x.
 class ReprojectionTest : public LibraryTest {
@@ -211,5 +211,5 @@ TEST_F(MovingPastABallTest, ItsHistoryIsWhereACurvedMirrorShowsIt) {
     EXPECT_LT(error(curved.picture, rested), error(flat.picture, rested));
 }
 
-} // namespace
+} // namespace reprojection_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include "reflect/trace/technique.hpp"
 
 namespace glint::test {
-namespace {
+namespace same_bits_test {
 
 constexpr uint32_t kWidth = 96;
 constexpr uint32_t kHeight = 64;
@@ -84,5 +84,5 @@ TEST_F(SameBitsTest, raysThroughTheScene) {
     });
 }
 
-} // namespace
+} // namespace same_bits_test
 } // namespace glint::test

@@ -4,7 +4,7 @@
 #include "gpu/support/scenes.hpp"
 
 namespace glint::test {
-namespace {
+namespace samples_test {
 
 constexpr uint32_t kWidth = 48;
 constexpr uint32_t kHeight = 27;
@@ -292,5 +292,5 @@ TEST_F(SamplesTest, thinThingsKeepTheirReflection) {
     EXPECT_EQ(picture.color(middle + 1).x, 0);
 }
 
-} // namespace
+} // namespace samples_test
 } // namespace glint::test

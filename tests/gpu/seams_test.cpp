@@ -7,7 +7,7 @@
 #include "reflect/frame.hpp"
 
 namespace glint::test {
-namespace {
+namespace seams_test {
 
 constexpr uint32_t kWidth = 64;
 constexpr uint32_t kHeight = 40;
@@ -159,5 +159,5 @@ TEST_F(SeamsTest, WhatAPassWroteIsAView) {
     });
 }
 
-} // namespace
+} // namespace seams_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace seen_in_mirrors_test {
 
 constexpr uint32_t kSize = 48;
 constexpr float kWallZ = 5;
@@ -81,5 +81,5 @@ TEST_F(SeenInMirrorsTest, theDenoiserKeepsThatBrightness) {
     }
 }
 
-} // namespace
+} // namespace seen_in_mirrors_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace glint::test {
-namespace {
+namespace settings_effect_test {
 
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
@@ -839,5 +839,5 @@ TEST_F(SettingsEffectTest, debugOutcomeShowsHowRaysEnded) {
         }
 }
 
-} // namespace
+} // namespace settings_effect_test
 } // namespace glint::test

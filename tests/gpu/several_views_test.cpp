@@ -3,7 +3,7 @@
 #include "gpu/support/scenes.hpp"
 
 namespace glint::test {
-namespace {
+namespace several_views_test {
 
 constexpr uint32_t kWidth = 96;
 constexpr uint32_t kHeight = 64;
@@ -69,5 +69,5 @@ TEST_F(SeveralViewsTest, NeedTheirOwnWhereAFrameIsKept) {
     }
 }
 
-} // namespace
+} // namespace several_views_test
 } // namespace glint::test

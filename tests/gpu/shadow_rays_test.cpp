@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace shadow_rays_test {
 
 constexpr uint32_t kSize = 40;
 constexpr SyntheticCamera kEye = {.position = {0, 0, 3.5}, .target = {0, 0, 0}, .fovY = 0.55};
@@ -97,5 +97,5 @@ TEST_F(ShadowRaysTest, mirrorsAndPicturesWithoutTheDenoiserAreExact) {
     }
 }
 
-} // namespace
+} // namespace shadow_rays_test
 } // namespace glint::test

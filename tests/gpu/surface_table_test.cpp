@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace glint::test {
-namespace {
+namespace surface_table_test {
 
 using testing::HasSubstr;
 
@@ -86,5 +86,5 @@ TEST_F(SurfaceTableTest, PartsBeyondTheListAreErrors) {
     EXPECT_TRUE(made.surfaces.updateInstances(3, {}));
 }
 
-} // namespace
+} // namespace surface_table_test
 } // namespace glint::test

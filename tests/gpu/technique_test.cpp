@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 
 namespace glint::test {
-namespace {
+namespace technique_test {
 
 constexpr double kWallZ = -3;
 
@@ -204,5 +204,5 @@ TEST_P(TechniqueTest, exhaustedStepsAreNeverAHit) {
 INSTANTIATE_TEST_SUITE_P(Registry, TechniqueTest, testing::Range<size_t>(0, reflect::techniques().size()),
                          [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
 
-} // namespace
+} // namespace technique_test
 } // namespace glint::test

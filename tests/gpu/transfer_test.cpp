@@ -7,7 +7,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace transfer_test {
 
 using testing::HasSubstr;
 
@@ -163,5 +163,5 @@ TEST_F(TransferTest, wrongSizesAndFormatsAreRefused) {
     EXPECT_EQ(gpu::bytesPerTexel(VK_FORMAT_BC7_UNORM_BLOCK), 0u);
 }
 
-} // namespace
+} // namespace transfer_test
 } // namespace glint::test

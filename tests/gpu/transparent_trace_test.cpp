@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace glint::test {
-namespace {
+namespace transparent_trace_test {
 
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
@@ -207,5 +207,5 @@ TEST_F(TransparentTraceTest, coloursAreFoundAgainWhenTheCameraMoves) {
     EXPECT_GE(counts.wallRed, counts.wall * 95 / 100);
 }
 
-} // namespace
+} // namespace transparent_trace_test
 } // namespace glint::test

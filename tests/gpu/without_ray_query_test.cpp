@@ -3,7 +3,7 @@
 #include "gpu/support/test_shaders.hpp"
 
 namespace glint::test {
-namespace {
+namespace without_ray_query_test {
 
 class WithoutRayQuery : public testing::Test {
 protected:
@@ -53,5 +53,5 @@ TEST_F(WithoutRayQuery, aHostsAccelerationStructureIsRefused) {
     EXPECT_NE(scene.error().message.find("ray queries are not enabled"), std::string::npos) << scene.error().message;
 }
 
-} // namespace
+} // namespace without_ray_query_test
 } // namespace glint::test

@@ -10,7 +10,7 @@
 #include <thread>
 
 namespace glint {
-namespace {
+namespace file_test {
 
 class FileTest : public testing::Test {
 protected:
@@ -89,5 +89,5 @@ TEST_F(FileTest, DevicesAndPipesAreWrittenInPlace) {
     EXPECT_EQ(filesInFolder(), 1u);
 }
 
-} // namespace
+} // namespace file_test
 } // namespace glint

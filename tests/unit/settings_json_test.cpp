@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace glint {
-namespace {
+namespace settings_json_test {
 
 std::string errorOf(std::string_view text, std::string_view preset = {}) {
     Settings settings;
@@ -141,5 +141,5 @@ TEST(Presets, FileBeatsPresetAndSetBeatsFile) {
     EXPECT_EQ(settings.reflect.threshold, 0.04f);
 }
 
-} // namespace
+} // namespace settings_json_test
 } // namespace glint

@@ -7,7 +7,7 @@
 #include <array>
 
 namespace glint {
-namespace {
+namespace settings_names_test {
 
 std::string errorOf(std::string_view key, std::string_view value, std::string_view preset = {}) {
     Settings settings;
@@ -297,5 +297,5 @@ TEST(SettingsNames, HostileTextStaysOneShortLine) {
     EXPECT_TRUE(std::ranges::none_of(message, [](char c) { return static_cast<unsigned char>(c) < 0x20; }));
 }
 
-} // namespace
+} // namespace settings_names_test
 } // namespace glint

@@ -11,7 +11,7 @@
 #include <set>
 
 namespace glint {
-namespace {
+namespace settings_table_test {
 
 /// A value that the setting takes and that is not its default.
 std::string otherValue(const SettingInfo& info) {
@@ -164,5 +164,5 @@ TEST(SettingsTable, EveryAliasIsTaken) {
     }
 }
 
-} // namespace
+} // namespace settings_table_test
 } // namespace glint

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint {
-namespace {
+namespace text_test {
 
 TEST(Text, ListsReadAsASentence) {
     EXPECT_EQ(listText({}, " or "), "");
@@ -40,5 +40,5 @@ TEST(Text, PrintableIsOneLineAndShort) {
     EXPECT_EQ(printable("0123456789", 4), "0123...");
 }
 
-} // namespace
+} // namespace text_test
 } // namespace glint

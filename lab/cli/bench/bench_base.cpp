@@ -9,21 +9,21 @@
 namespace glint::cli {
 namespace {
 
-using Json = nlohmann::json;
+using BaseJson = nlohmann::json;
 
 /// Reads members of one object, and says which one is wrong.
 class Members {
 public:
-    Members(const Json& object, std::string where) : object_(object), where_(std::move(where)) {}
+    Members(const BaseJson& object, std::string where) : object_(object), where_(std::move(where)) {}
 
     Result<std::string> text(const char* name) const {
-        const Json* const value = find(name);
+        const BaseJson* const value = find(name);
         if (!value || !value->is_string() || value->get_ref<const std::string&>().empty())
             return wrong(name, "a text");
         return value->get<std::string>();
     }
     Result<double> number(const char* name, double least, double most) const {
-        const Json* const value = find(name);
+        const BaseJson* const value = find(name);
         if (!value || !value->is_number() || !(value->get<double>() >= least && value->get<double>() <= most))
             return wrong(name, fmt::format("a number from {:g} to {:g}", least, most));
         return value->get<double>();
@@ -34,13 +34,13 @@ public:
             return wrong(name, "a whole number");
         return static_cast<uint32_t>(value);
     }
-    Result<const Json*> list(const char* name) const {
-        const Json* const value = find(name);
+    Result<const BaseJson*> list(const char* name) const {
+        const BaseJson* const value = find(name);
         if (!value || !value->is_array() || value->empty())
             return wrong(name, "a list with entries");
         return value;
     }
-    const Json* find(const char* name) const {
+    const BaseJson* find(const char* name) const {
         const auto found = object_.is_object() ? object_.find(name) : object_.end();
         return object_.is_object() && found != object_.end() ? &*found : nullptr;
     }
@@ -51,14 +51,14 @@ public:
     }
 
 private:
-    const Json& object_;
+    const BaseJson& object_;
     std::string where_;
 };
 
 constexpr double kMostFloors = 1e9;
 constexpr uint32_t kMostPixels = 65536; ///< a side
 
-Result<void> readPoint(const Json& json, const std::string& where, std::vector<measure::BenchFigure>& figures) {
+Result<void> readPoint(const BaseJson& json, const std::string& where, std::vector<measure::BenchFigure>& figures) {
     const Members point(json, where);
     measure::BenchFigure figure;
     GLINT_TRY(scene, point.text("scene"));
@@ -66,7 +66,7 @@ Result<void> readPoint(const Json& json, const std::string& where, std::vector<m
     GLINT_TRY(height, point.count("height", 1, kMostPixels));
     figure.scene = std::move(scene);
     figure.size = {width, height};
-    if (const Json* const share = point.find("share"); share && !share->is_null()) {
+    if (const BaseJson* const share = point.find("share"); share && !share->is_null()) {
         GLINT_TRY(fraction, point.number("share", 0, 1));
         figure.share = static_cast<float>(fraction);
     }
@@ -87,13 +87,13 @@ Result<void> readPoint(const Json& json, const std::string& where, std::vector<m
 } // namespace
 
 Result<measure::BenchBase> readBenchBase(std::string_view text, const std::string& fileName) {
-    const Json json = Json::parse(text, nullptr, false);
+    const BaseJson json = BaseJson::parse(text, nullptr, false);
     if (json.is_discarded())
         return invalidArgument("{}: not JSON: write the file with `glint bench --json`", printable(fileName));
     const Members root(json, printable(fileName));
     measure::BenchBase base;
-    const Json* const device = root.find("device");
-    GLINT_TRY(name, Members(device ? *device : Json(), printable(fileName) + ": device").text("name"));
+    const BaseJson* const device = root.find("device");
+    GLINT_TRY(name, Members(device ? *device : BaseJson(), printable(fileName) + ": device").text("name"));
     base.device = std::move(name);
     GLINT_TRY(warmUp, root.count("warmUp", 0, 100000));
     GLINT_TRY(frames, root.count("frames", 1, 100000));

@@ -91,7 +91,7 @@ Result<measure::BenchScene> makeScene(const BenchOptions& options, const std::st
     return scene;
 }
 
-void showProgress(const std::string& point) {
+void showPoint(const std::string& point) {
     if (isatty(fileno(stderr)))
         fmt::print(stderr, "measuring {}\n", printable(point));
 }
@@ -125,7 +125,7 @@ Result<void> benchRays(const BenchOptions& options) {
     GLINT_TRY(series, makeRayBenchSeries(options.rays));
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(result, measure::runRayBench(*context, series, showProgress));
+    GLINT_TRY(result, measure::runRayBench(*context, series, showPoint));
     GLINT_CHECK(show(options, *context, rayBenchText(result), rayBenchJson(result)));
     return measure::checkSameHits(result);
 }
@@ -146,7 +146,7 @@ Result<void> benchCreation(const BenchOptions& options) {
     }
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(result, measure::measureCreation(*context, plan, showProgress));
+    GLINT_TRY(result, measure::measureCreation(*context, plan, showPoint));
     return show(options, *context, createBenchText(result), createBenchJson(result));
 }
 
@@ -160,7 +160,7 @@ Result<measure::BenchResult> measureAll(const BenchOptions& options, std::unique
     }
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(result, measure::runBench(*context, scenes, plan, showProgress));
+    GLINT_TRY(result, measure::runBench(*context, scenes, plan, showPoint));
     if (used)
         *used = std::move(context);
     return result;

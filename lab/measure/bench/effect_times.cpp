@@ -9,10 +9,10 @@ namespace glint::measure {
 namespace {
 
 using Times = std::vector<std::pair<std::string, double>>;
-using Samples = std::vector<std::pair<std::string, std::vector<double>>>;
+using PassSamples = std::vector<std::pair<std::string, std::vector<double>>>;
 
 /// Adds one sample per name and frame: a pass may run several times in a frame.
-void addSums(Samples& samples, const Times& passes) {
+void addSums(PassSamples& samples, const Times& passes) {
     Times sums;
     for (const auto& [name, milliseconds] : passes) {
         const auto found = std::ranges::find(sums, name, &Times::value_type::first);
@@ -22,7 +22,7 @@ void addSums(Samples& samples, const Times& passes) {
             found->second += milliseconds;
     }
     for (const auto& [name, milliseconds] : sums) {
-        auto found = std::ranges::find(samples, name, &Samples::value_type::first);
+        auto found = std::ranges::find(samples, name, &PassSamples::value_type::first);
         if (found == samples.end())
             found = samples.insert(samples.end(), {name, {}});
         found->second.push_back(milliseconds);

@@ -19,8 +19,8 @@ struct Letter {
     std::vector<Stroke> strokes;
 };
 
-constexpr float kBend = 0.09f;    ///< radius of a bent corner, of the letter's height
-constexpr float kSpacing = 0.34f; ///< between letters, of the letter's height
+constexpr float kBend = 0.09f;          ///< radius of a bent corner, of the letter's height
+constexpr float kLetterSpacing = 0.34f; ///< between letters, of the letter's height
 
 Stroke bent(std::initializer_list<glm::vec3> corners) {
     return roundedPolyline(std::span(corners.begin(), corners.size()), kBend);
@@ -54,9 +54,9 @@ Letter letter(char c) {
 }
 
 float textWidth(std::string_view text) {
-    float width = -kSpacing;
+    float width = -kLetterSpacing;
     for (const char c : text)
-        width += letter(c).width + kSpacing;
+        width += letter(c).width + kLetterSpacing;
     return width;
 }
 
@@ -72,7 +72,7 @@ Geometry neonText(std::string_view text, float height, float tubeRadius) {
                 p = height * (p + glm::vec3(x, 0, 0));
             append(out, tube(stroke, tubeRadius));
         }
-        x += shape.width + kSpacing;
+        x += shape.width + kLetterSpacing;
     }
     return out;
 }

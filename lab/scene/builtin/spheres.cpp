@@ -14,15 +14,15 @@ namespace glint::scene::builtin {
 namespace {
 
 constexpr int kColumns = 9, kRows = 5;
-constexpr float kRadius = 0.22f, kSpacing = 0.56f; // metres
+constexpr float kBallRadius = 0.22f, kBallSpacing = 0.56f; // metres
 constexpr float kStepHeight = 0.3f, kStepDepth = 0.62f;
 
 Geometry ball() {
-    return sphere(kRadius, 48, 24);
+    return sphere(kBallRadius, 48, 24);
 }
 
 float columnX(int column, int columns) {
-    return kSpacing * (static_cast<float>(column) - static_cast<float>(columns - 1) / 2);
+    return kBallSpacing * (static_cast<float>(column) - static_cast<float>(columns - 1) / 2);
 }
 
 void addFloor(SceneBuilder& b) {
@@ -44,7 +44,7 @@ void addChart(SceneBuilder& b) {
                 dielectric(fmt::format("roughness {:.3f} metallic {:.2f}", roughness, row * 0.25), color, roughness);
             m.metallicFactor = static_cast<float>(row) / (kRows - 1);
             const std::string name = m.name;
-            b.add(name, ball(), b.material(std::move(m)), {{columnX(column, kColumns), top + kRadius, z}});
+            b.add(name, ball(), b.material(std::move(m)), {{columnX(column, kColumns), top + kBallRadius, z}});
         }
     }
 }
@@ -56,7 +56,7 @@ void addDielectrics(SceneBuilder& b) {
     for (int i = 0; i < 7; ++i) {
         const std::string name = fmt::format("lacquer {}", i);
         const int material = b.material(dielectric(name, colors[static_cast<size_t>(i)], 0.05f));
-        b.add(name, ball(), material, {{1.25f * columnX(i, 7), kRadius, 1.05f}});
+        b.add(name, ball(), material, {{1.25f * columnX(i, 7), kBallRadius, 1.05f}});
     }
 }
 

@@ -7,8 +7,6 @@
 namespace glint::scene::gltf {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 /// Returns a required number above 0.
 float positive(const JsonObject& object, const char* key) {
     if (!object.has(key)) {
@@ -28,7 +26,7 @@ void readPerspective(const JsonObject& object, Lens& lens) {
     if (object.has("aspectRatio"))
         lens.aspectRatio = positive(object, "aspectRatio");
     lens.near = positive(object, "znear");
-    lens.far = object.has("zfar") ? positive(object, "zfar") : kInfinity;
+    lens.far = object.has("zfar") ? positive(object, "zfar") : std::numeric_limits<float>::infinity();
 }
 
 void readOrthographic(const JsonObject& object, Lens& lens) {

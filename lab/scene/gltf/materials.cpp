@@ -6,8 +6,6 @@
 namespace glint::scene::gltf {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 /// KHR_texture_transform: scale, then rotation, then translation. The extension's angle is counter-clockwise in the
 /// image, where v points down, so clockwise in (u, v). (The matrix in its text rotates the other way; the Khronos test
 /// model TextureTransformTest and the Khronos viewer agree with this one.)
@@ -112,7 +110,8 @@ void readTransmission(const JsonObject& transmission, const JsonObject& volume, 
     material.thicknessTexture = readSlot(volume, "thicknessTexture", scene);
     material.attenuationColor = glm::clamp(volume.vector<3>("attenuationColor", glm::vec3(1)), 0.0f, 1.0f);
     const float distance = volume.number("attenuationDistance", 0, 0);
-    material.attenuationDistance = distance > 0 ? distance : kInfinity; // the schema excludes 0
+    material.attenuationDistance =
+        distance > 0 ? distance : std::numeric_limits<float>::infinity(); // the schema excludes 0
 }
 
 void readClearcoat(const JsonObject& clearcoat, const Scene& scene, Material& material) {

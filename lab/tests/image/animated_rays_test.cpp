@@ -10,7 +10,7 @@
 #include <algorithm>
 
 namespace glint::test {
-namespace {
+namespace animated_rays_test {
 
 /// A mirror floor, a square that moves over it, and a square whose upper corners are pulled sideways (a morph target).
 std::string movingScene(const std::string& path) {
@@ -102,5 +102,5 @@ TEST_P(AnimatedRaysTest, aPoseLaterIsAsIfMadeForIt) {
 
 INSTANTIATE_TEST_SUITE_P(Backends, AnimatedRaysTest, testing::Values("query", "bvh"));
 
-} // namespace
+} // namespace animated_rays_test
 } // namespace glint::test

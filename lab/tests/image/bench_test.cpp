@@ -9,7 +9,7 @@
 #include <memory>
 
 namespace glint::test {
-namespace {
+namespace bench_test {
 
 render::ProgramSettings settings(const std::vector<std::string>& assignments) {
     return must(render::loadSettings({.defaults = {}, .preset = {}, .file = {}, .assignments = assignments}));
@@ -79,5 +79,5 @@ TEST(Bench, ABudgetMeansFewerFrames) {
     EXPECT_LT(result.points[0].figures[0].times.frames(), 10000u);
 }
 
-} // namespace
+} // namespace bench_test
 } // namespace glint::test

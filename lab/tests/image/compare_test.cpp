@@ -19,7 +19,7 @@
 #include <memory>
 
 namespace glint::test {
-namespace {
+namespace compare_test {
 
 measure::ComparedConfig config(const std::string& scene, const std::string& text) {
     measure::ComparedConfig config;
@@ -181,5 +181,5 @@ TEST(Compare, APageIsMadeOfIt) {
         EXPECT_TRUE(figure.name == "time.floors" || figure.estimate.standardError == 0) << figure.name;
 }
 
-} // namespace
+} // namespace compare_test
 } // namespace glint::test

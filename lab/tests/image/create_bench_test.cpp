@@ -9,7 +9,7 @@
 #include <memory>
 
 namespace glint::test {
-namespace {
+namespace create_bench_test {
 
 TEST(CreateBench, TimesTheFirstObjectAndThoseThatShareItsPipelines) {
     const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
@@ -61,5 +61,5 @@ TEST(CreateBench, WrongSettingsAreAnError) {
     EXPECT_NE(result.error().message.find("screen.maxSteps"), std::string::npos) << result.error().message;
 }
 
-} // namespace
+} // namespace create_bench_test
 } // namespace glint::test

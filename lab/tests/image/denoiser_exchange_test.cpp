@@ -16,7 +16,7 @@
 #include <map>
 
 namespace glint::test {
-namespace {
+namespace denoiser_exchange_test {
 
 using Json = nlohmann::json;
 using testing::HasSubstr;
@@ -270,5 +270,5 @@ TEST(DenoiserExchange, TheDumpComesBackAsAnotherDenoisersFrames) {
     EXPECT_NEAR(rough["energy"]["mean"], own["reflection"]["rough"]["energy"]["mean"], 0.05);
 }
 
-} // namespace
+} // namespace denoiser_exchange_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 namespace glint::test {
-namespace {
+namespace golden_test {
 
 class GoldenTest : public testing::Test {
 protected:
@@ -136,5 +136,5 @@ TEST_F(GoldenTest, ADamagedGoldenFails) {
     EXPECT_FALSE(judge(grey(0)).good);
 }
 
-} // namespace
+} // namespace golden_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 namespace glint::test {
-namespace {
+namespace hierarchy_test {
 
 class HierarchyTest : public JobTest {
 protected:
@@ -107,5 +107,5 @@ TEST_F(HierarchyTest, TheBestWinsInTheOpen) {
     measure("no mirrors: ", withoutMirrors(pictures));
 }
 
-} // namespace
+} // namespace hierarchy_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace glint::test {
-namespace {
+namespace hybrid_test {
 
 class HybridTest : public JobTest {
 protected:
@@ -94,5 +94,5 @@ TEST_F(HybridTest, LightOfThePictureIsReusedOnlyWhereAsked) {
     EXPECT_EQ(with.rays.rays, without.rays.rays);
 }
 
-} // namespace
+} // namespace hybrid_test
 } // namespace glint::test

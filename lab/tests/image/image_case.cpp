@@ -10,7 +10,7 @@
 namespace glint::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using CaseJson = nlohmann::ordered_json;
 
 constexpr size_t kLongestCase = 1 << 16; ///< bytes
 constexpr std::string_view kAssets = "assets:";
@@ -22,7 +22,7 @@ public:
         case_.name = std::filesystem::path(path).stem().string();
     }
 
-    Result<ImageCase> read(const Json& json) {
+    Result<ImageCase> read(const CaseJson& json) {
         // GoogleTest's filters interpret '-' and other characters.
         const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
         if (!std::ranges::all_of(case_.name, plain))
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    bool readKey(const std::string& key, const Json& value) {
+    bool readKey(const std::string& key, const CaseJson& value) {
         cli::RenderOptions& options = case_.options;
         if (key == "description")
             return value.is_string();
@@ -69,25 +69,25 @@ private:
         return false;
     }
 
-    static bool readText(const Json& value, std::string& text) {
+    static bool readText(const CaseJson& value, std::string& text) {
         if (value.is_string())
             value.get_to(text);
         return value.is_string();
     }
-    static bool readNumber(const Json& value, double& number) {
+    static bool readNumber(const CaseJson& value, double& number) {
         if (value.is_number())
             value.get_to(number);
         return value.is_number();
     }
-    static bool readTexts(const Json& value, std::vector<std::string>& texts) {
+    static bool readTexts(const CaseJson& value, std::vector<std::string>& texts) {
         if (!value.is_array())
             return false;
-        for (const Json& text : value)
+        for (const CaseJson& text : value)
             if (!readText(text, texts.emplace_back()))
                 return false;
         return true;
     }
-    bool readPlace(const Json& value, std::string& place) {
+    bool readPlace(const CaseJson& value, std::string& place) {
         if (!readText(value, place))
             return false;
         if (place.starts_with(kAssets)) {
@@ -96,13 +96,13 @@ private:
         }
         return true;
     }
-    bool readSize(const Json& value) {
+    bool readSize(const CaseJson& value) {
         if (!value.is_array() || value.size() != 2 || !value[0].is_number_unsigned() || !value[1].is_number_unsigned())
             return false;
         case_.options.size = fmt::format("{}x{}", value[0].get<uint64_t>(), value[1].get<uint64_t>());
         return true;
     }
-    bool readTolerance(const Json& value) {
+    bool readTolerance(const CaseJson& value) {
         if (!value.is_object())
             return false;
         for (const auto& [key, number] : value.items()) {
@@ -125,7 +125,7 @@ private:
 
 Result<ImageCase> readImageCase(const std::string& path, const std::string& assets) {
     GLINT_TRY(text, readFile(path, kLongestCase));
-    const Json json = Json::parse(text, nullptr, false);
+    const CaseJson json = CaseJson::parse(text, nullptr, false);
     if (json.is_discarded())
         return invalidInput("{}: not JSON", path);
     return CaseReader(path, assets).read(json);

@@ -13,7 +13,7 @@
 #include <memory>
 
 namespace glint::test {
-namespace {
+namespace image_test {
 
 const std::string kImageFolder = std::string(GLINT_SOURCE_DIR) + "/lab/tests/image/";
 const GoldenPlaces kPlaces = {kImageFolder + "goldens", GLINT_IMAGE_FAILURES};
@@ -97,5 +97,5 @@ const bool kRegistered = [] {
     return true;
 }();
 
-} // namespace
+} // namespace image_test
 } // namespace glint::test

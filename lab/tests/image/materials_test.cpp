@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace materials_test {
 
 class MaterialsTest : public JobTest {
 protected:
@@ -98,5 +98,5 @@ TEST_F(MaterialsTest, APlanarMarkMakesAMirrorOrForbidsIt) {
     EXPECT_EQ(shown(R"("floor mirror": {"planar": false})", MirrorSearch::Auto), without);
 }
 
-} // namespace
+} // namespace materials_test
 } // namespace glint::test

@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace planar_test {
 
 class PlanarTest : public JobTest {
 protected:
@@ -245,5 +245,5 @@ TEST_F(PlanarTest, OddSizesSeveralSamplesAndModesWork) {
     }
 }
 
-} // namespace
+} // namespace planar_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace probes_outdoors_test {
 
 struct Street {
     GltfBuilder builder;
@@ -157,5 +157,5 @@ TEST_F(OutdoorProbesTest, aStreetUnderTheSkyIsNoWorseWithProbes) {
     EXPECT_LT(static_cast<double>(probes.falseGreen), 0.02 * static_cast<double>(probes.pixels));
 }
 
-} // namespace
+} // namespace probes_outdoors_test
 } // namespace glint::test

@@ -14,7 +14,7 @@
 #include <filesystem>
 
 namespace glint::test {
-namespace {
+namespace probes_test {
 
 class BakedProbesTest : public JobTest {
 protected:
@@ -273,5 +273,5 @@ TEST_F(BakedProbesTest, autoTakesTheFileBesideTheSceneOrBakes) {
     EXPECT_EQ(must(render::runJob(device(), job)).views[0].rgba, baked.views[0].rgba);
 }
 
-} // namespace
+} // namespace probes_test
 } // namespace glint::test

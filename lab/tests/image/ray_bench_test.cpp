@@ -10,7 +10,7 @@
 #include <memory>
 
 namespace glint::test {
-namespace {
+namespace ray_bench_test {
 
 TEST(RayBench, TimesEveryBackEndOnTheSameRays) {
     const std::unique_ptr<gpu::Context> context = must(gpu::Context::create({.device = {}, .validation = true}));
@@ -78,5 +78,5 @@ TEST(RayBench, OtherHitsAreAnError) {
     EXPECT_FALSE(measure::checkSameHits(result));
 }
 
-} // namespace
+} // namespace ray_bench_test
 } // namespace glint::test

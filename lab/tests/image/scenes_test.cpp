@@ -17,7 +17,7 @@
 #include <filesystem>
 
 namespace glint::test {
-namespace {
+namespace scenes_test {
 
 render::RenderJob makeJob(const std::string& scene, uint32_t width, uint32_t height, std::vector<std::string> views,
                           const std::vector<std::string>& assignments) {
@@ -276,5 +276,5 @@ TEST_P(SampleModelsTest, renderWithoutAValidationMessage) {
 
 INSTANTIATE_TEST_SUITE_P(Shards, SampleModelsTest, testing::Range<size_t>(0, 4));
 
-} // namespace
+} // namespace scenes_test
 } // namespace glint::test

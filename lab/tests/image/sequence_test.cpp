@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace sequence_test {
 
 using Frames = std::vector<std::vector<float>>;
 
@@ -190,5 +190,5 @@ TEST_F(SequenceTest, NothingMovesWhereNothingChanges) {
     EXPECT_FALSE(switched.empty()); // the lamp's light shrinks
 }
 
-} // namespace
+} // namespace sequence_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace sources_test {
 
 std::string nameOf(unsigned sources) {
     constexpr std::array kNames = {"screen ", "rays ", "planar ", "probes ", "sky "};
@@ -76,5 +76,5 @@ TEST_F(SourcesTest, MoreAreNotWorseInTheOpen) {
     expectMoreIsNotWorse(errors(openJob(path, 160, 90)));
 }
 
-} // namespace
+} // namespace sources_test
 } // namespace glint::test

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 namespace glint::test {
-namespace {
+namespace trace_command_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -49,5 +49,5 @@ TEST(TraceCommand, RaysAreMissedOnlyByThoseWhoAskedForThem) {
     EXPECT_THAT(notesOf({"--set", "rays.enabled=true"}), Not(HasSubstr("setRays")));
 }
 
-} // namespace
+} // namespace trace_command_test
 } // namespace glint::test

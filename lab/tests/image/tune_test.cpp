@@ -14,7 +14,7 @@
 #include <memory>
 
 namespace glint::test {
-namespace {
+namespace tune_test {
 
 using Json = nlohmann::json;
 
@@ -110,5 +110,5 @@ TEST(Tune, AnInterruptedSearchEndsAsOneThatWasNot) {
     EXPECT_EQ(json["sensitivities"].size(), choice["settings"].size());
 }
 
-} // namespace
+} // namespace tune_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 namespace glint::test {
-namespace {
+namespace antialias_test {
 
 class AntialiasTest : public RenderTest {
 protected:
@@ -285,5 +285,5 @@ TEST_F(AntialiasTest, ProbesRunFromTheBottomUp) {
     }
 }
 
-} // namespace
+} // namespace antialias_test
 } // namespace glint::test

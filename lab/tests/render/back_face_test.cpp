@@ -2,7 +2,7 @@
 #include "lab/tests/render/support/render_test.hpp"
 
 namespace glint::test {
-namespace {
+namespace back_face_test {
 
 /// Of orthographicCamera(): near 0.1 m unless the camera says otherwise, far 100 m, reversed and linear.
 float depthAt(const scene::Camera& camera, float viewZ) {
@@ -124,5 +124,5 @@ TEST_F(BackFaceTest, SettingsDecide) {
     EXPECT_FALSE(render::gbufferOptions(settings, render::Antialias::None).backFaces) << "nobody would read them";
 }
 
-} // namespace
+} // namespace back_face_test
 } // namespace glint::test

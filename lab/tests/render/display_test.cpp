@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace display_test {
 
 double srgb(double linear) { // IEC 61966-2-1
     linear = std::clamp(linear, 0.0, 1.0);
@@ -97,5 +97,5 @@ TEST_F(DisplayTest, AgxKeepsGreysGreyAndRisesWithLight) {
     EXPECT_NEAR(shown[12].g, std::pow(0.18, 1 / 2.4), 0.015);
 }
 
-} // namespace
+} // namespace display_test
 } // namespace glint::test

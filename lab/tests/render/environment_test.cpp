@@ -4,7 +4,7 @@
 #include "lab/renderer/sky.hpp"
 
 namespace glint::test {
-namespace {
+namespace environment_test {
 
 /// Each axis its own colour, smooth between.
 glm::vec3 directionColor(const glm::vec3& d) {
@@ -117,5 +117,5 @@ TEST(SkyTest, IsFiniteAndSaneAtEveryElevation) {
         }
 }
 
-} // namespace
+} // namespace environment_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include "tests/gpu/support/gpu_test.hpp"
 
 namespace glint::test {
-namespace {
+namespace host_frame_test {
 
 Error fixed(const char* what) {
     return makeError(ErrorCode::Unsupported, "the {} of a stored G-buffer cannot be changed", what);
@@ -139,5 +139,5 @@ TEST_F(HostFrameTest, WhatAHostCannotChangeIsAnErrorAndTheFrameStays) {
     EXPECT_NE(must(session.readView("composite")).rgba, before);
 }
 
-} // namespace
+} // namespace host_frame_test
 } // namespace glint::test

@@ -4,7 +4,7 @@
 #include "tests/gpu/support/brdf_oracle.hpp"
 
 namespace glint::test {
-namespace {
+namespace lighting_test {
 
 /// glTF's model under one light, with Turquin's compensation, looking along the normal.
 glm::dvec3 litSquare(const scene::Material& material, double lightAngle, double irradiance) {
@@ -132,5 +132,5 @@ TEST_F(LightingTest, ShadowFallsWhereTheBlockerIs) {
     }
 }
 
-} // namespace
+} // namespace lighting_test
 } // namespace glint::test

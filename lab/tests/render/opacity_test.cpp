@@ -6,7 +6,7 @@
 #include <functional>
 
 namespace glint::test {
-namespace {
+namespace opacity_test {
 
 class OpacityTest : public GpuTest {
 protected:
@@ -59,5 +59,5 @@ TEST_F(OpacityTest, GlassInFrontOfTheSkyIsOpaque) {
     }
 }
 
-} // namespace
+} // namespace opacity_test
 } // namespace glint::test

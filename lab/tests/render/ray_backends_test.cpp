@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 namespace glint::test {
-namespace {
+namespace ray_backends_test {
 
 class RayBackendsTest : public GpuTest {
 protected:
@@ -78,5 +78,5 @@ TEST_F(RayBackendsTest, aDeviceWithoutRayQueriesSaysSoOrTakesTheOther) {
         std::ranges::any_of(drawn.stats.passes, [](const auto& pass) { return pass.first == "rays/reflect_bvh"; }));
 }
 
-} // namespace
+} // namespace ray_backends_test
 } // namespace glint::test

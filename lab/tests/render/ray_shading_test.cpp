@@ -10,7 +10,7 @@
 #include <algorithm>
 
 namespace glint::test {
-namespace {
+namespace ray_shading_test {
 
 struct Differences {
     size_t pixels = 0; ///< that show a surface
@@ -142,5 +142,5 @@ TEST_P(RayShadingTest, hallWithShadowsByRaysLooksAsItIsDrawn) {
     EXPECT_LT(found.percentile95, 0.05);
 }
 
-} // namespace
+} // namespace ray_shading_test
 } // namespace glint::test

@@ -16,7 +16,7 @@
 #include <unordered_map>
 
 namespace glint::test {
-namespace {
+namespace rays_test {
 
 constexpr size_t kRays = 60000;
 
@@ -152,5 +152,5 @@ TEST_F(RaysTest, aMillionTrianglesAreHitAsByEmbree) {
     expectEmbreesHits(builder.take(), "million");
 }
 
-} // namespace
+} // namespace rays_test
 } // namespace glint::test

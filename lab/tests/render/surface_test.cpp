@@ -2,7 +2,7 @@
 #include "lab/tests/render/support/render_test.hpp"
 
 namespace glint::test {
-namespace {
+namespace surface_test {
 
 class SurfaceTest : public RenderTest {
 protected:
@@ -168,5 +168,5 @@ TEST_F(SurfaceTest, ImpossibleSizesAreErrors) {
     }
 }
 
-} // namespace
+} // namespace surface_test
 } // namespace glint::test

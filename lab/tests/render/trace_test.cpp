@@ -14,7 +14,7 @@
 #include <random>
 
 namespace glint::test {
-namespace {
+namespace trace_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -504,5 +504,5 @@ TEST_F(TraceSequenceTest, FramesHaveOneSize) {
     EXPECT_THAT(traced.error().message, HasSubstr("160x45 pixels, but the first frame has 160x90"));
 }
 
-} // namespace
+} // namespace trace_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace animation_sampling_test {
 
 using scene::Animation;
 using scene::AnimationChannel;
@@ -124,5 +124,5 @@ TEST(PlayedAnimations, CollidingOnesAreLeftOutWhole) {
     EXPECT_THAT(names, ElementsAre("walk", "blink", "lamp"));
 }
 
-} // namespace
+} // namespace animation_sampling_test
 } // namespace glint::test

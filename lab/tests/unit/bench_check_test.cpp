@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::test {
-namespace {
+namespace bench_check_test {
 
 using measure::BenchBase;
 using measure::BenchFigure;
@@ -109,5 +109,5 @@ TEST(BenchCheck, WhatIsNoBenchmarkIsAnErrorThatSaysWhere) {
     }
 }
 
-} // namespace
+} // namespace bench_check_test
 } // namespace glint::test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::test {
-namespace {
+namespace body_shape_test {
 
 using render::bodyShape;
 
@@ -54,5 +54,5 @@ TEST(BodyShape, BrokenGeometryIsAPlate) {
     EXPECT_EQ(bodyShape(glass(1), point), BodyShape::Plane);
 }
 
-} // namespace
+} // namespace body_shape_test
 } // namespace glint::test

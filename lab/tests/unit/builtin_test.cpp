@@ -21,7 +21,7 @@
 #include <tuple>
 
 namespace glint::scene {
-namespace {
+namespace builtin_test {
 
 using namespace builtin;
 
@@ -551,5 +551,5 @@ TEST(BuiltinExact, FromTheFrontNearlyAllOneBounceReflectionsAreOnScreen) {
     RecordProperty("hidden_per_mille", 1000 * shares.onceHidden / shares.onceLit);
 }
 
-} // namespace
+} // namespace builtin_test
 } // namespace glint::scene

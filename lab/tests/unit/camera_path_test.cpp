@@ -11,7 +11,7 @@
 #include <glm/gtc/constants.hpp>
 
 namespace glint::scene {
-namespace {
+namespace camera_path_test {
 
 using test::must;
 
@@ -148,5 +148,5 @@ TEST_F(PathFileTest, ErrorsNameTheKeyAndTheField) {
     EXPECT_EQ(readPathFile(folder_ + "none.json").error().code, ErrorCode::NotFound);
 }
 
-} // namespace
+} // namespace camera_path_test
 } // namespace glint::scene

@@ -12,7 +12,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace camera_test {
 
 using scene::Bounds;
 using scene::Camera;
@@ -128,5 +128,5 @@ TEST(FrameBounds, NothingAndOnePoint) {
     }
 }
 
-} // namespace
+} // namespace camera_test
 } // namespace glint::test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::cli {
-namespace {
+namespace child_process_test {
 
 TEST(ChildProcess, BothOutputsAndTheCodeComeBack) {
     const auto said = runChild({"sh", "-c", "printf out; printf wrong >&2; exit 3"});
@@ -21,5 +21,5 @@ TEST(ChildProcess, BothOutputsAndTheCodeComeBack) {
     EXPECT_EQ(none.error().code, ErrorCode::NotFound);
 }
 
-} // namespace
+} // namespace child_process_test
 } // namespace glint::cli

@@ -17,7 +17,7 @@
 #include <optional>
 
 namespace glint::cli {
-namespace {
+namespace cli_test {
 
 struct Ended {
     int code = 0;
@@ -494,5 +494,5 @@ TEST_F(CliTest, TuneRefusesWhatItCannotSearch) {
     EXPECT_NE(refused({"--budget", "1", "-o", "/no/such/folder/a.json"}).find("-o"), std::string::npos);
 }
 
-} // namespace
+} // namespace cli_test
 } // namespace glint::cli

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::cli {
-namespace {
+namespace command_text_test {
 
 TEST(CommandText, WordsAreQuotedWhereAShellWouldReadMore) {
     EXPECT_EQ(shellWord("builtin:hall"), "builtin:hall");
@@ -44,5 +44,5 @@ TEST(CommandText, AConfigRendersWithItsPresetAndSettings) {
     EXPECT_EQ(renderCommand({}, "a.glb", "mine.json", 64, 36), "glint render a.glb --size 64x36 --settings mine.json");
 }
 
-} // namespace
+} // namespace command_text_test
 } // namespace glint::cli

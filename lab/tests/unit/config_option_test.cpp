@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::cli {
-namespace {
+namespace config_option_test {
 
 using Strings = std::vector<std::string>;
 
@@ -44,5 +44,5 @@ TEST(ConfigOption, WhatCannotBeReadIsNamed) {
     EXPECT_NE(readConfig("slow").error().message.find("babylon, balanced"), std::string::npos);
 }
 
-} // namespace
+} // namespace config_option_test
 } // namespace glint::cli

@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace glint::cli {
-namespace {
+namespace curve_file_test {
 
 using CurveFile = nlohmann::ordered_json;
 
@@ -125,5 +125,5 @@ TEST_F(CurveFileTest, BadValuesAreOneLine) {
     EXPECT_EQ(readCurve(folder_ + "none.json").error().code, ErrorCode::NotFound);
 }
 
-} // namespace
+} // namespace curve_file_test
 } // namespace glint::cli

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::test {
-namespace {
+namespace deformation_test {
 
 using scene::Geometry;
 using scene::Primitive;
@@ -116,5 +116,5 @@ TEST(Skin, MirroringKeepsFrontsAndHands) {
     expectNear(bitangent, {0, 1, 0});
 }
 
-} // namespace
+} // namespace deformation_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace glint::measure {
-namespace {
+namespace denoiser_feed_test {
 
 using Pixel = std::array<float, 4>;
 
@@ -112,5 +112,5 @@ TEST(DenoiserFeed, EveryLayerIsDescribed) {
     }
 }
 
-} // namespace
+} // namespace denoiser_feed_test
 } // namespace glint::measure

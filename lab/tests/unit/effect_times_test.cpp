@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::measure {
-namespace {
+namespace effect_times_test {
 
 render::FrameTimes frame(double floor, double trace) {
     return {1,
@@ -58,5 +58,5 @@ TEST(EffectTimes, SpreadOfFewAndNoValues) {
     EXPECT_EQ(Spread::of({5, 1, 3}).p95, 5);
 }
 
-} // namespace
+} // namespace effect_times_test
 } // namespace glint::measure

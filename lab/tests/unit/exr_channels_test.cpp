@@ -14,7 +14,7 @@
 #include <limits>
 
 namespace glint::scene {
-namespace {
+namespace exr_channels_test {
 
 using test::ExrPart;
 using test::must;
@@ -148,5 +148,5 @@ TEST_F(ExrChannelsTest, TooManyPixelsAreRefusedBeforeMemoryIsTaken) {
     EXPECT_THAT(file.error().message, HasSubstr("40 x 30"));
 }
 
-} // namespace
+} // namespace exr_channels_test
 } // namespace glint::scene

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace glint::measure {
-namespace {
+namespace figure_change_test {
 
 Figure figure(FigureKind kind, std::vector<double> values, const std::string& name = "figure") {
     const Estimate estimate = values.size() > 1 ? Estimate::of(values) : Estimate{values.front(), 0, 0};
@@ -94,5 +94,5 @@ TEST(FigureChange, FiguresAreMatchedByName) {
     EXPECT_EQ(other.otherDevice, 1u);
 }
 
-} // namespace
+} // namespace figure_change_test
 } // namespace glint::measure

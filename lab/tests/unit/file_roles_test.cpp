@@ -12,7 +12,7 @@
 #include <filesystem>
 
 namespace glint::cli {
-namespace {
+namespace file_roles_test {
 
 using test::must;
 using testing::HasSubstr;
@@ -85,5 +85,5 @@ TEST_F(FileRolesTest, CommandsRefuseBeforeAnyWork) {
         EXPECT_EQ(must(readFile(file, 10)), "kept");
 }
 
-} // namespace
+} // namespace file_roles_test
 } // namespace glint::cli

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace glint::render {
-namespace {
+namespace find_mirrors_test {
 
 /// A square of `side` metres about the origin in the plane y = 0, of `cells` squares a side, facing up.
 scene::Geometry square(float side, int cells) {
@@ -160,5 +160,5 @@ TEST(FindMirrorsOf, theHallItsFloorAndTheMirrorOnItsWall) {
     EXPECT_TRUE(wall);
 }
 
-} // namespace
+} // namespace find_mirrors_test
 } // namespace glint::render

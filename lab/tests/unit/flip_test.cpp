@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace glint::measure {
-namespace {
+namespace flip_test {
 
 using Color = std::array<int, 3>;
 
@@ -205,5 +205,5 @@ TEST(ErrorColors, RiseFromBlackToPaleYellow) {
     }
 }
 
-} // namespace
+} // namespace flip_test
 } // namespace glint::measure

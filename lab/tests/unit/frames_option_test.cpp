@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace glint::cli {
-namespace {
+namespace frames_option_test {
 
 using test::must;
 using testing::HasSubstr;
@@ -56,5 +56,5 @@ TEST(FramesOption, OtherFormsAreErrorsThatSayWhatIsExpected) {
     EXPECT_THAT(openFrames("frames=a%d.exr:a%d.exr", 1).error().message, HasSubstr("both seeds are the same files"));
 }
 
-} // namespace
+} // namespace frames_option_test
 } // namespace glint::cli

@@ -10,7 +10,7 @@
 #include <random>
 
 namespace glint::render {
-namespace {
+namespace frustum_test {
 
 scene::Camera cameraAt(const glm::vec3& position, const glm::vec3& target, bool orthographic) {
     scene::Camera camera;
@@ -59,5 +59,5 @@ TEST(Frustum, HidesNothingThatIsNotANumber) {
     EXPECT_TRUE(frustum.mayShow(box));
 }
 
-} // namespace
+} // namespace frustum_test
 } // namespace glint::render

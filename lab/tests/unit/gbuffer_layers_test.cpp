@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::scene {
-namespace {
+namespace gbuffer_layers_test {
 
 using test::must;
 using testing::ElementsAre;
@@ -163,5 +163,5 @@ TEST(GBufferLayers, WhatReflectionsReplaceIsMissedWhereNoFileHasIt) {
     EXPECT_THAT(must(readLayers(file, plain, names)).notes, ElementsAre(HasSubstr("no layer is called Gloss")));
 }
 
-} // namespace
+} // namespace gbuffer_layers_test
 } // namespace glint::scene

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::scene {
-namespace {
+namespace gbuffer_mapping_test {
 
 using test::must;
 using testing::ElementsAre;
@@ -119,5 +119,5 @@ TEST(GBufferMapping, AnUnknownFileListsThePresets) {
     EXPECT_THAT(mapping.error().message, HasSubstr("blender and glint"));
 }
 
-} // namespace
+} // namespace gbuffer_mapping_test
 } // namespace glint::scene

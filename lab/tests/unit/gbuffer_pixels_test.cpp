@@ -10,7 +10,7 @@
 #include <limits>
 
 namespace glint::scene {
-namespace {
+namespace gbuffer_pixels_test {
 
 using test::must;
 using testing::HasSubstr;
@@ -249,5 +249,5 @@ TEST(GBufferPixels, AnImageWithoutSurfacesIsAnError) {
     EXPECT_THAT(pixels.error().message, HasSubstr("f.exr: no pixel shows a surface: Z declared as viewZ"));
 }
 
-} // namespace
+} // namespace gbuffer_pixels_test
 } // namespace glint::scene

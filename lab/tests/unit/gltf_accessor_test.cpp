@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace glint::test {
-namespace {
+namespace gltf_accessor_test {
 
 using testing::HasSubstr;
 
@@ -189,5 +189,5 @@ TEST(GltfAccessor, SharingOneAccessorCountsEachTime) {
     EXPECT_THAT(builder.readError(limits), HasSubstr("takes the scene beyond 8 MiB, the limit"));
 }
 
-} // namespace
+} // namespace gltf_accessor_test
 } // namespace glint::test

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace gltf_assets_test {
 
 namespace fs = std::filesystem;
 using scene::Geometry;
@@ -205,5 +205,5 @@ TEST(SampleModels, InstancesAndScenes) {
     EXPECT_NE(scene::pose(*scene, 0, 0)->items[0].node, scene::pose(*scene, 0, 1)->items[0].node);
 }
 
-} // namespace
+} // namespace gltf_assets_test
 } // namespace glint::test

@@ -8,7 +8,7 @@
 #include <meshoptimizer.h>
 
 namespace glint::test {
-namespace {
+namespace gltf_compression_test {
 
 using testing::HasSubstr;
 
@@ -249,5 +249,5 @@ TEST(Draco, EveryCutIsAnError) {
             << size;
 }
 
-} // namespace
+} // namespace gltf_compression_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace gltf_container_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -194,5 +194,5 @@ TEST(GltfExtensions, OptionalAndUnknownIsOneWarning) {
     EXPECT_THAT(lines[0], HasSubstr("test.glb: ignores KHR_materials_sheen, EXT_lights_ies"));
 }
 
-} // namespace
+} // namespace gltf_container_test
 } // namespace glint::test

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::test {
-namespace {
+namespace gltf_geometry_test {
 
 using scene::Geometry;
 using scene::Primitive;
@@ -232,5 +232,5 @@ TEST(GltfGeometry, NormalMapAsksForTangents) {
                 ElementsAre(glm::vec4(1, 0, 0, 1), glm::vec4(1, 0, 0, 1), glm::vec4(1, 0, 0, 1)));
 }
 
-} // namespace
+} // namespace gltf_geometry_test
 } // namespace glint::test

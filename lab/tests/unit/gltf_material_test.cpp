@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace gltf_material_test {
 
 using scene::AlphaMode;
 using scene::Material;
@@ -257,5 +257,5 @@ TEST(GltfTextures, UnusedImagesAreNotDecoded) {
     EXPECT_EQ(builder.readError(), "test.glb: images[0]: is no PNG, JPEG or WebP image");
 }
 
-} // namespace
+} // namespace gltf_material_test
 } // namespace glint::test

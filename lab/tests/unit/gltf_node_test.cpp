@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace gltf_node_test {
 
 using scene::Scene;
 using testing::HasSubstr;
@@ -266,5 +266,5 @@ TEST(GltfAnimations, ChannelsThatAreLeftOut) {
     EXPECT_TRUE(read(builder).animations[0].channels.empty());
 }
 
-} // namespace
+} // namespace gltf_node_test
 } // namespace glint::test

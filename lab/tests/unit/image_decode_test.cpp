@@ -12,7 +12,7 @@
 #include <iterator>
 
 namespace glint::test {
-namespace {
+namespace image_decode_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -117,5 +117,5 @@ TEST(JpegTables, RealFilesPass) {
     EXPECT_TRUE(scene::decodeImage(view, "a.jpeg"));
 }
 
-} // namespace
+} // namespace image_decode_test
 } // namespace glint::test

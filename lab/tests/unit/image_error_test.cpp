@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace glint::measure {
-namespace {
+namespace image_error_test {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -102,5 +102,5 @@ TEST(DisplayDifference, AToleranceOfWholeBytesAllowsThem) {
     }
 }
 
-} // namespace
+} // namespace image_error_test
 } // namespace glint::measure

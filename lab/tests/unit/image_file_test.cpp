@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace glint::scene {
-namespace {
+namespace image_file_test {
 
 constexpr uint64_t kMaxPixels = 1 << 20;
 
@@ -267,5 +267,5 @@ TEST_F(ImageFileTest, WritingIntoAFolderThatIsNotThereIsAnError) {
     expectError(writeExr(folder_ + "none/a.exr", 1, 1, {&layer, 1}), folder_ + "none/a.exr", "No such file");
 }
 
-} // namespace
+} // namespace image_file_test
 } // namespace glint::scene

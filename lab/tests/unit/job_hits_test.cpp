@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::measure {
-namespace {
+namespace job_hits_test {
 
 constexpr uint32_t kWidth = 96, kHeight = 54;
 
@@ -92,5 +92,5 @@ TEST(HitSettings, LetEveryReflectivePixelTraceItsMirrorRay) {
     EXPECT_EQ(all.reflections.screen.step, 7);
 }
 
-} // namespace
+} // namespace job_hits_test
 } // namespace glint::measure

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::render {
-namespace {
+namespace job_inputs_test {
 
 TEST(JobInputs, ABuiltinSceneHasItsFirstCameraAndItsEnvironment) {
     const auto inputs = loadJobInputs({.scene = "builtin:exact"});
@@ -62,5 +62,5 @@ TEST(JobInputs, ScenesThatAreNotThereAreErrors) {
     EXPECT_EQ(loadJobInputs({.scene = "/no/such/scene.glb"}).error().code, ErrorCode::NotFound);
 }
 
-} // namespace
+} // namespace job_inputs_test
 } // namespace glint::render

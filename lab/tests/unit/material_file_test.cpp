@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace glint::scene {
-namespace {
+namespace material_file_test {
 
 using test::must;
 using testing::HasSubstr;
@@ -286,5 +286,5 @@ TEST_F(MaterialJobTest, MaterialsCanBeSetAgainFromTheFilesOwn) {
     EXPECT_EQ(inputs.scene->materials.size(), inputs.fileMaterials.size());
 }
 
-} // namespace
+} // namespace material_file_test
 } // namespace glint::scene

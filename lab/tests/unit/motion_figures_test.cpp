@@ -9,7 +9,7 @@
 #include <random>
 
 namespace glint::measure {
-namespace {
+namespace motion_figures_test {
 
 constexpr uint32_t kWidth = 64, kHeight = 48;
 constexpr uint8_t kGlossyBand = 1;
@@ -352,5 +352,5 @@ TEST(MotionFigures, OneSeedKnowsTheWholeErrorAlone) {
         EXPECT_TRUE(std::isnan(unknown.mean) && std::isnan(unknown.p95) && std::isnan(unknown.standardError));
 }
 
-} // namespace
+} // namespace motion_figures_test
 } // namespace glint::measure

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::render {
-namespace {
+namespace pass_times_test {
 
 using Times = std::vector<std::pair<std::string, double>>;
 
@@ -31,5 +31,5 @@ TEST(PassTimes, ForgetTheOlderHalfOfManyFrames) {
     EXPECT_EQ(times.medians(), (Times{{"pass", 9}}));
 }
 
-} // namespace
+} // namespace pass_times_test
 } // namespace glint::render

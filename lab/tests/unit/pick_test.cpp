@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::scene {
-namespace {
+namespace pick_test {
 
 class PickTest : public testing::Test {
 protected:
@@ -57,5 +57,5 @@ TEST_F(PickTest, RaysGoThroughThePointOfTheImage) {
     EXPECT_NEAR(glm::distance(parallel.directionWS, glm::vec3(0, 0, -1)), 0, 1e-6);
 }
 
-} // namespace
+} // namespace pick_test
 } // namespace glint::scene

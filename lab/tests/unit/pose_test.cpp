@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace pose_test {
 
 using scene::Scene;
 
@@ -127,5 +127,5 @@ TEST(Pose, UnknownScene) {
     EXPECT_EQ(pose.error().code, ErrorCode::InvalidArgument);
 }
 
-} // namespace
+} // namespace pose_test
 } // namespace glint::test

@@ -15,7 +15,7 @@
 #include <random>
 
 namespace glint::render {
-namespace {
+namespace probe_file_test {
 
 using testing::HasSubstr;
 
@@ -192,5 +192,5 @@ TEST(SceneHash, tellsScenesMomentsAndLightsApart) {
     EXPECT_NE(light, lightHash(sky, settings));
 }
 
-} // namespace
+} // namespace probe_file_test
 } // namespace glint::render

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::render {
-namespace {
+namespace probe_places_test {
 
 using testing::HasSubstr;
 
@@ -65,5 +65,5 @@ TEST(ProbePlaces, mistakesAreNamed) {
     EXPECT_THAT(errorOf(probeWith(R"(, "proxy": 5)")), HasSubstr("proxy"));
 }
 
-} // namespace
+} // namespace probe_places_test
 } // namespace glint::render

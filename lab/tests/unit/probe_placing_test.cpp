@@ -8,7 +8,7 @@
 #include <cmath>
 
 namespace glint::render {
-namespace {
+namespace probe_placing_test {
 
 /// A box seen from outside or inside, as one geometry.
 scene::Geometry boxOf(const glm::vec3& low, const glm::vec3& high) {
@@ -150,5 +150,5 @@ TEST(ProbePlacing, whereNeedsLookCountsMore) {
     }
 }
 
-} // namespace
+} // namespace probe_placing_test
 } // namespace glint::render

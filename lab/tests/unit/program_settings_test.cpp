@@ -12,7 +12,7 @@
 #include <set>
 
 namespace glint::render {
-namespace {
+namespace program_settings_test {
 
 class ProgramSettingsTest : public testing::Test {
 protected:
@@ -125,5 +125,5 @@ TEST(SettingsDocs, TransformsAreSpeltOut) {
     EXPECT_NE(page.find("`hdrp:screenWeightDistance` (implies linear)"), page.npos);
 }
 
-} // namespace
+} // namespace program_settings_test
 } // namespace glint::render

@@ -11,7 +11,7 @@
 #include <optional>
 
 namespace glint::measure {
-namespace {
+namespace ray_hits_test {
 
 using namespace scene::builtin;
 
@@ -185,5 +185,5 @@ TEST_F(RayHitsTest, EachWayToBeWrongIsCountedAsWhatItIs) {
     EXPECT_EQ(classColors(report.classes).size(), 3 * report.classes.size());
 }
 
-} // namespace
+} // namespace ray_hits_test
 } // namespace glint::measure

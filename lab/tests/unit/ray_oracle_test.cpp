@@ -11,7 +11,7 @@
 #include <optional>
 
 namespace glint::measure {
-namespace {
+namespace ray_oracle_test {
 
 using namespace scene::builtin;
 
@@ -117,5 +117,5 @@ TEST(AlphaTest, FiltersWrapsAndMultipliesAsTheRasterPassDoes) {
     EXPECT_FALSE(isHole(scene, material, g, {0, 0.5, 0.25}));
 }
 
-} // namespace
+} // namespace ray_oracle_test
 } // namespace glint::measure

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::cli {
-namespace {
+namespace reference_bounces_test {
 
 measure::ComparedConfig config(std::string name, bool rays, int bounces) {
     measure::ComparedConfig made;
@@ -42,5 +42,5 @@ TEST(ReferenceBounces, MeanNothingToAReferenceWithoutRays) {
     EXPECT_EQ(reference.name, "balanced");
 }
 
-} // namespace
+} // namespace reference_bounces_test
 } // namespace glint::cli

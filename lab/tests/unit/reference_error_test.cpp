@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace glint::measure {
-namespace {
+namespace reference_error_test {
 
 std::vector<float> grey(std::initializer_list<float> values) {
     std::vector<float> rgba;
@@ -43,5 +43,5 @@ TEST(ReferenceError, IsKnownByRoughness) {
     EXPECT_NEAR(bands[kBands].relativeMse, 0.05 / 0.26 / 4, 1e-6);
 }
 
-} // namespace
+} // namespace reference_error_test
 } // namespace glint::measure

@@ -14,7 +14,7 @@
 #include <string_view>
 
 namespace glint::cli {
-namespace {
+namespace report_figures_test {
 
 using measure::Verdict;
 
@@ -152,5 +152,5 @@ TEST_F(AgainstTest, BadFilesAreOneLine) {
     EXPECT_EQ(readEarlierReport(folder_ + "none.json").error().code, ErrorCode::NotFound);
 }
 
-} // namespace
+} // namespace report_figures_test
 } // namespace glint::cli

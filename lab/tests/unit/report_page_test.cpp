@@ -16,7 +16,7 @@
 #include <set>
 
 namespace glint::cli {
-namespace {
+namespace report_page_test {
 
 Report madeUpReport() {
     Report report;
@@ -164,5 +164,5 @@ TEST(ReportPictures, LoseDetailOnlyWhereTheyWouldNotFit) {
     EXPECT_NE(none.error().message.find("--size"), none.error().message.npos);
 }
 
-} // namespace
+} // namespace report_page_test
 } // namespace glint::cli

@@ -10,7 +10,7 @@
 #include <filesystem>
 
 namespace glint::cli {
-namespace {
+namespace sequence_files_test {
 
 using test::must;
 
@@ -50,5 +50,5 @@ TEST(SequenceVideo, IsMadeByTheProgramFromAllFrames) {
     EXPECT_EQ(writeVideo(pattern, 60, folder + "none").error().code, ErrorCode::NotFound);
 }
 
-} // namespace
+} // namespace sequence_files_test
 } // namespace glint::cli

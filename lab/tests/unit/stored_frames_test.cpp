@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace glint::measure {
-namespace {
+namespace stored_frames_test {
 
 using test::ExrPlane;
 using test::must;
@@ -105,5 +105,5 @@ TEST_F(StoredFramesTest, EveryValueIsAFiniteNumber) {
     }
 }
 
-} // namespace
+} // namespace stored_frames_test
 } // namespace glint::measure

@@ -9,7 +9,7 @@
 #include <filesystem>
 
 namespace glint::cli {
-namespace {
+namespace sweep_cli_test {
 
 class SweepCli : public testing::Test {
 protected:
@@ -82,5 +82,5 @@ TEST_F(SweepCli, ResultsThatAreMissingAreNamed) {
     EXPECT_NE(error_.find("no job has a result"), error_.npos) << error_;
 }
 
-} // namespace
+} // namespace sweep_cli_test
 } // namespace glint::cli

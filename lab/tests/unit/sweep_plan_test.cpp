@@ -13,7 +13,7 @@
 #include <set>
 
 namespace glint::cli {
-namespace {
+namespace sweep_plan_test {
 
 SweepJson madeUpPlan() {
     return SweepJson::parse(R"({
@@ -281,5 +281,5 @@ TEST(SweepPlan, WrongShardsAreRefused) {
     }
 }
 
-} // namespace
+} // namespace sweep_plan_test
 } // namespace glint::cli

@@ -15,7 +15,7 @@
 #include <memory>
 
 namespace glint::cli {
-namespace {
+namespace sweep_run_test {
 
 constexpr const char* kRunPlan = R"({
     "scenes": ["builtin:exact", "builtin:hall"], "sizes": ["64x36"], "seeds": 2,
@@ -292,5 +292,5 @@ TEST_F(SweepRun, ReferencesAreKeptToTheBit) {
     EXPECT_FALSE(folder_.readReference("abc", 3, 2).has_value());
 }
 
-} // namespace
+} // namespace sweep_run_test
 } // namespace glint::cli

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace {
+namespace tangents_test {
 
 using scene::Geometry;
 
@@ -162,5 +162,5 @@ INSTANTIATE_TEST_SUITE_P(Models, BlenderTangents,
                                          "models/AlphaBlendModeTest/glTF-Binary/AlphaBlendModeTest.glb"),
                          [](const auto& model) { return std::filesystem::path(model.param).stem().string(); });
 
-} // namespace
+} // namespace tangents_test
 } // namespace glint::test

@@ -15,7 +15,7 @@
 #include <limits>
 
 namespace glint::cli {
-namespace {
+namespace trace_cli_test {
 
 using test::must;
 using testing::HasSubstr;
@@ -191,5 +191,5 @@ TEST_F(TraceCliTest, PrintMappingIsAMappingFile) {
     EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr(R"("fallbackSpecular": {"times": "GlossCol")"));
 }
 
-} // namespace
+} // namespace trace_cli_test
 } // namespace glint::cli

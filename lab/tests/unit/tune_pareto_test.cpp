@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace glint::tune {
-namespace {
+namespace tune_pareto_test {
 
 using testing::ElementsAre;
 
@@ -72,5 +72,5 @@ TEST(TunePareto, TheCurveGoesThroughTheChoice) {
     EXPECT_EQ(paretoFrontThrough(points, 1), (std::vector<size_t>{0, 1, 2}));
 }
 
-} // namespace
+} // namespace tune_pareto_test
 } // namespace glint::tune

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::cli {
-namespace {
+namespace tune_progress_test {
 
 TEST(TuneProgress, TimeLeftFollowsFromWhatTheGenerationsTook) {
     EXPECT_EQ(TuneProgress::left(0, 10, {}), std::nullopt);
@@ -19,5 +19,5 @@ TEST(TuneProgress, TheLineSaysWhatIsDone) {
     EXPECT_EQ(TuneProgress::line({3, 12, 24}, 20, 250.2), "generation 3 of 20, 12 of 24, 4:10 left");
 }
 
-} // namespace
+} // namespace tune_progress_test
 } // namespace glint::cli

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 namespace glint::tune {
-namespace {
+namespace tune_search_space_test {
 
 using Scale = SettingSearch::Scale;
 using test::must;
@@ -165,5 +165,5 @@ TEST(TuneSearchSpace, DifferencesNameWhatDiffers) {
                 ElementsAre("screen.step=4", "rays.enabled=true"));
 }
 
-} // namespace
+} // namespace tune_search_space_test
 } // namespace glint::tune

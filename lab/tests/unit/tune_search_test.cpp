@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace glint::tune {
-namespace {
+namespace tune_search_test {
 
 using test::must;
 
@@ -219,5 +219,5 @@ TEST(TuneSearch, AFailedEvaluationEndsItWithItsError) {
     EXPECT_EQ(outcome.error().message, "the device is lost");
 }
 
-} // namespace
+} // namespace tune_search_test
 } // namespace glint::tune

@@ -11,7 +11,7 @@
 #include <limits>
 
 namespace glint::tune {
-namespace {
+namespace tune_store_test {
 
 using test::must;
 using testing::HasSubstr;
@@ -81,5 +81,5 @@ TEST(TuneFigures, ViewsCountByTheirRelativeErrors) {
                 combine({{"a", {1, 0.04}}, {"b", {3, 0.005}}}).error, 1e-12);
 }
 
-} // namespace
+} // namespace tune_store_test
 } // namespace glint::tune

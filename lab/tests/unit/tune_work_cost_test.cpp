@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::tune {
-namespace {
+namespace tune_work_cost_test {
 
 class TuneWorkCost : public testing::Test {
 protected:
@@ -113,5 +113,5 @@ TEST_F(TuneWorkCost, RaysCostTheSameWithEitherBackEnd) {
     EXPECT_GT(floors(), alone * 3); // half of the pixels are rough here
 }
 
-} // namespace
+} // namespace tune_work_cost_test
 } // namespace glint::tune

@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace glint::render {
-namespace {
+namespace views_test {
 
 using Bytes = std::vector<uint8_t>;
 
@@ -47,5 +47,5 @@ TEST(Views, WhatIsNoNumberIsMagentaAndInfinityIsTheEnd) {
     EXPECT_EQ(shown(ViewKind::Distance, inf, inf, inf), (Bytes{0, 0, 0}));
 }
 
-} // namespace
+} // namespace views_test
 } // namespace glint::render

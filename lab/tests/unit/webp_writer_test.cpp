@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 namespace glint::scene {
-namespace {
+namespace webp_writer_test {
 
 constexpr uint32_t kWidth = 19, kHeight = 7;
 
@@ -57,5 +57,5 @@ TEST(WebpWriter, SidesThatTheFormatLacksAreErrors) {
     EXPECT_EQ(encodeWebp(0, 0, {}).error().code, ErrorCode::InvalidArgument);
 }
 
-} // namespace
+} // namespace webp_writer_test
 } // namespace glint::scene

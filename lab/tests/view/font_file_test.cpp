@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace glint::view {
-namespace {
+namespace font_file_test {
 
 using namespace std::string_view_literals;
 
@@ -51,5 +51,5 @@ TEST_F(FontFileTest, ThePlacesAreWholePaths) {
         EXPECT_TRUE(place.starts_with("/usr/share/fonts/") || place.starts_with("C:/Windows/Fonts/")) << place;
 }
 
-} // namespace
+} // namespace font_file_test
 } // namespace glint::view

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::view {
-namespace {
+namespace frame_figures_test {
 
 TEST(FrameFigures, SayWhatTheStatsSay) {
     render::FrameTimes times;
@@ -69,5 +69,5 @@ TEST(TimeHistory, KeepsTheNewestFrames) {
     EXPECT_EQ(history.passes(), std::vector<std::string>{"trace/hiz"});
 }
 
-} // namespace
+} // namespace frame_figures_test
 } // namespace glint::view

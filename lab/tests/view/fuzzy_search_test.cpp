@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::view {
-namespace {
+namespace fuzzy_search_test {
 
 TEST(FuzzySearch, LettersHaveToComeInOrder) {
     EXPECT_TRUE(fuzzyScore("rmin", "Reflect Min"));
@@ -56,5 +56,5 @@ TEST(Palette, EachSettingIsFoundOnce) {
     EXPECT_EQ(found, 1u);
 }
 
-} // namespace
+} // namespace fuzzy_search_test
 } // namespace glint::view

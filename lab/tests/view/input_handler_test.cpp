@@ -8,7 +8,7 @@
 #include <array>
 
 namespace glint::view {
-namespace {
+namespace input_handler_test {
 
 class ClickTest : public testing::Test {
 protected:
@@ -85,5 +85,5 @@ TEST_F(ClickTest, SlowOnesAreNoDoubleClick) {
     EXPECT_FALSE(turns());
 }
 
-} // namespace
+} // namespace input_handler_test
 } // namespace glint::view

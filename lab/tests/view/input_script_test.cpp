@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::view {
-namespace {
+namespace input_script_test {
 
 std::string errorOf(std::string_view text) {
     const auto steps = readScript(text, "test.txt");
@@ -80,5 +80,5 @@ TEST(ScriptPlayer, StepsTakeFramesAndWaitForWhatTheyAsk) {
     EXPECT_FALSE(player.playing());
 }
 
-} // namespace
+} // namespace input_script_test
 } // namespace glint::view

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 namespace glint::view {
-namespace {
+namespace materials_model_test {
 
 using scene::FieldValue;
 using scene::MaterialKind;
@@ -100,5 +100,5 @@ TEST_F(MaterialsModelTest, TheCommandLineNamesTheFile) {
     EXPECT_THAT(commandLine(state, job, {}), HasSubstr(" --materials " + (temp_ + "mine.json") + " "));
 }
 
-} // namespace
+} // namespace materials_model_test
 } // namespace glint::view

@@ -10,7 +10,7 @@
 #include <fstream>
 
 namespace glint::view {
-namespace {
+namespace open_list_test {
 
 using test::TempFolder;
 using testing::ElementsAre;
@@ -97,5 +97,5 @@ TEST_F(OpenListTest, TheListLiesWhereStateBelongs) {
     before ? setenv("XDG_STATE_HOME", kept.c_str(), 1) : unsetenv("XDG_STATE_HOME");
 }
 
-} // namespace
+} // namespace open_list_test
 } // namespace glint::view

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace glint::view {
-namespace {
+namespace orbit_camera_test {
 
 scene::Camera cameraAt(const glm::vec3& position, const glm::vec3& target) {
     scene::Camera camera;
@@ -141,5 +141,5 @@ TEST(Canvas, NeverLeavesThePicture) {
     EXPECT_GE(canvas.lowUV.y, 0);
 }
 
-} // namespace
+} // namespace orbit_camera_test
 } // namespace glint::view

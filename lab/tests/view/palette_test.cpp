@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 namespace glint::view {
-namespace {
+namespace palette_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -44,5 +44,5 @@ TEST_F(PaletteTest, ShowsTheFiguresOfTheHelpPanelWithTheirLoads) {
     EXPECT_THAT(shown, HasSubstr("CPU 5.00 ms (50 %)"));
 }
 
-} // namespace
+} // namespace palette_test
 } // namespace glint::view

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace glint::view {
-namespace {
+namespace ray_lines_test {
 
 scene::Camera cameraAt(const glm::vec3& position, const glm::vec3& target, bool orthographic = false) {
     scene::Camera camera;
@@ -93,5 +93,5 @@ TEST(SecondCamera, SeesTheRayFromTheSideAndFromWhereItIsFree) {
     EXPECT_FALSE(second.hides({-1, 5}, 9)); // nobody knows
 }
 
-} // namespace
+} // namespace ray_lines_test
 } // namespace glint::view

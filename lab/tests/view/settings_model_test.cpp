@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace glint::view {
-namespace {
+namespace settings_model_test {
 
 SettingsModel makeModel(const render::SettingsRequest& request = {}) {
     return SettingsModel(request, *render::loadSettings(request));
@@ -183,5 +183,5 @@ TEST(SsrKeys, StepsStayOnTheirGrid) {
     EXPECT_EQ(settingText(settingOf("reflect.strength"), valueOf(model, "reflect.strength")), "1.7");
 }
 
-} // namespace
+} // namespace settings_model_test
 } // namespace glint::view

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 namespace glint::view {
-namespace {
+namespace shader_reload_test {
 
 using testing::HasSubstr;
 
@@ -86,5 +86,5 @@ TEST_F(ShaderReloadTest, AMistakeIsSaidInItsFirstLinesUntilItIsMended) {
     }
 }
 
-} // namespace
+} // namespace shader_reload_test
 } // namespace glint::view

@@ -11,7 +11,7 @@
 #include <filesystem>
 
 namespace glint::gpu {
-namespace {
+namespace shader_variants_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -64,7 +64,8 @@ TEST(ShaderVariants, TheTableAndTheEmbeddedShadersAgree) {
         EXPECT_TRUE(embedded.contains(name)) << name << " is in no set: does CMakeLists.txt list its folder?";
     for (const auto& [name, shader] : embedded) {
         const std::string file = shaderSource(variants, name).file;
-        EXPECT_TRUE(std::ranges::any_of(kFolders, [&](const std::string& at) { return std::filesystem::exists(at + file); }))
+        EXPECT_TRUE(
+            std::ranges::any_of(kFolders, [&](const std::string& at) { return std::filesystem::exists(at + file); }))
             << name << " is built from " << file;
     }
 }
@@ -81,5 +82,5 @@ TEST(ShaderVariants, NoTwoOfASourceAreTheSame) {
             }
 }
 
-} // namespace
+} // namespace shader_variants_test
 } // namespace glint::gpu

@@ -8,7 +8,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace figures_test {
 
 using nlohmann::json;
 
@@ -60,5 +60,5 @@ TEST_F(WindowTest, TheHelpPanelSaysWhatStatsSay) {
                 shown.at("gpuMs").get<double>(), all, elsewhere);
 }
 
-} // namespace
+} // namespace figures_test
 } // namespace glint::test

@@ -9,7 +9,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace lifetime_test {
 
 using testing::HasSubstr;
 
@@ -81,5 +81,5 @@ TEST_F(WindowTest, ADisplayThatEndsIsSaid) {
     EXPECT_EQ(std::count(ended.error.begin(), ended.error.end(), '\n'), 1) << ended.error;
 }
 
-} // namespace
+} // namespace lifetime_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace materials_panel_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -62,5 +62,5 @@ TEST_F(WindowTest, DroppedMaterialsAreShownOrSaidToBeWrong) {
                              "'floor mirror'?\n");
 }
 
-} // namespace
+} // namespace materials_panel_test
 } // namespace glint::test

@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace open_panel_test {
 
 TEST_F(WindowTest, ThePanelOpensWhatItFindsAndRemembersIt) {
     std::filesystem::create_directory(path("rooms"));
@@ -26,5 +26,5 @@ TEST_F(WindowTest, ThePanelOpensWhatItFindsAndRemembersIt) {
     EXPECT_EQ(bytes("state/glint/recent"), "builtin:mirror\n" + path("rooms/mine.json") + "\nbuiltin:exact\n");
 }
 
-} // namespace
+} // namespace open_panel_test
 } // namespace glint::test

@@ -6,7 +6,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace render_doc_test {
 
 const std::string kScript = "still\nframe 200\nscreenshot before.png\nkey F9\nframe 2\nscreenshot after.png\n";
 
@@ -27,5 +27,5 @@ TEST_F(WindowTest, WithoutRenderDocTheKeySaysSo) {
     EXPECT_TRUE(bytes("before.png") != bytes("after.png"));
 }
 
-} // namespace
+} // namespace render_doc_test
 } // namespace glint::test

@@ -4,7 +4,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace second_camera_test {
 
 TEST_F(WindowTest, ASecondCameraSeesTheRayAndTurnsByHand) {
     const std::string quiet = "frame 190\n"; // no message is left
@@ -22,5 +22,5 @@ TEST_F(WindowTest, ASecondCameraSeesTheRayAndTurnsByHand) {
     EXPECT_TRUE(bytes("turned.png") != bytes("closed.png"));
 }
 
-} // namespace
+} // namespace second_camera_test
 } // namespace glint::test

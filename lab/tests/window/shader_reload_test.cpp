@@ -5,7 +5,7 @@
 #include <fstream>
 
 namespace glint::test {
-namespace {
+namespace shader_reload_test {
 
 class ShaderReloadTest : public WindowTest {
 protected:
@@ -83,9 +83,10 @@ TEST_F(ShaderReloadTest, AChangeIsShownAndAMistakeLeavesThePictureAsItWas) {
 TEST_F(ShaderReloadTest, WhatIsNoFolderOfSourcesIsSaid) {
     const Ended ended = run({"view", "builtin:exact", "--shaders", "shaders"});
     EXPECT_EQ(ended.code, 2);
-    EXPECT_EQ(ended.error, "glint: error: shaders: not the folder of Glint's sources: it must hold shaders/variants.txt and "
-                           "lab/shaders/variants.txt\n");
+    EXPECT_EQ(ended.error,
+              "glint: error: shaders: not the folder of Glint's sources: it must hold shaders/variants.txt and "
+              "lab/shaders/variants.txt\n");
 }
 
-} // namespace
+} // namespace shader_reload_test
 } // namespace glint::test

@@ -10,7 +10,7 @@
 #include <thread>
 
 namespace glint::test {
-namespace {
+namespace view_test {
 
 using testing::HasSubstr;
 
@@ -221,5 +221,5 @@ TEST_F(WindowTest, BadArgumentsAreSaidBeforeAnyWindow) {
     }
 }
 
-} // namespace
+} // namespace view_test
 } // namespace glint::test

@@ -3,11 +3,12 @@
 
 namespace glint::reflect {
 
-static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
+static void recordAdaptive(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
     tracePass(frame, pipeline, inputs, out).dispatchIndirect(inputs.rays.list);
 }
 
 const Technique kAdaptiveTechnique = {
-    "adaptive", March::Adaptive, "trace/adaptive", "equal steps on screen, then a binary search", false, true, record};
+    "adaptive", March::Adaptive, "trace/adaptive", "equal steps on screen, then a binary search", false,
+    true,       recordAdaptive};
 
 } // namespace glint::reflect

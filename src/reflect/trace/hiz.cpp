@@ -3,12 +3,12 @@
 
 namespace glint::reflect {
 
-static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
+static void recordHiz(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
     tracePass(frame, pipeline, inputs, out).read("pyramid", inputs.pyramid.cells).dispatchIndirect(inputs.rays.list);
 }
 
 const Technique kHizTechnique = {
     "hiz", March::Hiz, "trace/hiz", "large steps through a depth pyramid, small ones near surfaces",
-    true,  true,       record};
+    true,  true,       recordHiz};
 
 } // namespace glint::reflect

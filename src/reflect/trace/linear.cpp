@@ -3,12 +3,12 @@
 
 namespace glint::reflect {
 
-static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
+static void recordLinear(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
     tracePass(frame, pipeline, inputs, out).read("pyramid", inputs.pyramid.cells).dispatchIndirect(inputs.rays.list);
 }
 
 const Technique kLinearTechnique = {
     "linear", March::Linear, "trace/linear", "every pixel along the ray, one depth lookup each but in open space",
-    true,     true,          record};
+    true,     true,          recordLinear};
 
 } // namespace glint::reflect

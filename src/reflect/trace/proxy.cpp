@@ -11,12 +11,12 @@ static gpu::Pass& bindLists(gpu::Pass& pass, TraceInputs& inputs) {
     return pass.read("probes", none).read("probeCells", none).read("probeLists", none);
 }
 
-static void record(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
+static void recordProxy(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out) {
     gpu::Pass pass = tracePass(frame, pipeline, inputs, out);
     bindLists(pass, inputs).dispatchIndirect(inputs.rays.list);
 }
 
 const Technique kProxyTechnique = {
-    "proxy", March::Proxy, "trace/proxy", "one lookup, where the pixel's probe volume says", false, false, record};
+    "proxy", March::Proxy, "trace/proxy", "one lookup, where the pixel's probe volume says", false, false, recordProxy};
 
 } // namespace glint::reflect

@@ -8,7 +8,7 @@
 #include <memory>
 
 namespace glint {
-namespace {
+namespace c_settings_test {
 
 using testing::HasSubstr;
 
@@ -126,5 +126,5 @@ TEST(CSettings, MistakesAreErrorsAndChangeNothing) {
     EXPECT_EQ(jsonOf(nullptr), "");
 }
 
-} // namespace
+} // namespace c_settings_test
 } // namespace glint

@@ -7,7 +7,7 @@
 #include <cstring>
 
 namespace glint::c_api {
-namespace {
+namespace struct_reading_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -271,5 +271,5 @@ TEST(CStructs, EnumsCountAsInCpp) {
     EXPECT_EQ(sizeof(GlintRayHit), sizeof(RayHit));
 }
 
-} // namespace
+} // namespace struct_reading_test
 } // namespace glint::c_api

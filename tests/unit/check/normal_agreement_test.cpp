@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace glint::check {
-namespace {
+namespace normal_agreement_test {
 
 /// Points on the sphere, evenly spread (Fibonacci lattice).
 std::vector<glm::vec3> sphere(int count) {
@@ -56,5 +56,5 @@ TEST(NormalAgreement, ParallelDirectionsDetermineNoRotation) {
     EXPECT_EQ(fitRotation({}, {}).rotation, glm::mat3(1));
 }
 
-} // namespace
+} // namespace normal_agreement_test
 } // namespace glint::check

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace glint::gpu {
-namespace {
+namespace dirty_ranges_test {
 
 /// Bytes that the ranges hold, one flag each.
 std::vector<bool> covered(DirtyRanges& ranges, size_t size) {
@@ -58,5 +58,5 @@ TEST(DirtyRanges, holdWhatWasAdded) {
     }
 }
 
-} // namespace
+} // namespace dirty_ranges_test
 } // namespace glint::gpu

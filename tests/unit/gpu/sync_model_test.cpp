@@ -11,7 +11,7 @@
 #include <sstream>
 
 namespace glint::gpu {
-namespace {
+namespace sync_model_test {
 
 constexpr VkAccessFlags2 kWriteAccess = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT |
                                         VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT |
@@ -302,5 +302,5 @@ TEST(SyncModel, theModelItselfSeesMissingBarriers) {
     EXPECT_EQ(model.judge(load, right), "");
 }
 
-} // namespace
+} // namespace sync_model_test
 } // namespace glint::gpu

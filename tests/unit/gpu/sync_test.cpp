@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace glint::gpu {
-namespace {
+namespace sync_test {
 
 constexpr VkPipelineStageFlags2 kCompute = VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT;
 constexpr VkPipelineStageFlags2 kFragment = VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
@@ -203,5 +203,5 @@ TEST(Sync, verticesAreVisibleToTheBuildAsShaderReads) {
                                                            VK_ACCESS_2_SHADER_READ_BIT, kNone, kNone}));
 }
 
-} // namespace
+} // namespace sync_test
 } // namespace glint::gpu

@@ -11,7 +11,7 @@
 #include <random>
 
 namespace glint::rays {
-namespace {
+namespace wide_bvh_test {
 
 /// A slot as shared/bvh.h describes it, decoded in double precision: independent of the builder's own code.
 struct Slot {
@@ -235,5 +235,5 @@ TEST(WideBvh, aPartIsRefittedAsTheWhole) {
     EXPECT_TRUE(refit(part, links, boxes, std::span<const uint32_t>()).empty());
 }
 
-} // namespace
+} // namespace wide_bvh_test
 } // namespace glint::rays

@@ -10,7 +10,7 @@
 #include <set>
 
 namespace glint::reflect {
-namespace {
+namespace blue_noise_test {
 
 constexpr uint32_t kSize = shared::kBlueNoiseSize;
 
@@ -58,5 +58,5 @@ TEST(BlueNoise, RanksAreEvenAndIndependent) {
     EXPECT_LT(std::abs(product) / (kSize * kSize) * 12, 0.05) << "correlation";
 }
 
-} // namespace
+} // namespace blue_noise_test
 } // namespace glint::reflect

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace glint::reflect {
-namespace {
+namespace conventions_test {
 
 /// A camera and how its host writes it down.
 struct Host {
@@ -262,5 +262,5 @@ TEST(Conventions, theRestIsPassedOn) {
     EXPECT_EQ(flagsOf(NormalEncoding::Octahedral), shared::kInputNormalOctahedral);
 }
 
-} // namespace
+} // namespace conventions_test
 } // namespace glint::reflect

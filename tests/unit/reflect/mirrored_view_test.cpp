@@ -9,7 +9,7 @@
 #include <random>
 
 namespace glint {
-namespace {
+namespace mirrored_view_test {
 
 Matrix4 toMatrix4(const glm::mat4& matrix) {
     Matrix4 result;
@@ -101,5 +101,5 @@ TEST(MirroredView, AMirrorFacesTheEyesInFrontOfIt) {
     }
 }
 
-} // namespace
+} // namespace mirrored_view_test
 } // namespace glint

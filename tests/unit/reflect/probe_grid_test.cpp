@@ -7,7 +7,7 @@
 #include <random>
 
 namespace glint::reflect {
-namespace {
+namespace probe_grid_test {
 
 /// As shaders/probes/reflect.comp looks it up.
 std::vector<uint32_t> at(const ProbeGrid& grid, const glm::vec3& p) {
@@ -78,5 +78,5 @@ TEST(ProbeGrid, theLimitsHold) {
     EXPECT_TRUE(at(empty, glm::vec3(0.5f)).empty());
 }
 
-} // namespace
+} // namespace probe_grid_test
 } // namespace glint::reflect
