@@ -84,9 +84,9 @@ constexpr std::array kUnitCosts = {
     UnitCost{"denoise/filter", Unit::Filtered, 6.8},
     UnitCost{"denoise/stabilize", Unit::Pixels, 1.6},
     UnitCost{"denoise/stabilize", Unit::Rough, 3},
-    UnitCost{"denoise/upsample", Unit::Pixels, 2.9},
-    UnitCost{"denoise/blur", Unit::Pixels, 3},
-    UnitCost{"denoise/blur", Unit::BlurTaps, 0.65},
+    UnitCost{"resolve/upsample", Unit::Pixels, 2.9},
+    UnitCost{"resolve/blur", Unit::Pixels, 3},
+    UnitCost{"resolve/blur", Unit::BlurTaps, 0.65},
     UnitCost{"composite/combined", Unit::Pixels, 1.9},
     UnitCost{"composite/combined", Unit::Rough, 1.5},
     // With views, as here, two passes do what hosts without them do in one: they count as that one.
@@ -108,7 +108,7 @@ constexpr double kOtherPass = 2;
 /// Figures count these (measure::effectSum), so they are not part of the effect.
 constexpr std::array<std::string_view, 3> kNotCounted = {"composite/statistics", "rays/statistics", "prepare/dfg"};
 
-/// By blur.quality (src/reflect/denoise/denoise.cpp).
+/// By blur.quality (src/reflect/resolve/screen_resolve.cpp).
 constexpr std::array kBlurTaps = {9, 21, 41};
 
 double square(double x) {

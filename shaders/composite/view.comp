@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "denoise/changed_light.glsl"
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "denoise/sent_ray.glsl"
 #include "generate/pixel_ray.glsl"
 #include "frame/prepared.glsl"
@@ -76,7 +76,7 @@ float hitDepth(RayRecord ray) {
 
 /// Share of the previous frame's mean at this pixel that counts no more.
 float historyGivenUp(ivec2 px) {
-    if (!hasLobeHistory() || any(greaterThanEqual(px, ivec2(frame.constants.prevSize))))
+    if (!hasDenoiserHistory() || any(greaterThanEqual(px, ivec2(frame.constants.prevSize))))
         return 0.0;
     float frames = texelFetch(historyMetaBefore, px, 0).x;
     return frames > 0.0 ? 1.0 - framesKept(frames, lightChange(changed, vec2(px) + 0.5)) / frames : 0.0;

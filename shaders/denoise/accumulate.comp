@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "denoise/changed_light.glsl"
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "denoise/lobe_surface.glsl"
 #include "denoise/mirror_image.glsl"
 #include "denoise/surface_curvature.glsl"
@@ -350,7 +350,7 @@ void main() {
     }
     vec4 answer = texelFetch(reused, px, 0);
     LobeSurface here = averagedSurfaceAt(px);
-    bool hasHistory = hasLobeHistory();
+    bool hasHistory = hasDenoiserHistory();
     if (learnt == 0.0 && hasHistory && wasInFrame(px))
         near = texelFetch(metaBefore, px, 0).w; // places the sample of the history that this frame keeps
     float brightness = luminance(answer.rgb);

@@ -6,7 +6,7 @@
 #ifndef GLINT_DENOISE_RAY_RATE_GLSL
 #define GLINT_DENOISE_RAY_RATE_GLSL
 
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "denoise/lobe_surface.glsl"
 #include "shared/denoise_constants.h"
 
@@ -19,7 +19,7 @@ uint tileRate(ivec2 px) {
     DenoiseConstants denoise = frame.settings.denoise;
     if (denoise.rayRate != kRateAdaptive)
         return denoise.rayRate;
-    if (!hasLobeHistory() || any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, ivec2(frame.constants.prevSize))))
+    if (!hasDenoiserHistory() || any(lessThan(px, ivec2(0))) || any(greaterThanEqual(px, ivec2(frame.constants.prevSize))))
         return kRateFull;
     float share = texelFetch(rayRates, px / int(kRateTile), 0).r;
     return share > 0.75 ? kRateFull : share > 0.375 ? kRateCheckerboard : kRateQuarter;

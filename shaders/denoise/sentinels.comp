@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "denoise/lobe_surface.glsl"
 #include "denoise/sentinel.glsl"
 #include "lib/half.glsl"
@@ -127,7 +127,7 @@ Sentinel followed(Sentinel before) {
 
 /// The sentinel of the previous frame's tile; none if that frame left none.
 Sentinel previousSentinel(ivec2 tile, int slot) {
-    if (!hasLobeHistory() || !wasInFrame(tile * int(kSentinelTile)))
+    if (!hasDenoiserHistory() || !wasInFrame(tile * int(kSentinelTile)))
         return kNoSentinel;
     Sentinel before = unpackSentinel(texelFetch(sentinelBefore, ivec2(2 * tile.x + slot, tile.y), 0));
     return exists(before) ? before : kNoSentinel;

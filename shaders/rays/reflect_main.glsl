@@ -11,7 +11,7 @@
 
 #include "rays/path.glsl"
 
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "lib/mirrored.glsl"
 #include "lib/packed_motion.glsl"
 #include "rays/hit_motion.glsl"
@@ -66,7 +66,7 @@ Path pathFromScreen(PixelRays from, RayRecord screen, uint i, float regularizati
 /// Frames in the mean that the denoiser will join this pixel's answer to: those of the mean that the previous frame left
 /// here. In motion the mean comes from some pixels away, where it is as long unless there is an edge between them.
 float framesBefore(PixelRays from) {
-    if (!hasLobeHistory())
+    if (!hasDenoiserHistory())
         return 0.0;
     float frames = texelFetch(metaBefore, ivec2(from.uv * frame.constants.prevSize), 0).x;
     if (frames <= 1.0 && isMirror(from.perceptualRoughness))

@@ -11,7 +11,7 @@
 #include "rays/rays_inputs.glsl"
 
 #define GLINT_RAYS_TABLE_LIGHT
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "denoise/sentinel.glsl"
 #include "lib/half.glsl"
 #include "lib/octahedral.glsl"
@@ -99,7 +99,7 @@ bool standsNear(vec3 originWS, ivec2 tile) {
 
 /// The sentinel that the previous frame left in the slot, if it can be followed again.
 Sentinel previousSentinel(ivec2 tile, int slot) {
-    if (!hasLobeHistory())
+    if (!hasDenoiserHistory())
         return kNoSentinel;
     ivec2 at = ivec2(2 * tile.x + slot, tile.y);
     Sentinel before = Sentinel(texelFetch(sentinelRayBefore, at, 0), texelFetch(sentinelPathBefore, at, 0));

@@ -6,18 +6,6 @@
 
 GLINT_SHARED_BEGIN
 
-struct BlurConstants {
-    uint maxTaps;   // odd
-    float strength; // blur.strength
-    float roughnessFactor;
-};
-
-struct BlurPassConstants {
-    float2 sourceSize; // pixels of the source image
-    float2 targetSize; // pixels of the target image
-    uint vertical;     // 0: along x
-};
-
 struct DenoiseConstants {
     uint reuseSamples;
     float reuseRadius;    // pixels

@@ -10,6 +10,7 @@
 #include "shared/probes.h"
 #include "shared/rays_constants.h"
 #include "shared/refraction.h"
+#include "shared/resolve_constants.h"
 #include "shared/trace_constants.h"
 
 GLINT_SHARED_BEGIN

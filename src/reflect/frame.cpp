@@ -17,8 +17,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
         forgetFrames(HistoryReset::View);
     if (colors_.begin(frame, wantsHistory()))
         outputs_.remember(frame);
-    if (lobeDenoise_)
-        lobeDenoise_->begin(frame, followsSentinels());
+    if (denoiser_)
+        denoiser_->begin(frame, followsSentinels());
     prepare(frame, view);
     const bool reflects = hierarchy_->anySource() || settings.debug.outcome;
     if (reflects && settings.screen.enabled) {
@@ -33,9 +33,9 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
         const Traced traced = trace_->record(frame, traceInputs());
         if (meetsTransparents())
             transparentTrace_->record(frame, traceInputs(), trace_->target());
-        denoise_->record(frame, {traceInputs(), traced});
+        resolve_->record(frame, {traceInputs(), traced});
     } else {
-        denoise_->recordNothing(trace_->recordNothing(frame));
+        resolve_->recordNothing(trace_->recordNothing(frame));
         if (expectsLayers())
             pyramid_->record(frame, inputs(), prepared(), nullptr);
     }
@@ -47,8 +47,8 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     if (expectsLayers())
         refraction_->begin(frame, composite());
     colors_.end(frame, settings.debug.outcome ? HistoryReset::NotLight : HistoryReset::None);
-    if (lobeDenoise_)
-        lobeDenoise_->end(frame);
+    if (denoiser_)
+        denoiser_->end(frame);
     if (usesRays())
         raysSource_->end(frame);
 }
@@ -72,8 +72,8 @@ void FrameStages::prepare(gpu::Frame& frame, const View& view) {
     trace_->begin(usesRays() && !stages_.settings().screen.enabled); // the record of `rays` has the frame's size
     const Traced traced = trace_->traced();
     block_->record(frame, host_, resolveSettings(view), {traced.width, traced.height}, colors_);
-    if (denoisesLobes())
-        lobeDenoise_->copyTag(frame, block_->buffer(), offsetof(FrameBlockValues, settings.denoise.historyTag));
+    if (denoises())
+        denoiser_->copyTag(frame, block_->buffer(), offsetof(FrameBlockValues, settings.denoise.historyTag));
     if (!classifiesEarly()) {
         prepare_->record(frame, inputs(), colors_.now(kViewZ));
         return;
@@ -103,8 +103,8 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.probes = {probeFlags(settings), hierarchy_->before(shared::kSourceProbes)};
     resolved.hierarchy = hierarchy_->constants();
     resolved.blur = blurConstants(settings);
-    if (denoisesLobes())
-        resolved.denoise = lobeDenoise_->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0, averagesMirrored());
+    if (denoises())
+        resolved.denoise = denoiser_->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0, averagesMirrored());
     resolved.composite = composite_->constants();
     return resolved;
 }
@@ -127,7 +127,7 @@ void FrameStages::bringUpToDate(gpu::Frame& frame) {
         return;
     clear(frame);
     prepare(frame, lastView_);
-    denoise_->recordNothing(trace_->recordNothing(frame));
+    resolve_->recordNothing(trace_->recordNothing(frame));
     hierarchy_->record(frame, hierarchyInputs());
     if (!frame.rehearsing())
         upToDate_.recorded(stages_.progress);
@@ -186,8 +186,8 @@ void FrameStages::forget() {
 
 void FrameStages::forgetFrames(HistoryReset reason) {
     colors_.reset(reason);
-    if (lobeDenoise_)
-        lobeDenoise_->forgetFrames(reason);
+    if (denoiser_)
+        denoiser_->forgetFrames(reason);
 }
 
 HostImage FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {
@@ -213,11 +213,11 @@ gpu::Image& FrameStages::recordView(VkCommandBuffer commands, uint32_t view) {
     gpu::Frame frame(stages_.gpu, commands);
     bringUpToDate(frame);
     const bool layers = recorded_ && expectsLayers();
-    const bool denoised = ranPasses_ && denoisesLobes();
+    const bool denoised = ranPasses_ && denoises();
     gpu::Image& image =
         views_->record(frame,
-                       {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(),
-                        layers ? refraction_.get() : nullptr, denoised ? lobeDenoise_->history() : std::nullopt},
+                       {hierarchyInputs(), *hierarchy_, resolve_->answer(), rayRecord(),
+                        layers ? refraction_.get() : nullptr, denoised ? denoiser_->history() : std::nullopt},
                        view);
     frame.hand(image, kHandedOut);
     outputs_.giveBack(frame);
@@ -277,25 +277,25 @@ bool FrameStages::averagesMirrored() const {
 }
 
 /// Joins and denoises the answers of screen and rays.
-gpu::Image& FrameStages::denoiseLobes(gpu::Frame& frame) {
+gpu::Image& FrameStages::denoise(gpu::Frame& frame) {
     const Traced traced = trace_->traced();
     const bool screen = stages_.settings().screen.enabled;
-    LobeDenoiseInputs lobes = {inputs(),
-                               prepared(),
-                               screen ? &traced.target : nullptr,
-                               traced.rayRecord,
-                               usesRays() ? &raysSource_->answer() : nullptr,
-                               usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
-                               hierarchy_->raysComeFirst(),
-                               {},
-                               {}};
+    DenoiserInputs joined = {inputs(),
+                             prepared(),
+                             screen ? &traced.target : nullptr,
+                             traced.rayRecord,
+                             usesRays() ? &raysSource_->answer() : nullptr,
+                             usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
+                             hierarchy_->raysComeFirst(),
+                             {},
+                             {}};
     if (usesRays() && raysSource_->storesApart())
-        lobes.mirrored.emplace(raysSource_->mirrored());
+        joined.mirrored.emplace(raysSource_->mirrored());
     if (followsSentinels())
-        lobes.followPaths = [this](gpu::Frame& f, const SentinelImages& images) {
+        joined.followPaths = [this](gpu::Frame& f, const SentinelImages& images) {
             raysSource_->recordSentinels(f, inputs(), prepared(), images);
         };
-    return lobeDenoise_->record(frame, lobes);
+    return denoiser_->record(frame, joined);
 }
 
 gpu::Image& FrameStages::rayRecord() {

@@ -6,9 +6,8 @@
 #include "reflect/composite/composite.hpp"
 #include "reflect/composite/ray_counts.hpp"
 #include "reflect/composite/views.hpp"
-#include "reflect/denoise/denoise.hpp"
+#include "reflect/denoise/denoiser.hpp"
 #include "reflect/denoise/denoises.hpp"
-#include "reflect/denoise/lobe_denoise.hpp"
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/history.hpp"
 #include "reflect/inspect/inspector.hpp"
@@ -21,6 +20,7 @@
 #include "reflect/probes/probes_source.hpp"
 #include "reflect/rays/rays.hpp"
 #include "reflect/refraction/refraction.hpp"
+#include "reflect/resolve/screen_resolve.hpp"
 #include "reflect/trace/cone_picture.hpp"
 #include "reflect/trace/screen_trace.hpp"
 #include "reflect/trace/transparents.hpp"
@@ -51,8 +51,6 @@ public:
     Result<void> setPlanar(PlanarState& planar);
     Result<void> setProbes(ProbesState& probes);
     void restartAccumulation();
-    /// Adds a filter for the hits of the screen's rays.
-    void addDenoiser(Denoiser denoiser) { denoise_->add(std::move(denoiser)); }
     /// Adds a source, which comes before all others. Returns its number.
     uint32_t addSource(Source source) { return hierarchy_->add(std::move(source)); }
     /// Inputs that every pass reads, for passes outside the frame.
@@ -62,8 +60,8 @@ public:
                 block_->values(),
                 host_.images,
                 standIns,
-                denoisesLobes() ? lobeDenoise_->rayRates() : standIns.black,
-                denoisesLobes() ? lobeDenoise_->metaBefore() : standIns.black};
+                denoises() ? denoiser_->rayRates() : standIns.black,
+                denoises() ? denoiser_->metaBefore() : standIns.black};
     }
 
     const rays::Scene* rayScene() const { return rayScene_; }
@@ -103,8 +101,8 @@ public:
     Statistics statistics() const;
 
 private:
-    /// Indices of the images in colors_.
-    static constexpr size_t kViewZ = 0;
+    /// The image in colors_.
+    static constexpr HistoryImage kViewZ = {0, "glint/viewZ", VK_FORMAT_R32_SFLOAT};
 
     FrameStages(gpu::Context& context, const ReflectionsDesc& desc)
         : stages_{context, desc, {}, {}, {desc.width, desc.height}}, outputs_(stages_),
@@ -127,7 +125,7 @@ private:
     void recordComposite(gpu::Frame& frame);
     void prepare(gpu::Frame& frame, const View& view);
     shared::SettingsConstants resolveSettings(const View& view);
-    gpu::Image& denoiseLobes(gpu::Frame& frame);
+    gpu::Image& denoise(gpu::Frame& frame);
     bool averagesMirrored() const;
     void clear(gpu::Frame& frame);
     void bringUpToDate(gpu::Frame& frame);
@@ -152,14 +150,14 @@ private:
     bool storesListedOnly() const {
         constexpr uint32_t kNotReaders = 1u << shared::kSourceScreen | 1u << shared::kSourceSky;
         return classifiesEarly() && !trace_->keepsRecord(stages_.settings()) && !readsReflected() &&
-               !denoise_->filters(trace_->traced()) && (hierarchy_->constants().sources & ~kNotReaders) == 0;
+               (hierarchy_->constants().sources & ~kNotReaders) == 0;
     }
     bool tracesRays() const { return stages_.settings().screen.enabled || usesRays(); }
     bool wantsHistory() const;
     bool blursHits() const { return conePicture_ && ConePicture::isWanted(stages_.settings()); }
     bool meetsTransparents() const;
     bool followsSentinels() const { return usesRays() && raysSource_->followsSentinels(); }
-    bool denoisesLobes() const { return lobeDenoise_ && denoises(stages_.settings()); }
+    bool denoises() const { return denoiser_ && reflect::denoises(stages_.settings()); }
     ProbesState* probes() const { return probesSource_ ? probesSource_->probes() : nullptr; }
 
     // Outputs of stages that other stages read.
@@ -182,10 +180,10 @@ private:
     std::unique_ptr<ConePicture> conePicture_; ///< absent until settings need it
     std::unique_ptr<ScreenTrace> trace_;
     std::unique_ptr<TransparentTrace> transparentTrace_; ///< absent until settings need it
-    std::unique_ptr<Denoise> denoise_;
-    std::unique_ptr<LobeDenoise> lobeDenoise_; ///< absent until settings need it
-    std::unique_ptr<RaysSource> raysSource_;   ///< absent until settings need it
-    rays::Scene* rayScene_ = nullptr;          ///< the host's, with its surface table
+    std::unique_ptr<ScreenResolve> resolve_;
+    std::unique_ptr<Denoiser> denoiser_;     ///< absent until settings need it
+    std::unique_ptr<RaysSource> raysSource_; ///< absent until settings need it
+    rays::Scene* rayScene_ = nullptr;        ///< the host's, with its surface table
     SurfaceTableState* raySurfaces_ = nullptr;
     ShadeHits shadeHits_;                        ///< used instead, if the host shades hits
     std::unique_ptr<PlanarSource> planarSource_; ///< absent until the host provides planar mirrors

@@ -11,7 +11,7 @@ constexpr size_t kMaxWritten = 256;
 std::vector<Source> FrameStages::makeSources() {
     std::vector<Source> sources(shared::kSourceCount);
     sources[shared::kSourceScreen] = {
-        "screen", [this] { return stages_.settings().screen.enabled; }, {}, [this] { return &denoise_->answer(); }};
+        "screen", [this] { return stages_.settings().screen.enabled; }, {}, [this] { return &resolve_->answer(); }};
     sources[shared::kSourceRays] = {
         "rays", [this] { return usesRays(); },
         [this](gpu::Frame& frame, const EarlierAnswers& before) {
@@ -42,7 +42,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
     GLINT_CHECK(trace_->make(settings));
     if (settings.screen.colorSource == ColorSource::Previous)
         GLINT_CHECK(rememberColors());
-    if (settings.rays.enabled || denoises(settings))
+    if (settings.rays.enabled || reflect::denoises(settings))
         GLINT_CHECK(tables_->makeNoise(stages_.gpu));
     if (settings.rays.enabled && !raysSource_) {
         GLINT_TRY(source, RaysSource::create(stages_));
@@ -53,7 +53,7 @@ Result<void> FrameStages::setSettings(const Settings& settings) {
         GLINT_CHECK(raysSource_->setSettings(settings));
         GLINT_CHECK(rehearseRays());
     }
-    GLINT_CHECK(denoise_->make(settings));
+    GLINT_CHECK(resolve_->make(settings));
     if (refraction_ && settings.refraction.enabled)
         GLINT_CHECK(refraction_->make());
     const bool marches = settings.screen.enabled || stages_.desc.inspection; // inspections record its pass
@@ -113,20 +113,20 @@ Result<void> FrameStages::setTransparents(const Settings& settings) {
 
 /// Creates the denoiser once settings need it, and starts its history anew.
 Result<void> FrameStages::setDenoise(const Settings& settings) {
-    if (lobeDenoise_)
-        lobeDenoise_->forgetFrames(HistoryReset::Settings);
-    if (!denoises(settings)) {
+    if (denoiser_)
+        denoiser_->forgetFrames(HistoryReset::Settings);
+    if (!reflect::denoises(settings)) {
         hierarchy_->joinScreenAndRays({});
         return {};
     }
-    hierarchy_->joinScreenAndRays([this](gpu::Frame& frame) { return &denoiseLobes(frame); });
-    if (!lobeDenoise_) {
-        GLINT_TRY(denoise, LobeDenoise::create(stages_));
-        lobeDenoise_ = std::move(denoise);
+    hierarchy_->joinScreenAndRays([this](gpu::Frame& frame) { return &denoise(frame); });
+    if (!denoiser_) {
+        GLINT_TRY(denoise, Denoiser::create(stages_));
+        denoiser_ = std::move(denoise);
     }
-    GLINT_CHECK(lobeDenoise_->make(settings));
+    GLINT_CHECK(denoiser_->make(settings));
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
-    denoiseLobes(frame);
+    denoise(frame);
     return frame.firstError();
 }
 
@@ -212,8 +212,8 @@ Result<void> FrameStages::rehearseRays() {
     gpu::Frame frame = gpu::Frame::rehearsal(stages_.gpu);
     raysSource_->record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs()),
                                 trace_->traced().rayRecord, false});
-    if (lobeDenoise_)
-        denoiseLobes(frame);
+    if (denoiser_)
+        denoise(frame);
     raysSource_->end(frame);
     return frame.firstError();
 }
@@ -255,7 +255,7 @@ Result<void> FrameStages::askForLongest(gpu::Context& context, const Settings& s
         GLINT_CHECK(gpu::Pipeline::compute(context, {march.shader, 0, {}}));
     if (settings.screen.enabled && march.usesPyramid)
         GLINT_CHECK(gpu::Pipeline::compute(context, DepthPyramid::program()));
-    if (denoises(settings))
+    if (reflect::denoises(settings))
         for (const char* shader : {"denoise/accumulate", "denoise/reuse", "denoise/filter"})
             GLINT_CHECK(gpu::Pipeline::compute(context, {shader, 0, {}}));
     return {};
@@ -285,7 +285,7 @@ Result<void> FrameStages::createStages() {
     GLINT_CHECK(keep(prepare_, Prepare::create(stages_)));
     GLINT_CHECK(keep(pyramid_, DepthPyramid::create(stages_)));
     GLINT_CHECK(keep(trace_, ScreenTrace::create(stages_)));
-    GLINT_CHECK(keep(denoise_, Denoise::create(stages_)));
+    GLINT_CHECK(keep(resolve_, ScreenResolve::create(stages_)));
     GLINT_CHECK(keep(hierarchy_, Hierarchy::create(stages_, makeSources())));
     GLINT_CHECK(keep(composite_, Composite::create(stages_)));
     GLINT_CHECK(makeResults());
@@ -306,8 +306,7 @@ Result<void> FrameStages::createStages() {
 }
 
 Result<void> FrameStages::createDepths() {
-    const std::array<StageImage, 1> images = {
-        {{"glint/viewZ", VK_FORMAT_R32_SFLOAT, stages_.width(), stages_.height()}}};
+    const std::array<StageImage, 1> images = {kViewZ.sized(stages_.width(), stages_.height())};
     return colors_.make(images, false);
 }
 
@@ -321,7 +320,7 @@ Result<void> FrameStages::rehearse() {
     prepare_->recordClassified(frame, inputs(), colors_.now(kViewZ),
                                [this](gpu::Pass& pass) { trace_->bindClasses(pass); });
     trace_->rehearse(frame, traceInputs(), prepare_->backFaceGroups());
-    denoise_->rehearse(frame, {traceInputs(), trace_->traced()});
+    resolve_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
     composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
     composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(), {rayRecord(), composite()});
@@ -333,7 +332,7 @@ Result<void> FrameStages::rehearse() {
         recordLayer(frame, layer);
     }
     if (views_)
-        views_->rehearse(frame, {hierarchyInputs(), *hierarchy_, denoise_->answer(), rayRecord(), nullptr, {}});
+        views_->rehearse(frame, {hierarchyInputs(), *hierarchy_, resolve_->answer(), rayRecord(), nullptr, {}});
     if (inspector_)
         inspector_->rehearse(frame, inspectorInputs());
     if (checker_)

@@ -21,6 +21,21 @@ enum class HistoryReset : uint8_t {
 };
 std::string_view textOf(HistoryReset reason);
 
+/// An image of a history: all that is said about it, in one row.
+struct HistoryImage {
+    size_t index; ///< its place among the images that History::make gets
+    const char* name;
+    VkFormat format;
+    uint32_t tile = 1;          ///< pixels of the frame on a side of the square that shares texels
+    uint32_t texelsPerTile = 1; ///< side by side
+
+    /// Its size for a frame of `width` x `height` pixels; one texel, which is only bound, unless it is `needed`.
+    StageImage sized(uint32_t width, uint32_t height, bool needed = true) const {
+        const auto tiles = [&](uint32_t pixels) { return (pixels + tile - 1) / tile; };
+        return {name, format, needed ? texelsPerTile * tiles(width) : 1, needed ? tiles(height) : 1};
+    }
+};
+
 class History {
 public:
     /// How the previous frame is stored.
@@ -49,8 +64,8 @@ public:
 
     bool valid() const { return why_ == HistoryReset::None; }
     HistoryReset why() const { return why_; }
-    gpu::Image& now(size_t image) { return images_[image].turns[turn_]; }
-    gpu::Image& before(size_t image) { return images_[image].turns[kind_ == Kind::Turns ? turn_ ^ 1 : turn_]; }
+    gpu::Image& now(const HistoryImage& image) { return now(image.index); }
+    gpu::Image& before(const HistoryImage& image) { return before(image.index); }
 
     // For ping-pong images: a recorded frame may never be executed, which only the GPU knows. Each pair has a tag, the
     // number of the recording that wrote it. Readers of `before` compare the tag (lib/history.glsl).
@@ -62,6 +77,9 @@ private:
     struct Pair {
         gpu::Image turns[2];
     };
+
+    gpu::Image& now(size_t image) { return images_[image].turns[turn_]; }
+    gpu::Image& before(size_t image) { return images_[image].turns[kind_ == Kind::Turns ? turn_ ^ 1 : turn_]; }
 
     StageContext& stages_;
     Kind kind_;

@@ -1,5 +1,5 @@
-// What it takes to add a source or a denoiser: a row of the table with a pass of its own. These are toys, each a shader
-// and a few lines here; no shader and no line of the library knows them (docs/architecture.md, "Adding a source").
+// What it takes to add a source: a row of the table with a pass of its own. This is a toy, a shader and a few lines
+// here; no shader and no line of the library knows it (docs/architecture.md, "Adding a source").
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
 #include "gpu/support/test_shaders.hpp"
@@ -83,54 +83,6 @@ TEST_F(SeamsTest, ASourceIsARowOfTheTable) {
 
     takesPart = false;
     EXPECT_EQ(show(*frame, "reflection"), screen);
-}
-
-TEST_F(SeamsTest, ADenoiserIsARowOfTheList) {
-    const gpu::Pipeline pass = must(gpu::Pipeline::compute(library().gpu(), {"toy_denoiser", 0, {}}));
-    gpu::Image filtered = makeImage("toy/filtered");
-    const std::vector<float> plain = show(*makeFrame(), "reflection");
-
-    const auto frame = makeFrame();
-    frame->addDenoiser({"toy", [](const Settings&, const reflect::Signal&) { return true; },
-                        [&](gpu::Frame& recording, const reflect::DenoiseInputs&, reflect::Signal signal) {
-                            recording.pass(pass)
-                                .read("signal", *signal.image)
-                                .write("filtered", filtered)
-                                .dispatch(signal.width, signal.height);
-                            return reflect::Signal{&filtered, signal.width, signal.height};
-                        }});
-    const std::vector<float> darker = show(*frame, "reflection");
-    double sum = 0;
-    for (size_t i = 0; i < plain.size(); i += 4)
-        for (size_t c = 0; c < 3; ++c) {
-            ASSERT_NEAR(darker[i + c], 0.25f * plain[i + c], 2e-3);
-            sum += plain[i + c];
-        }
-    EXPECT_GT(sum, 10);
-}
-
-/// It reads and writes every pixel, those without a ray, too, and also where no view keeps the rays' answers.
-TEST_F(SeamsTest, ADenoiserSeesEveryPixelWithoutViews) {
-    gpu::Image filtered;
-    must(reflect::makeImage(library().gpu(), filtered,
-                            {"toy/filtered", VK_FORMAT_R16G16B16A16_SFLOAT, kWidth, kHeight, reflect::kCleared}));
-    const auto picture = [&](bool views) {
-        ReflectionsDesc desc = {kWidth, kHeight, plainSettings(), false, views};
-        desc.settings.reflect.threshold = 1; // no pixel sends a ray
-        auto frame = must(reflect::FrameStages::create(library().gpu(), desc));
-        must(frame->setInputs(host_.gbuffer, {}));
-        frame->addDenoiser({"toy", [](const Settings&, const reflect::Signal&) { return true; },
-                            [&](gpu::Frame& recording, const reflect::DenoiseInputs&, reflect::Signal) {
-                                recording.clear(filtered, {.float32 = {1, 2, 3, 1}});
-                                return reflect::Signal{&filtered, kWidth, kHeight};
-                            }});
-        HostImage image;
-        run([&](VkCommandBuffer commands) { image = frame->record(commands, camera_.view(kWidth, kHeight)); });
-        return download(gpu(), image);
-    };
-    const std::vector<float> shown = picture(true);
-    EXPECT_NE(shown, download(gpu(), host_.gbuffer.litRadiance));
-    EXPECT_EQ(picture(false), shown);
 }
 
 /// Any image that a pass wrote is a view, by its pass and its name there.

@@ -42,7 +42,7 @@ TEST_F(TuneWorkCost, FiguresAreNoPartOfTheEffect) {
 
 TEST_F(TuneWorkCost, EveryOtherPassCostsSomething) {
     const double without = floors();
-    for (const char* pass : {"denoise/reuse", "denoise/upsample", "rays/reflect_query", "render/back_faces",
+    for (const char* pass : {"denoise/reuse", "resolve/upsample", "rays/reflect_query", "render/back_faces",
                              "refraction/refract", "some/new_pass"}) {
         work_.stats.scene.rays = 3000;
         work_.passes.emplace_back(pass);

@@ -47,7 +47,7 @@ void Views::rehearse(gpu::Frame& frame, const ViewInputs& inputs) {
 gpu::Image& Views::record(gpu::Frame& frame, const ViewInputs& inputs, uint32_t view) {
     const Prepared& prepared = inputs.hierarchy.prepared;
     gpu::Image& black = inputs.hierarchy.frame.standIns.black;
-    const LobeHistory history = inputs.history.value_or(LobeHistory{inputs.rayRecord, black, black, black});
+    const DenoiserHistory history = inputs.history.value_or(DenoiserHistory{inputs.rayRecord, black, black, black});
     const Reflected reflected = inputs.sources.reflected();
     frame.pass(pass_)
         .read("frame", inputs.hierarchy.frame.constants)

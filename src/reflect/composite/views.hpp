@@ -1,7 +1,7 @@
 // Debug views: intermediate results of a frame's passes as images (ReflectionsDesc::views).
 #pragma once
 
-#include "reflect/denoise/lobe_denoise.hpp"
+#include "reflect/denoise/denoiser.hpp"
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/refraction/refraction.hpp"
 #include "reflect/stage.hpp"
@@ -12,9 +12,9 @@ struct ViewInputs {
     HierarchyInputs hierarchy;
     Hierarchy& sources;
     gpu::Image& screenAnswer;
-    gpu::Image& rayRecord;              ///< outcomes of the pixels' rays
-    Refraction* refraction;             ///< null: no layers
-    std::optional<LobeHistory> history; ///< empty: nothing was denoised
+    gpu::Image& rayRecord;                  ///< outcomes of the pixels' rays
+    Refraction* refraction;                 ///< null: no layers
+    std::optional<DenoiserHistory> history; ///< empty: nothing was denoised
 };
 
 class Views {

@@ -13,6 +13,10 @@ namespace {
 
 using rays::Bounds;
 
+/// What rays.accumulate has summed up.
+constexpr HistoryImage kSum = {0, "glint/raysSum", VK_FORMAT_R32G32B32A32_SFLOAT};
+constexpr HistoryImage kWeights = {1, "glint/raysWeights", VK_FORMAT_R32_SFLOAT};
+
 /// World-space bounds of all instances that transmit light.
 Bounds transparentBounds(const rays::Scene& scene, const SurfaceTableState& surfaces) {
     Bounds all;
@@ -90,8 +94,7 @@ Result<void> RaysSource::setSettings(const Settings& settings) {
         sums_.reset(HistoryReset::Settings);
         return {};
     }
-    const std::array<StageImage, 2> images = {{{"glint/raysSum", VK_FORMAT_R32G32B32A32_SFLOAT, width, height},
-                                               {"glint/raysWeights", VK_FORMAT_R32_SFLOAT, width, height}}};
+    const std::array<StageImage, 2> images = {kSum.sized(width, height), kWeights.sized(width, height)};
     GLINT_CHECK(sums_.make(images, false));
     sumsWidth_ = width;
     sumsHeight_ = height;
@@ -339,8 +342,8 @@ void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool s
         .readWrite("raysRecord", record_)
         .write("mirroredSurface", mirroredSurface_)
         .write("mirroredLight", mirroredLight_)
-        .readWrite("raysSum", sums_.now(0))
-        .readWrite("raysWeights", sums_.now(1));
+        .readWrite("raysSum", sums_.now(kSum))
+        .readWrite("raysWeights", sums_.now(kWeights));
     if (sampleLights)
         lights_->bind(pass);
     pass.dispatchIndirect(rays_.list, offsetof(shared::RayListHeader, rayGroups));

@@ -1,7 +1,7 @@
 #include "reflect/trace/screen_trace.hpp"
 
-#include "reflect/denoise/denoise.hpp"
 #include "reflect/denoise/denoises.hpp"
+#include "reflect/resolve/screen_resolve.hpp"
 #include "reflect/trace/transparents.hpp"
 
 namespace glint::reflect {

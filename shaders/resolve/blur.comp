@@ -6,7 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 
 #include "frame/prepared.glsl"
-#include "shared/denoise_constants.h"
+#include "shared/resolve_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -18,8 +18,8 @@ layout(push_constant, scalar) uniform PushBlock {
 };
 BlurConstants settings = frame.settings.blur;
 
-#include "denoise/blur_radius.glsl"
-#include "denoise/neighbourhood.glsl"
+#include "resolve/blur_radius.glsl"
+#include "resolve/neighbourhood.glsl"
 
 /// Babylon.js' kernel is two steps that end at the reach, and shows a bright point as a square. This kernel is the
 /// Gaussian of the same variance, round in two passes, up to where it has fallen to a sixtieth. `x`: fraction of the

@@ -1,4 +1,4 @@
-#include "reflect/denoise/denoise.hpp"
+#include "reflect/resolve/screen_resolve.hpp"
 
 #include "reflect/denoise/denoises.hpp"
 
@@ -31,32 +31,29 @@ shared::BlurConstants blurConstants(const Settings& settings) {
 
 // ---------------------------------------------------------------- the stage
 
-gpu::Image& Denoise::record(gpu::Frame& frame, const DenoiseInputs& inputs) {
+gpu::Image& ScreenResolve::record(gpu::Frame& frame, const ResolveInputs& inputs) {
     Signal signal = {&inputs.traced.target, inputs.traced.width, inputs.traced.height};
-    for (const Denoiser& denoiser : denoisers_)
-        if (denoiser.needs(stages_.settings(), signal))
-            signal = denoiser.record(frame, inputs, signal);
+    if (blurs(stages_.settings()))
+        signal = blur(frame, inputs, signal);
+    if (isSmaller(signal.width, signal.height))
+        signal = upsample(frame, inputs, signal);
     return *(answer_ = signal.image);
 }
 
-bool Denoise::filters(const Traced& traced) const {
-    const Signal signal = {&traced.target, traced.width, traced.height};
-    return std::ranges::any_of(denoisers_, [&](const Denoiser& d) { return d.needs(stages_.settings(), signal); });
+bool ScreenResolve::isSmaller(uint32_t width, uint32_t height) const {
+    return width < stages_.extent.x || height < stages_.extent.y;
 }
 
-void Denoise::rehearse(gpu::Frame& frame, const DenoiseInputs& inputs) {
-    for (const Denoiser& denoiser : denoisers_)
-        denoiser.record(frame, inputs, {&inputs.traced.target, 1, 1});
+void ScreenResolve::rehearse(gpu::Frame& frame, const ResolveInputs& inputs) {
+    const Signal signal = {&inputs.traced.target, 1, 1};
+    blur(frame, inputs, signal);
+    upsample(frame, inputs, signal);
     answer_ = &inputs.traced.target;
-}
-
-void Denoise::add(Denoiser denoiser) {
-    denoisers_.insert(denoisers_.end() - 1, std::move(denoiser));
 }
 
 // ---------------------------------------------------------------- blur
 
-Signal Denoise::blur(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
+ScreenResolve::Signal ScreenResolve::blur(gpu::Frame& frame, const ResolveInputs& inputs, Signal source) {
     const uint32_t w = blurredPixels(stages_.settings(), source.width);
     const uint32_t h = blurredPixels(stages_.settings(), source.height);
     const bool whole = glm::uvec2(w, h) == stages_.extent; // then the second pass writes the answer
@@ -66,7 +63,8 @@ Signal Denoise::blur(gpu::Frame& frame, const DenoiseInputs& inputs, Signal sour
     return last;
 }
 
-void Denoise::recordBlur(gpu::Frame& frame, const DenoiseInputs& inputs, bool vertical, Signal source, Signal target) {
+void ScreenResolve::recordBlur(gpu::Frame& frame, const ResolveInputs& inputs, bool vertical, Signal source,
+                               Signal target) {
     const shared::BlurPassConstants constants = {source.size(), target.size(), vertical};
     frame.pass(blurPass_)
         .read("frame", inputs.trace.frame.constants)
@@ -81,7 +79,7 @@ void Denoise::recordBlur(gpu::Frame& frame, const DenoiseInputs& inputs, bool ve
 
 // ---------------------------------------------------------------- upsample
 
-Signal Denoise::upsample(gpu::Frame& frame, const DenoiseInputs& inputs, Signal source) {
+ScreenResolve::Signal ScreenResolve::upsample(gpu::Frame& frame, const ResolveInputs& inputs, Signal source) {
     gpu::Pass pass = frame.pass(upsamplePass_);
     readHitColor(pass, inputs.trace);
     pass.read("frame", inputs.trace.frame.constants)
@@ -107,32 +105,18 @@ uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(pixels)));
 }
 
-Result<std::unique_ptr<Denoise>> Denoise::create(StageContext& stages) {
-    std::unique_ptr<Denoise> stage(new Denoise(stages));
-    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"denoise/blur", sizeof(shared::BlurPassConstants), {}},
+Result<std::unique_ptr<ScreenResolve>> ScreenResolve::create(StageContext& stages) {
+    std::unique_ptr<ScreenResolve> stage(new ScreenResolve(stages));
+    GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"resolve/blur", sizeof(shared::BlurPassConstants), {}},
                                                gpu::Compile::Later));
     GLINT_TRY(upsamplePass,
-              gpu::Pipeline::compute(stages.gpu, {"denoise/upsample", sizeof(glm::vec2), {}}, gpu::Compile::Later));
+              gpu::Pipeline::compute(stages.gpu, {"resolve/upsample", sizeof(glm::vec2), {}}, gpu::Compile::Later));
     stage->blurPass_ = std::move(blurPass);
     stage->upsamplePass_ = std::move(upsamplePass);
-    Denoise* const self = stage.get();
-    self->denoisers_ = {
-        {"blur", [](const Settings& settings, const Signal&) { return blurs(settings); },
-         [self](gpu::Frame& frame, const DenoiseInputs& inputs, Signal signal) {
-             return self->blur(frame, inputs, signal);
-         }},
-        {"upsample",
-         [self](const Settings&, const Signal& signal) {
-             return signal.width < self->stages_.extent.x || signal.height < self->stages_.extent.y;
-         },
-         [self](gpu::Frame& frame, const DenoiseInputs& inputs, Signal signal) {
-             return self->upsample(frame, inputs, signal);
-         }},
-    };
     return stage;
 }
 
-Result<void> Denoise::make(const Settings& settings) {
+Result<void> ScreenResolve::make(const Settings& settings) {
     const uint32_t width = stages_.width();
     const uint32_t height = stages_.height();
     const auto make = [&](gpu::Image& image, const char* name) {
@@ -140,7 +124,7 @@ Result<void> Denoise::make(const Settings& settings) {
     };
     const bool smaller = tracedPixels(settings, width) < width || tracedPixels(settings, height) < height;
     if (smaller || blurs(settings))
-        GLINT_CHECK(make(whole_, "glint/denoised"));
+        GLINT_CHECK(make(whole_, "glint/resolved"));
     if (smaller || (blurs(settings) && settings.blur.downsample > 0))
         GLINT_CHECK(upsamplePass_.compile());
     if (!blurs(settings))

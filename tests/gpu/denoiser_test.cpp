@@ -39,7 +39,7 @@ SyntheticScene roughFloorAndSmallLamp() {
     };
 }
 
-class LobeDenoiseTest : public LibraryTest {
+class DenoiserTest : public LibraryTest {
 protected:
     static Settings denoised() {
         Settings settings = plainSettings();
@@ -113,7 +113,7 @@ protected:
     }
 };
 
-TEST_F(LobeDenoiseTest, mirrorsKeepTheirBits) {
+TEST_F(DenoiserTest, mirrorsKeepTheirBits) {
     Settings off = denoised();
     off.denoise.enabled = false;
     Settings stabilized = denoised();
@@ -128,7 +128,7 @@ TEST_F(LobeDenoiseTest, mirrorsKeepTheirBits) {
     }
 }
 
-TEST_F(LobeDenoiseTest, uniformLightStaysUniform) {
+TEST_F(DenoiserTest, uniformLightStaysUniform) {
     const TestEnvironment around =
         TestEnvironment::make(gpu(), 4, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
     for (const auto& [perceptualRoughness, rate] :
@@ -154,7 +154,7 @@ TEST_F(LobeDenoiseTest, uniformLightStaysUniform) {
     }
 }
 
-TEST_F(LobeDenoiseTest, noiseFallsAtRest) {
+TEST_F(DenoiserTest, noiseFallsAtRest) {
     const SyntheticScene scene = roughFloor(0.3f);
     Settings raw = denoised();
     raw.reuse.samples = 0;
@@ -172,7 +172,7 @@ TEST_F(LobeDenoiseTest, noiseFallsAtRest) {
     EXPECT_LT(noise(denoised(), scene, 1), 0.35 * one) << "the first frame is smoothed";
 }
 
-TEST_F(LobeDenoiseTest, neighboursAndFilterKeepTheMean) {
+TEST_F(DenoiserTest, neighboursAndFilterKeepTheMean) {
     const SyntheticScene scene = roughFloor(0.25f);
     Settings own = denoised();
     own.reuse.samples = 0;
@@ -186,7 +186,7 @@ TEST_F(LobeDenoiseTest, neighboursAndFilterKeepTheMean) {
     EXPECT_NEAR(sumOf(picture) / sumOf(truth), 1, 0.01);
 }
 
-TEST_F(LobeDenoiseTest, theFilterKeepsWhatShortHistoriesShow) {
+TEST_F(DenoiserTest, theFilterKeepsWhatShortHistoriesShow) {
     // Histories as short as motion leaves them are all noise to the filter, which is then as wide as it may be.
     const SyntheticScene scene = roughFloor(0.7f);
     Settings settings = denoised();
@@ -220,7 +220,7 @@ TEST_F(LobeDenoiseTest, theFilterKeepsWhatShortHistoriesShow) {
     EXPECT_GT(same / whole, 0.77) << "0.74 if the filter is half of the lobe wide";
 }
 
-TEST_F(LobeDenoiseTest, stabilizingHoldsStillWhatIsShown) {
+TEST_F(DenoiserTest, stabilizingHoldsStillWhatIsShown) {
     const SyntheticScene scene = roughFloor(0.3f);
     Settings stabilized = denoised();
     stabilized.denoise.stabilizeSeconds = 0.5f;
@@ -240,7 +240,7 @@ TEST_F(LobeDenoiseTest, stabilizingHoldsStillWhatIsShown) {
             << step;
 }
 
-TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {
+TEST_F(DenoiserTest, aLongMeanLosesNoLight) {
     // Rounding down to 16 bits in every frame would take 2.8 % in 200 frames.
     const SyntheticScene scene = roughFloor(0.25f);
     Settings settings = denoised();
@@ -250,7 +250,7 @@ TEST_F(LobeDenoiseTest, aLongMeanLosesNoLight) {
     EXPECT_NEAR(sumOf(play(settings, scene, 200)) / sumOf(play(settings, scene, 16)), 1, 0.002);
 }
 
-TEST_F(LobeDenoiseTest, pixelsWithoutNeighboursWeighTheirRaysToo) {
+TEST_F(DenoiserTest, pixelsWithoutNeighboursWeighTheirRaysToo) {
     // Far from the mirror direction facets shadow one another: samples there count less.
     const SyntheticScene scene = roughFloor(0.6f);
     Settings settings = denoised();
@@ -263,7 +263,7 @@ TEST_F(LobeDenoiseTest, pixelsWithoutNeighboursWeighTheirRaysToo) {
     EXPECT_NEAR(sumOf(own) / sumOf(all), 1, 0.015);
 }
 
-TEST_F(LobeDenoiseTest, aMovingCameraKeepsItsHistory) {
+TEST_F(DenoiserTest, aMovingCameraKeepsItsHistory) {
     for (const float perceptualRoughness : {0.15f, 0.4f}) {
         const SyntheticScene scene = roughFloor(perceptualRoughness);
         Settings settings = denoised();
@@ -280,7 +280,7 @@ TEST_F(LobeDenoiseTest, aMovingCameraKeepsItsHistory) {
     }
 }
 
-TEST_F(LobeDenoiseTest, whatIsReflectedStaysSharpInMotion) {
+TEST_F(DenoiserTest, whatIsReflectedStaysSharpInMotion) {
     // Thin bars. Every frame shifts them by a fraction of a pixel, and every mix of neighbours would blur them further.
     const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         Stage stage = floorAndWall();
@@ -306,7 +306,7 @@ TEST_F(LobeDenoiseTest, whatIsReflectedStaysSharpInMotion) {
     EXPECT_GT(same / whole, 0.58) << "0.45 if texels are mixed linearly";
 }
 
-TEST_F(LobeDenoiseTest, rareBrightPointsAreDimmed) {
+TEST_F(DenoiserTest, rareBrightPointsAreDimmed) {
     const SyntheticScene scene = roughFloorAndSmallLamp();
     Settings all = denoised();
     all.denoise.firefly = 0;
@@ -321,7 +321,7 @@ TEST_F(LobeDenoiseTest, rareBrightPointsAreDimmed) {
     }
 }
 
-TEST_F(LobeDenoiseTest, aThinLampBeforeAWallKeepsItsPlaceInMotion) {
+TEST_F(DenoiserTest, aThinLampBeforeAWallKeepsItsPlaceInMotion) {
     // Most rays miss the lamp, most light comes from it. Taken to be as far as the wall, its image would smear.
     const SyntheticScene scene = [](const glm::dvec3& origin, const glm::dvec3& direction) {
         Stage stage = floorAndWall();
@@ -341,7 +341,7 @@ TEST_F(LobeDenoiseTest, aThinLampBeforeAWallKeepsItsPlaceInMotion) {
     EXPECT_LT(sumOf(moved) / sumOf(rested), 1.5);
 }
 
-TEST_F(LobeDenoiseTest, whatWasHiddenHasNoHistory) {
+TEST_F(DenoiserTest, whatWasHiddenHasNoHistory) {
     // A card before the floor moves away: the floor that it hid is new. Pixels count their frames.
     const auto withCard = [](double x) -> SyntheticScene {
         Stage stage = floorAndWall();
@@ -376,7 +376,7 @@ TEST_F(LobeDenoiseTest, whatWasHiddenHasNoHistory) {
     EXPECT_GT(kept, 1500u);
 }
 
-TEST_F(LobeDenoiseTest, viewsShowWhichPixelsSendRaysAndHowManyFramesCount) {
+TEST_F(DenoiserTest, viewsShowWhichPixelsSendRaysAndHowManyFramesCount) {
     const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), roughFloor(0.5f), cameraAt(0), kWidth, kHeight);
     for (const auto& [rate, share] : {std::pair(RayRate::Full, 1.0), {RayRate::Checkerboard, 0.5}}) {
         Settings settings = denoised();
@@ -419,7 +419,7 @@ TEST_F(LobeDenoiseTest, viewsShowWhichPixelsSendRaysAndHowManyFramesCount) {
     }
 }
 
-TEST_F(LobeDenoiseTest, whatIsNoNumberDoesNotStay) {
+TEST_F(DenoiserTest, whatIsNoNumberDoesNotStay) {
     const SyntheticScene scene = roughFloor(0.3f);
     const SyntheticScene broken = [=](const glm::dvec3& origin, const glm::dvec3& direction) {
         auto hit = scene(origin, direction);
@@ -440,7 +440,7 @@ TEST_F(LobeDenoiseTest, whatIsNoNumberDoesNotStay) {
     }
 }
 
-TEST_F(LobeDenoiseTest, sameSeedSameBits) {
+TEST_F(DenoiserTest, sameSeedSameBits) {
     const SyntheticScene scene = roughFloor(0.3f);
     EXPECT_EQ(play(denoised(), scene, 8, 0.02, 3).composite, play(denoised(), scene, 8, 0.02, 3).composite);
     EXPECT_NE(play(denoised(), scene, 8, 0.02, 3).composite, play(denoised(), scene, 8, 0.02, 4).composite);
@@ -451,7 +451,7 @@ TEST_F(LobeDenoiseTest, sameSeedSameBits) {
     }
 }
 
-TEST_F(LobeDenoiseTest, settingsStartAnewAndSwitchOff) {
+TEST_F(DenoiserTest, settingsStartAnewAndSwitchOff) {
     const SyntheticScene scene = roughFloor(0.3f);
     Reflections made = reflections(kWidth, kHeight, denoised());
     const Picture first = play(made, scene, 1, 0, 0);
@@ -466,7 +466,7 @@ TEST_F(LobeDenoiseTest, settingsStartAnewAndSwitchOff) {
     EXPECT_EQ(play(made, scene, 1, 0, 0).composite, first.composite);
 }
 
-TEST_F(LobeDenoiseTest, aCutHasNoHistory) {
+TEST_F(DenoiserTest, aCutHasNoHistory) {
     for (const ColorSource colors : {ColorSource::Current, ColorSource::Previous}) {
         Settings settings = denoised();
         settings.screen.colorSource = colors;
@@ -489,7 +489,7 @@ TEST_F(LobeDenoiseTest, aCutHasNoHistory) {
     }
 }
 
-TEST_F(LobeDenoiseTest, everySettingActs) {
+TEST_F(DenoiserTest, everySettingActs) {
     const auto acts = [&](const SyntheticScene& scene, const char* key, const char* value) {
         Settings settings = denoised();
         must(set(settings, key, value));
@@ -519,7 +519,7 @@ TEST_F(LobeDenoiseTest, everySettingActs) {
 constexpr std::pair<RayRate, double> kRates[] = {
     {RayRate::Full, 1}, {RayRate::Checkerboard, 0.5}, {RayRate::Quarter, 0.25}};
 
-TEST_F(LobeDenoiseTest, eachPixelSendsARayInItsTurn) {
+TEST_F(DenoiserTest, eachPixelSendsARayInItsTurn) {
     const SyntheticScene scene = roughFloor(0.6f);
     const SyntheticCamera camera = cameraAt(0);
     const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), scene, camera, kWidth, kHeight);
@@ -551,7 +551,7 @@ TEST_F(LobeDenoiseTest, eachPixelSendsARayInItsTurn) {
     }
 }
 
-TEST_F(LobeDenoiseTest, narrowLobesSendEveryFrame) {
+TEST_F(DenoiserTest, narrowLobesSendEveryFrame) {
     for (const float perceptualRoughness : {0.0f, 0.02f}) {
         Settings quarter = denoised();
         quarter.reuse.rate = RayRate::Quarter;
@@ -561,7 +561,7 @@ TEST_F(LobeDenoiseTest, narrowLobesSendEveryFrame) {
     }
 }
 
-TEST_F(LobeDenoiseTest, fewerRaysKeepTheMean) {
+TEST_F(DenoiserTest, fewerRaysKeepTheMean) {
     const SyntheticScene scene = roughFloor(0.5f); // wide enough on screen for a quarter
     Settings settings = denoised();
     settings.denoise.historySeconds = 4;
@@ -580,7 +580,7 @@ TEST_F(LobeDenoiseTest, fewerRaysKeepTheMean) {
     }
 }
 
-TEST_F(LobeDenoiseTest, everyPixelFindsARayFromTheFirstFrameOn) {
+TEST_F(DenoiserTest, everyPixelFindsARayFromTheFirstFrameOn) {
     Stage stage = floorAndWall(); // with a pole of two pixels that reflects, too
     stage.floorRoughness = 0.6f;
     stage.cards.push_back({.low = {-0.5, -1}, .high = {-0.42, 3}, .z = -1, .f0 = 0.5f, .perceptualRoughness = 0.6f});
@@ -600,7 +600,7 @@ TEST_F(LobeDenoiseTest, everyPixelFindsARayFromTheFirstFrameOn) {
     }
 }
 
-TEST_F(LobeDenoiseTest, anAdaptiveRateFallsWhereThePictureHasSettled) {
+TEST_F(DenoiserTest, anAdaptiveRateFallsWhereThePictureHasSettled) {
     Settings settings = denoised();
     settings.reuse.rate = RayRate::Adaptive;
     const auto rays = [&](const SyntheticScene& scene, uint32_t frames, double step) {

@@ -1,7 +1,7 @@
-// The pixels that the passes of `denoise` mix: where each one's surface is, and how similar two surfaces are. Include
+// The pixels that the passes of `resolve` mix: where each one's surface is, and how similar two surfaces are. Include
 // after `rayRecord`.
-#ifndef GLINT_DENOISE_NEIGHBOURHOOD_GLSL
-#define GLINT_DENOISE_NEIGHBOURHOOD_GLSL
+#ifndef GLINT_RESOLVE_NEIGHBOURHOOD_GLSL
+#define GLINT_RESOLVE_NEIGHBOURHOOD_GLSL
 
 #include "frame/prepared.glsl"
 #include "lib/camera.glsl"

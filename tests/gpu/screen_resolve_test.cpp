@@ -1,4 +1,4 @@
-// The stage `denoise`: upsampling of a smaller trace, the blur, the intermediate format. Tests what must hold for any
+// The stage `resolve`: upsampling of a smaller trace, the blur, the intermediate format. Tests what must hold for any
 // formula: mirrors stay sharp, no light bleeds in from untraced pixels, and energy is conserved.
 #include "gpu/support/library_test.hpp"
 #include "gpu/support/scenes.hpp"
@@ -12,7 +12,7 @@ namespace denoise_test {
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
 
-class DenoiseTest : public LibraryTest {
+class ScreenResolveTest : public LibraryTest {
 protected:
     static Picture show(const SyntheticScene& scene, const Settings& settings) {
         return trace(scene, SyntheticCamera{}, kWidth, kHeight, settings);
@@ -55,7 +55,7 @@ SyntheticScene twoColours(float floorRoughness) {
 
 // ---------------------------------------------------------------- screen.resolutionScale
 
-TEST_F(DenoiseTest, resolutionScaleTracesFewerRays) {
+TEST_F(ScreenResolveTest, resolutionScaleTracesFewerRays) {
     Settings settings = plainSettings();
     const Picture whole = show(floorAndWall(), settings);
     settings.screen.resolutionScale = 0.5f;
@@ -68,7 +68,7 @@ TEST_F(DenoiseTest, resolutionScaleTracesFewerRays) {
     EXPECT_EQ(pixels, 61u * 34u) << "every traced pixel has exactly one outcome, and no other is counted";
 }
 
-TEST_F(DenoiseTest, mirrorsOfASmallerTraceStaySharp) {
+TEST_F(ScreenResolveTest, mirrorsOfASmallerTraceStaySharp) {
     // The wall shows its own position, so a colour is a hit position: a pixel of the full trace is 0.077 m there, and a
     // hit on the border of two pixels, or the corner of four, may show any of them.
     constexpr float kPixel = 0.077f;
@@ -99,7 +99,7 @@ TEST_F(DenoiseTest, mirrorsOfASmallerTraceStaySharp) {
     }
 }
 
-TEST_F(DenoiseTest, edgesOfWhatIsReflectedStayWhereTheyAre) {
+TEST_F(ScreenResolveTest, edgesOfWhatIsReflectedStayWhereTheyAre) {
     Settings settings = plainSettings();
     const Picture whole = show(twoColours(0), settings);
     settings.screen.resolutionScale = 0.5f;
@@ -115,7 +115,7 @@ TEST_F(DenoiseTest, edgesOfWhatIsReflectedStayWhereTheyAre) {
     EXPECT_LE(differ, compared / 200);
 }
 
-TEST_F(DenoiseTest, whatDoesNotReflectGetsNothingFromItsNeighbours) {
+TEST_F(ScreenResolveTest, whatDoesNotReflectGetsNothingFromItsNeighbours) {
     const SyntheticCamera camera;
     for (const float strength : {0.0f, 0.3f})
         for (const float scale : {1.0f, 0.5f, 0.3f}) {
@@ -135,7 +135,7 @@ TEST_F(DenoiseTest, whatDoesNotReflectGetsNothingFromItsNeighbours) {
         }
 }
 
-TEST_F(DenoiseTest, viewsAndDebugColoursFollowTheMapping) {
+TEST_F(ScreenResolveTest, viewsAndDebugColoursFollowTheMapping) {
     Settings settings = plainSettings();
     const Picture whole = show(floorAndWall(), settings);
     settings.screen.resolutionScale = 0.5f;
@@ -156,7 +156,7 @@ TEST_F(DenoiseTest, viewsAndDebugColoursFollowTheMapping) {
     EXPECT_GT(same, whole.pixels() * 95 / 100);
 }
 
-TEST_F(DenoiseTest, tinyAndOddPicturesWorkAtEveryScale) {
+TEST_F(ScreenResolveTest, tinyAndOddPicturesWorkAtEveryScale) {
     for (const glm::uvec2 size : {glm::uvec2(1, 1), glm::uvec2(17, 9), glm::uvec2(3, 57)})
         for (const float scale : {0.1f, 0.5f, 0.9f}) {
             Settings settings = plainSettings();
@@ -169,7 +169,7 @@ TEST_F(DenoiseTest, tinyAndOddPicturesWorkAtEveryScale) {
         }
 }
 
-TEST_F(DenoiseTest, scaleChangesBetweenFramesWithoutNewImages) {
+TEST_F(ScreenResolveTest, scaleChangesBetweenFramesWithoutNewImages) {
     const SyntheticCamera camera;
     const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), floorAndWall(), camera, kWidth, kHeight);
     Settings settings = plainSettings();
@@ -195,7 +195,7 @@ size_t mixed(const Picture& picture) {
     return count;
 }
 
-TEST_F(DenoiseTest, strengthWidensTheBlurOfRoughSurfaces) {
+TEST_F(ScreenResolveTest, strengthWidensTheBlurOfRoughSurfaces) {
     Settings settings = plainSettings();
     const size_t none = mixed(show(twoColours(0.25f), settings));
     settings.blur.strength = 0.05f;
@@ -207,7 +207,7 @@ TEST_F(DenoiseTest, strengthWidensTheBlurOfRoughSurfaces) {
     EXPECT_GT(much, little * 2);
 }
 
-TEST_F(DenoiseTest, theBlurLeavesMirrorsAloneUnlessRoughFactorAsks) {
+TEST_F(ScreenResolveTest, theBlurLeavesMirrorsAloneUnlessRoughFactorAsks) {
     Settings settings = plainSettings();
     const Picture sharp = show(twoColours(0), settings);
     settings.blur.strength = 0.2f;
@@ -221,7 +221,7 @@ TEST_F(DenoiseTest, theBlurLeavesMirrorsAloneUnlessRoughFactorAsks) {
     EXPECT_EQ(all.hitUV, sharp.hitUV) << "with a blur the rays themselves are not jittered";
 }
 
-TEST_F(DenoiseTest, withoutABlurRoughFactorJittersRays) {
+TEST_F(ScreenResolveTest, withoutABlurRoughFactorJittersRays) {
     Settings settings = plainSettings();
     const Picture mirror = show(twoColours(0.25f), settings);
     settings.rough.factor = 0.5f;
@@ -230,7 +230,7 @@ TEST_F(DenoiseTest, withoutABlurRoughFactorJittersRays) {
     EXPECT_EQ(show(twoColours(0.25f), settings).hitUV, mirror.hitUV);
 }
 
-TEST_F(DenoiseTest, theBlurGrowsWithTheDistanceOfTheHit) {
+TEST_F(ScreenResolveTest, theBlurGrowsWithTheDistanceOfTheHit) {
     // Along the edge between the colours: near the wall's foot rays are short, towards the camera they are long.
     Settings settings = plainSettings();
     settings.blur.strength = 0.1f;
@@ -252,7 +252,7 @@ TEST_F(DenoiseTest, theBlurGrowsWithTheDistanceOfTheHit) {
     EXPECT_GT(widths.back(), widths[widths.size() / 4] + 2);
 }
 
-TEST_F(DenoiseTest, oneColourStaysThatColour) {
+TEST_F(ScreenResolveTest, oneColourStaysThatColour) {
     // Where every hit shows one radiance, every answer is that radiance, whatever was mixed: misses reduce weight,
     // never colour. No black and no bright pixel at any edge.
     const glm::vec3 radiance(2, 1, 0.5f);
@@ -282,7 +282,7 @@ TEST_F(DenoiseTest, oneColourStaysThatColour) {
             }
 }
 
-TEST_F(DenoiseTest, blurStopsAtSilhouettesAndCreases) {
+TEST_F(ScreenResolveTest, blurStopsAtSilhouettesAndCreases) {
     // A rough card stands on the floor before the wall; its own rays leave towards the camera and get no answer. If the
     // card's pixels bled into the floor behind it, that floor would lose weight.
     Settings settings = plainSettings();
@@ -315,7 +315,7 @@ TEST_F(DenoiseTest, blurStopsAtSilhouettesAndCreases) {
     EXPECT_GT(beside, 10u);
 }
 
-TEST_F(DenoiseTest, qualityAndDownsampleAct) {
+TEST_F(ScreenResolveTest, qualityAndDownsampleAct) {
     Settings settings = plainSettings();
     settings.blur.strength = 0.8f;
     settings.blur.quality = 1;
@@ -336,21 +336,48 @@ TEST_F(DenoiseTest, qualityAndDownsampleAct) {
     const Picture coarse = show(twoColours(0.25f), settings);
     EXPECT_GT(difference(coarse, many), 0);
     const auto upsamples = [](const Picture& picture) {
-        return std::ranges::count(picture.passTimes, "denoise/upsample", &PassTime::name);
+        return std::ranges::count(picture.passTimes, "resolve/upsample", &PassTime::name);
     };
     EXPECT_EQ(upsamples(many), 0);
     EXPECT_EQ(upsamples(coarse), 1);
 }
 
-TEST_F(DenoiseTest, noPassRunsWhereNoneIsAskedFor) {
+TEST_F(ScreenResolveTest, noPassRunsWhereNoneIsAskedFor) {
     const Picture picture = show(floorAndWall(), plainSettings());
     for (const PassTime& pass : picture.passTimes)
-        EXPECT_FALSE(pass.name.starts_with("denoise/")) << pass.name;
+        EXPECT_FALSE(pass.name.starts_with("resolve/") || pass.name.starts_with("denoise/")) << pass.name;
+}
+
+/// It reads and writes every pixel, those without a ray, too, and also where no view keeps the rays' answers.
+TEST_F(ScreenResolveTest, itSeesEveryPixelWithoutViews) {
+    const SyntheticCamera camera;
+    const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), twoColours(0.25f), camera, kWidth, kHeight);
+    const auto picture = [&](const Settings& settings, bool views) {
+        Reflections made = must(Reflections::create(library(), {kWidth, kHeight, settings, false, views}));
+        must(made.setInputs(host.gbuffer));
+        HostImage image;
+        run([&](VkCommandBuffer commands) { image = made.record(commands, camera.view(kWidth, kHeight)); });
+        return download(gpu(), image);
+    };
+    Settings blurred = plainSettings();
+    blurred.blur.strength = 0.3f;
+    Settings coarse = blurred;
+    coarse.blur.downsample = 1;
+    Settings smaller = plainSettings();
+    smaller.screen.resolutionScale = 0.5f;
+    for (const Settings& settings : {blurred, coarse, smaller}) {
+        const std::vector<float> shown = picture(settings, true);
+        EXPECT_NE(shown, picture(plainSettings(), true));
+        EXPECT_EQ(picture(settings, false), shown);
+        Settings none = settings;
+        none.reflect.threshold = 1; // no pixel sends a ray
+        EXPECT_EQ(picture(none, false), picture(none, true));
+    }
 }
 
 // ---------------------------------------------------------------- broken colours
 
-TEST_F(DenoiseTest, brokenColoursDoNotSpread) {
+TEST_F(ScreenResolveTest, brokenColoursDoNotSpread) {
     Stage stage = floorAndWall();
     stage.floorRoughness = 0.2f;
     const auto broken = [&](const glm::dvec3& origin, const glm::dvec3& direction) {
@@ -391,7 +418,7 @@ TEST_F(DenoiseTest, brokenColoursDoNotSpread) {
 
 // ---------------------------------------------------------------- screen.targetFormat
 
-TEST_F(DenoiseTest, eightBitsEndAtOneAndKeepTheHue) {
+TEST_F(ScreenResolveTest, eightBitsEndAtOneAndKeepTheHue) {
     Settings settings = plainSettings();
     const glm::vec3 radiance(3, 0.4f, 0.106f); // no half bytes once scaled to 1: devices may round those either way
     const Picture whole = show(uniformWall(0, radiance), settings);
@@ -414,7 +441,7 @@ TEST_F(DenoiseTest, eightBitsEndAtOneAndKeepTheHue) {
     }
 }
 
-TEST_F(DenoiseTest, theFormatMayChangeBetweenFrames) {
+TEST_F(ScreenResolveTest, theFormatMayChangeBetweenFrames) {
     const SyntheticCamera camera;
     const SyntheticGBuffer host =
         SyntheticGBuffer::render(gpu(), uniformWall(0, glm::vec3(3)), camera, kWidth, kHeight);

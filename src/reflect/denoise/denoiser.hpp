@@ -11,7 +11,7 @@
 
 namespace glint::reflect {
 
-struct LobeDenoiseInputs {
+struct DenoiserInputs {
     FrameInputs frame;
     Prepared prepared;
     gpu::Image* screenAnswer; ///< null: the source takes no part
@@ -25,23 +25,33 @@ struct LobeDenoiseInputs {
 };
 
 /// What the last frame's denoising decided, for views.
-struct LobeHistory {
+struct DenoiserHistory {
     gpu::Image& sentRay;    ///< denoise/sent_ray.glsl
     gpu::Image& meta;       ///< of the mean: denoise/accumulate.comp
     gpu::Image& metaBefore; ///< of the previous frame's
     gpu::Image& changed;    ///< denoise/change.comp
 };
 
+/// The images that the history has room for, besides those that every denoised frame needs: all that settings so far
+/// needed.
+struct DenoiserKept {
+    bool fastMean = false; ///< the mean over few frames
+    bool places = false;   ///< sentinels of either kind
+    bool paths = false;
+    bool stable = false; ///< the stabilized brightness
+    bool operator==(const DenoiserKept&) const = default;
+};
+
 /// Created when settings first enable it.
-class LobeDenoise {
+class Denoiser {
 public:
     /// Errors: OutOfMemory.
-    static Result<std::unique_ptr<LobeDenoise>> create(StageContext& stages);
+    static Result<std::unique_ptr<Denoiser>> create(StageContext& stages);
 
     /// Creates the images that these settings need for the first time. Errors: OutOfMemory.
     Result<void> make(const Settings& settings);
 
-    /// Begins a frame, before its constants are resolved. `followsPaths`: it will be given LobeDenoiseInputs's.
+    /// Begins a frame, before its constants are resolved. `followsPaths`: it will be given DenoiserInputs's.
     void begin(gpu::Frame& frame, bool followsPaths);
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { history_.reset(reason); }
@@ -56,9 +66,9 @@ public:
     /// What the previous frame's mean is of: frames, luminance, nearness (denoise/accumulate.comp).
     gpu::Image& metaBefore();
     /// Returns the joined, denoised answer.
-    gpu::Image& record(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    gpu::Image& record(gpu::Frame& frame, const DenoiserInputs& inputs);
     /// Empty if the frame denoised nothing.
-    std::optional<LobeHistory> history();
+    std::optional<DenoiserHistory> history();
     /// Ends the frame. One in which neither screen nor rays took part leaves no history.
     void end(gpu::Frame& frame) { history_.end(frame, recorded_ ? HistoryReset::None : HistoryReset::NotLight); }
 
@@ -70,25 +80,16 @@ private:
         Paths,  ///< through the host's triangles
     };
 
-    /// What the history has room for, besides what every denoised frame keeps: all that settings so far needed.
-    struct Kept {
-        bool fastMean = false; ///< the mean over few frames
-        bool places = false;   ///< sentinels of either kind
-        bool paths = false;
-        bool stable = false; ///< the stabilized brightness
-        bool operator==(const Kept&) const = default;
-    };
-
-    explicit LobeDenoise(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
-    Result<void> makeHistory(const Kept& kept);
+    explicit Denoiser(StageContext& stages) : stages_(stages), history_(stages, History::Kind::Turns) {}
+    Result<void> makeHistory(const DenoiserKept& kept);
     bool reusesTarget(const Settings& settings) const;
     bool comparesMeans() const;
-    MirroredImages mirroredOf(const LobeDenoiseInputs& inputs);
-    void gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
-    gpu::Image& findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    MirroredImages mirroredOf(const DenoiserInputs& inputs);
+    void gather(gpu::Frame& frame, const DenoiserInputs& inputs);
+    gpu::Image& findChange(gpu::Frame& frame, const DenoiserInputs& inputs);
     bool stabilizes() const;
-    gpu::Image& stabilize(gpu::Frame& frame, const LobeDenoiseInputs& inputs, gpu::Image& filtered, gpu::Image& spare);
-    void lookAtPlaces(gpu::Frame& frame, const LobeDenoiseInputs& inputs);
+    gpu::Image& stabilize(gpu::Frame& frame, const DenoiserInputs& inputs, gpu::Image& filtered, gpu::Image& spare);
+    void lookAtPlaces(gpu::Frame& frame, const DenoiserInputs& inputs);
 
     StageContext& stages_;
     gpu::Pipeline gather_;
@@ -106,7 +107,7 @@ private:
     gpu::Image sentRay_;           ///< RG32UI: denoise/sent_ray.glsl
     gpu::Image reusedMeta_;        ///< RG16F: denoise/reuse.comp
     gpu::Image hitMotion_;         ///< R32UI: lib/packed_motion.glsl
-    gpu::Image noMirroredSurface_; ///< one texel, for absent LobeDenoiseInputs::mirrored
+    gpu::Image noMirroredSurface_; ///< one texel, for absent DenoiserInputs::mirrored
     gpu::Image noMirroredLight_;
     gpu::Standing blank_;               ///< those two are initialized
     gpu::Image reusedMotion_;           ///< RGBA16F: denoise/reuse.comp
@@ -115,7 +116,7 @@ private:
     gpu::Image answer_;                 ///< RGBA16F: radiance, weight; with views, which also show noisy_
     gpu::Image* shownChange_ = nullptr; ///< changed_, or black: what the last frame read
     History history_;
-    std::optional<Kept> kept_;             ///< empty until `make`
+    std::optional<DenoiserKept> kept_;     ///< empty until `make`
     bool recorded_ = false;                ///< in this frame
     Sentinels followed_ = Sentinels::None; ///< in this frame
 };

@@ -1,26 +1,42 @@
-#include "reflect/denoise/lobe_denoise.hpp"
+#include "reflect/denoise/denoiser.hpp"
 
 #include "reflect/denoise/denoises.hpp"
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 
 namespace glint::reflect {
 namespace {
 
 constexpr VkFormat kHalf = VK_FORMAT_R16G16B16A16_SFLOAT;
+constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
 
-/// Indices of the images in the history.
-constexpr size_t kMean = 0;
-constexpr size_t kMeta = 1;
-constexpr size_t kFast = 2;
-constexpr size_t kPlace = 3;
-constexpr size_t kSentinelRay = 4;
-constexpr size_t kSentinelPath = 5;
-constexpr size_t kRates = 6;
-constexpr size_t kSpeed = 7;
-constexpr size_t kSentinelPlace = 8;
-constexpr size_t kStable = 9;
+/// The images of the history: a line here and, if settings decide, in `isNeeded`.
+constexpr HistoryImage kMean = {0, "glint/mean", kHalf};
+constexpr HistoryImage kMeta = {1, "glint/meanMeta", kHalf};
+constexpr HistoryImage kFast = {2, "glint/fastMean", VK_FORMAT_R16_SFLOAT};
+constexpr HistoryImage kPlace = {3, "glint/meanPlace", VK_FORMAT_R32G32_UINT};
+constexpr HistoryImage kSentinelRay = {4, "glint/sentinelRay", kWords, shared::kSentinelTile, 2};
+constexpr HistoryImage kSentinelPath = {5, "glint/sentinelPath", kWords, shared::kSentinelTile, 2};
+constexpr HistoryImage kRates = {6, "glint/rayRates", VK_FORMAT_R8_UNORM, shared::kRateTile};
+constexpr HistoryImage kSpeed = {7, "glint/meanSpeed", VK_FORMAT_R16_SFLOAT};
+constexpr HistoryImage kSentinelPlace = {8, "glint/sentinelPlace", kWords, shared::kSentinelTile, 2};
+constexpr HistoryImage kStable = {9, "glint/stableBrightness", VK_FORMAT_R16G16_SFLOAT};
+constexpr std::array kImages = {kMean,         kMeta,  kFast,  kPlace,         kSentinelRay,
+                                kSentinelPath, kRates, kSpeed, kSentinelPlace, kStable};
+static_assert(std::ranges::equal(kImages, std::views::iota(size_t{0}, kImages.size()), {}, &HistoryImage::index));
+
+bool isNeeded(const HistoryImage& image, const DenoiserKept& kept) {
+    switch (image.index) {
+    case kFast.index: return kept.fastMean;
+    case kSentinelRay.index:
+    case kSentinelPath.index: return kept.paths;
+    case kSentinelPlace.index: return kept.places;
+    case kStable.index: return kept.stable;
+    default: return true;
+    }
+}
 
 uint32_t tiles(uint32_t pixels, uint32_t across) {
     return (pixels + across - 1) / across;
@@ -39,8 +55,8 @@ uint32_t rateOf(const Settings& settings) {
 
 } // namespace
 
-Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
-    std::unique_ptr<LobeDenoise> denoise(new LobeDenoise(stages));
+Result<std::unique_ptr<Denoiser>> Denoiser::create(StageContext& stages) {
+    std::unique_ptr<Denoiser> denoise(new Denoiser(stages));
     const auto pass = [&](gpu::Pipeline& pipeline, const char* name, uint32_t pushSize) -> Result<void> {
         GLINT_TRY(made, gpu::Pipeline::compute(stages.gpu, {name, pushSize, {}}));
         pipeline = std::move(made);
@@ -62,7 +78,6 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     const uint32_t tilesY = tiles(h, shared::kSentinelTile);
     GLINT_CHECK(makeImage(stages.gpu, denoise->sentinelChange_, {"glint/change", kHalf, tilesX, tilesY}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->changed_, {"glint/changed", kHalf, tilesX, tilesY}));
-    constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
     GLINT_CHECK(
         makeImage(stages.gpu, denoise->noMirroredSurface_, {"glint/noMirroredSurface", kWords, 1, 1, kCleared}));
     GLINT_CHECK(makeImage(stages.gpu, denoise->noMirroredLight_, {"glint/noMirroredLight", kWords, 1, 1, kCleared}));
@@ -71,40 +86,25 @@ Result<std::unique_ptr<LobeDenoise>> LobeDenoise::create(StageContext& stages) {
     return denoise;
 }
 
-Result<void> LobeDenoise::makeHistory(const Kept& kept) {
-    const uint32_t w = stages_.width();
-    const uint32_t h = stages_.height();
-    const uint32_t tilesX = tiles(w, shared::kSentinelTile);
-    const uint32_t tilesY = tiles(h, shared::kSentinelTile);
-    const auto sentinels = [&](const char* name, bool has) {
-        return StageImage{name, VK_FORMAT_R32G32B32A32_UINT, has ? 2 * tilesX : 1, has ? tilesY : 1};
-    };
-    std::array<StageImage, 10> images;
-    images[kMean] = {"glint/mean", kHalf, w, h};
-    images[kMeta] = {"glint/meanMeta", kHalf, w, h};
-    images[kFast] = {"glint/fastMean", VK_FORMAT_R16_SFLOAT, kept.fastMean ? w : 1, kept.fastMean ? h : 1};
-    images[kSentinelRay] = sentinels("glint/sentinelRay", kept.paths);
-    images[kSentinelPath] = sentinels("glint/sentinelPath", kept.paths);
-    images[kSentinelPlace] = sentinels("glint/sentinelPlace", kept.places);
-    images[kRates] = {"glint/rayRates", VK_FORMAT_R8_UNORM, tiles(w, shared::kRateTile), tiles(h, shared::kRateTile)};
-    images[kSpeed] = {"glint/meanSpeed", VK_FORMAT_R16_SFLOAT, w, h};
-    images[kStable] = {"glint/stableBrightness", VK_FORMAT_R16G16_SFLOAT, kept.stable ? w : 1, kept.stable ? h : 1};
-    images[kPlace] = {"glint/meanPlace", VK_FORMAT_R32G32_UINT, w, h};
+Result<void> Denoiser::makeHistory(const DenoiserKept& kept) {
+    std::array<StageImage, kImages.size()> images;
+    for (const HistoryImage& image : kImages)
+        images[image.index] = image.sized(stages_.width(), stages_.height(), isNeeded(image, kept));
     GLINT_CHECK(history_.make(images, true));
     kept_ = kept;
     return {};
 }
 
-Result<void> LobeDenoise::make(const Settings& settings) {
+Result<void> Denoiser::make(const Settings& settings) {
     const uint32_t w = stages_.width();
     const uint32_t h = stages_.height();
     if (!reusesTarget(settings))
         GLINT_CHECK(makeImage(stages_.gpu, reused_, {"glint/reused", kHalf, w, h}));
     if (stages_.desc.views)
-        GLINT_CHECK(makeImage(stages_.gpu, answer_, {"glint/lobeAnswer", kHalf, w, h}));
+        GLINT_CHECK(makeImage(stages_.gpu, answer_, {"glint/denoisedAnswer", kHalf, w, h}));
     const Antilag antilag = settings.denoise.antilag;
     const bool screen = settings.screen.enabled;
-    Kept kept = kept_.value_or(Kept());
+    DenoiserKept kept = kept_.value_or(DenoiserKept());
     kept.fastMean |= antilag == Antilag::Mean || (antilag == Antilag::Gradient && !screen);
     kept.places |= antilag == Antilag::Gradient && screen;
     kept.paths |= settings.rays.enabled;
@@ -121,12 +121,12 @@ Result<void> LobeDenoise::make(const Settings& settings) {
 
 /// True if the neighbours' rays are gathered in the image of the screen's answer, which only gather reads. Views show
 /// that answer.
-bool LobeDenoise::reusesTarget(const Settings& settings) const {
+bool Denoiser::reusesTarget(const Settings& settings) const {
     return !stages_.desc.views && !stages_.desc.inspection && settings.screen.enabled &&
            settings.screen.targetFormat != TargetFormat::Rgba8;
 }
 
-void LobeDenoise::begin(gpu::Frame& frame, bool followsPaths) {
+void Denoiser::begin(gpu::Frame& frame, bool followsPaths) {
     const Settings& settings = stages_.settings();
     Sentinels followed = followsPaths ? Sentinels::Paths : Sentinels::None;
     if (!followsPaths && settings.denoise.antilag == Antilag::Gradient && settings.screen.enabled)
@@ -144,12 +144,12 @@ void LobeDenoise::begin(gpu::Frame& frame, bool followsPaths) {
 }
 
 /// True if the means tell of changed light. With sentinels they add nothing: those are never later.
-bool LobeDenoise::comparesMeans() const {
+bool Denoiser::comparesMeans() const {
     const Antilag antilag = stages_.settings().denoise.antilag;
     return antilag == Antilag::Mean || (antilag == Antilag::Gradient && followed_ == Sentinels::None);
 }
 
-shared::DenoiseConstants LobeDenoise::constants(double seconds, bool mirrored) const {
+shared::DenoiseConstants Denoiser::constants(double seconds, bool mirrored) const {
     const Settings& settings = stages_.settings();
     const double frames = settings.denoise.historySeconds / seconds;
     return {static_cast<uint32_t>(settings.reuse.samples),
@@ -171,30 +171,30 @@ shared::DenoiseConstants LobeDenoise::constants(double seconds, bool mirrored) c
             0};
 }
 
-void LobeDenoise::copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset) {
+void Denoiser::copyTag(gpu::Frame& frame, gpu::Buffer& target, size_t offset) {
     if (history_.valid())
         history_.copyTag(frame, target, offset);
 }
 
-std::optional<LobeHistory> LobeDenoise::history() {
+std::optional<DenoiserHistory> Denoiser::history() {
     if (!recorded_)
         return std::nullopt;
-    return LobeHistory{sentRay_, history_.now(kMeta), history_.before(kMeta), *shownChange_};
+    return DenoiserHistory{sentRay_, history_.now(kMeta), history_.before(kMeta), *shownChange_};
 }
 
-gpu::Image& LobeDenoise::rayRates() {
+gpu::Image& Denoiser::rayRates() {
     return history_.before(kRates);
 }
 
-gpu::Image& LobeDenoise::metaBefore() {
+gpu::Image& Denoiser::metaBefore() {
     return history_.before(kMeta);
 }
 
-MirroredImages LobeDenoise::mirroredOf(const LobeDenoiseInputs& inputs) {
+MirroredImages Denoiser::mirroredOf(const DenoiserInputs& inputs) {
     return inputs.mirrored.value_or(MirroredImages{noMirroredSurface_, noMirroredLight_});
 }
 
-void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+void Denoiser::gather(gpu::Frame& frame, const DenoiserInputs& inputs) {
     gpu::Image& black = inputs.frame.standIns.black;
     const MirroredImages mirrored = mirroredOf(inputs);
     const uint32_t sources = (inputs.screenAnswer ? shared::kJoinScreen : 0) |
@@ -219,7 +219,7 @@ void LobeDenoise::gather(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
         .dispatch(stages_.extent.x, stages_.extent.y);
 }
 
-void LobeDenoise::lookAtPlaces(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+void Denoiser::lookAtPlaces(gpu::Frame& frame, const DenoiserInputs& inputs) {
     gpu::Image& black = inputs.frame.standIns.black;
     Inputs& host = inputs.frame.host;
     frame.pass(sentinels_)
@@ -237,7 +237,7 @@ void LobeDenoise::lookAtPlaces(gpu::Frame& frame, const LobeDenoiseInputs& input
 }
 
 /// Returns what has changed since the previous frame, by tiles; black where nothing is to be found.
-gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+gpu::Image& Denoiser::findChange(gpu::Frame& frame, const DenoiserInputs& inputs) {
     gpu::Image& black = inputs.frame.standIns.black;
     if (stages_.settings().denoise.antilag == Antilag::Off)
         return black;
@@ -257,13 +257,13 @@ gpu::Image& LobeDenoise::findChange(gpu::Frame& frame, const LobeDenoiseInputs& 
     return changed_;
 }
 
-bool LobeDenoise::stabilizes() const {
+bool Denoiser::stabilizes() const {
     return stages_.settings().denoise.stabilizeSeconds > 0;
 }
 
 /// Returns the image of what it was given or, without views, of `spare`, which nothing reads any more.
-gpu::Image& LobeDenoise::stabilize(gpu::Frame& frame, const LobeDenoiseInputs& inputs, gpu::Image& filtered,
-                                   gpu::Image& spare) {
+gpu::Image& Denoiser::stabilize(gpu::Frame& frame, const DenoiserInputs& inputs, gpu::Image& filtered,
+                                gpu::Image& spare) {
     gpu::Image& answer = stages_.desc.views ? stabilized_ : spare;
     frame.pass(stabilize_)
         .read("frame", inputs.frame.constants)
@@ -279,7 +279,7 @@ gpu::Image& LobeDenoise::stabilize(gpu::Frame& frame, const LobeDenoiseInputs& i
     return answer;
 }
 
-gpu::Image& LobeDenoise::record(gpu::Frame& frame, const LobeDenoiseInputs& inputs) {
+gpu::Image& Denoiser::record(gpu::Frame& frame, const DenoiserInputs& inputs) {
     recorded_ = true;
     gpu::Image& reused = inputs.screenAnswer && reusesTarget(stages_.settings()) ? *inputs.screenAnswer : reused_;
     gpu::Image& answer = stages_.desc.views ? answer_ : noisy_; // what gather wrote is read no more then

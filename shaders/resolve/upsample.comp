@@ -14,7 +14,7 @@
 #include "frame/prepared.glsl"
 #include "lib/color.glsl"
 #include "lib/fades.glsl"
-#include "shared/denoise_constants.h"
+#include "shared/resolve_constants.h"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -33,8 +33,8 @@ layout(push_constant, scalar) uniform PushBlock {
 TraceConstants settings = frame.settings.trace;
 BlurConstants blur = frame.settings.blur;
 
-#include "denoise/blur_radius.glsl"
-#include "denoise/neighbourhood.glsl"
+#include "resolve/blur_radius.glsl"
+#include "resolve/neighbourhood.glsl"
 #include "trace/hit_color.glsl" // bindings 3, 6, 7, 8, 46
 
 /// Below this similarity a pixel shows another surface.

@@ -1,6 +1,6 @@
 // Width of a reflection's blur: Babylon.js' SSRRenderingPipeline (after Godot's).
-#ifndef GLINT_DENOISE_BLUR_RADIUS_GLSL
-#define GLINT_DENOISE_BLUR_RADIUS_GLSL
+#ifndef GLINT_RESOLVE_BLUR_RADIUS_GLSL
+#define GLINT_RESOLVE_BLUR_RADIUS_GLSL
 
 #include "lib/math.glsl"
 
