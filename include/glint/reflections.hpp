@@ -64,6 +64,12 @@ struct PassTime {
     double milliseconds = 0;
 };
 
+/// A decision on which passes frames have.
+struct FrameDecision {
+    std::string_view name; ///< for example "denoise", or the name of a pass
+    bool value = false;
+};
+
 /// Ray outcomes and costs of one frame.
 struct Statistics {
     struct Outcome {
@@ -85,8 +91,13 @@ struct Statistics {
     } scene;
 };
 
-/// Records reflections into the host's command buffers. One object has one image size and one set of settings, and
-/// serves any number of views in turn. Not thread-safe.
+/// Records reflections into the host's command buffers. One object has one image size, one set of settings and one
+/// history: the previous frame of a recording is the recording before it, whatever its view. Several views may share an
+/// object, in turn, while no setting keeps data from frame to frame: each gets the same bits as from an object of its
+/// own. With screen.colorSource previous, denoise.enabled or rays.accumulate each view needs its own object: a shared
+/// one looks up the other view's image where both show the same surface, with the light that the other eye sees;
+/// GBuffer::motion does not lead there; and rays.accumulate starts again with every recording. View::cut in every
+/// recording also keeps views apart: no frame then has a history. Not thread-safe.
 ///
 /// Frames in flight: objects that a call replaces (images, pipelines) are freed by the first `record` of a frame that
 /// is framesInFlight after the newest frame that may use them. The host needs no other wait, except that the GPU must
@@ -217,6 +228,9 @@ public:
     /// Returns the GPU time of each pass of the newest frame that the GPU has finished. Never waits. Empty without
     /// ReflectionsDesc::timers.
     std::vector<PassTime> passTimes();
+
+    /// Returns the decisions on which passes frames have with the settings, inputs and sources in force.
+    std::vector<FrameDecision> plan() const;
 
     /// Returns the statistics of the last recorded frame. Call it after the GPU has finished that frame. Empty without
     /// ReflectionsDesc::statistics.

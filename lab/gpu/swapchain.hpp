@@ -17,8 +17,8 @@ enum class Presented : uint8_t {
 
 class Swapchain {
 public:
-    /// The swapchain takes ownership of `surface`, also on error. `context` must be able to present (Context::presents)
-    /// and must outlive the swapchain. Errors: Unsupported if the device cannot present to the surface.
+    /// The swapchain takes ownership of `surface`, also on error. `context` needs ContextDesc::windowExtensions and
+    /// must outlive the swapchain. Errors: Unsupported if the device cannot present to the surface.
     static Result<std::unique_ptr<Swapchain>> create(Context& context, VkSurfaceKHR surface);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;

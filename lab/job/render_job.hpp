@@ -62,6 +62,7 @@ struct RenderStats {
     Statistics::SceneRays scene;                            ///< of the last frame
     std::vector<std::pair<std::string, uint64_t>> outcomes; ///< pixels; every name, including those with 0
     MemoryReport memory;                                    ///< of the library, without the renderer
+    std::vector<FrameDecision> plan;                        ///< which passes the library's frames have
 };
 
 struct RenderResult {

@@ -199,6 +199,7 @@ RenderStats ReflectionSession::stats() const {
     stats.software = context_->info().software;
     stats.passes = passTimes_.medians();
     stats.memory = objects_->library->memory();
+    stats.plan = objects_->reflections->plan();
     const Statistics counted = objects_->reflections->statistics();
     stats.rays = counted.rays;
     stats.lookupsPerRay = counted.lookupsMean;

@@ -40,7 +40,7 @@
     X(CreateAccelerationStructureKHR) X(DestroyAccelerationStructureKHR) X(GetAccelerationStructureBuildSizesKHR)      \
     X(GetAccelerationStructureDeviceAddressKHR) X(CmdBuildAccelerationStructuresKHR) X(GetBufferDeviceAddress)
 
-/// Present only where the context can present to a window (Context::presents); otherwise never called.
+/// Present only where the context can present to a window (ContextDesc::windowExtensions); otherwise never called.
 #define GLINT_VK_SURFACE_FUNCTIONS(X)                                                                                  \
     X(DestroySurfaceKHR) X(GetPhysicalDeviceSurfaceSupportKHR) X(GetPhysicalDeviceSurfaceCapabilitiesKHR)              \
     X(GetPhysicalDeviceSurfaceFormatsKHR)

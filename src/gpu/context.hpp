@@ -148,8 +148,6 @@ public:
     bool supportsSamples(VkFormat format, VkImageUsageFlags usage, uint32_t samples) const;
     void nameObject(VkObjectType type, uint64_t handle, const char* name) const;
 
-    /// True if created with ContextDesc::windowExtensions: gpu/swapchain.hpp can present images.
-    bool presents() const { return presents_; }
     /// Validation messages so far (created contexts with validation enabled). Tests fail if there are any.
     const std::vector<std::string>& validationMessages() const { return validationMessages_; }
 
@@ -174,7 +172,7 @@ private:
     bool rayQuery_ = false;
     bool anisotropy_ = false;
     Demands demands_ = Demands::Programs;
-    bool presents_ = false;
+    bool presents_ = false; ///< created with ContextDesc::windowExtensions
     uint32_t scratchAlignment_ = 1;
     VkDeviceSize maxStorageBufferRange_ = 0;
     VkDeviceSize maxBufferSize_ = 0;

@@ -10,58 +10,61 @@ namespace glint::reflect {
 // ---------------------------------------------------------------- the frame, top to bottom
 
 void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
-    const Settings& settings = stages_.settings();
+    const FramePlan& plan = stages_.plan;
     clear(frame);
     previousHasLayers_ = std::exchange(hasLayers_, false);
     if (view.cut)
         forgetFrames(HistoryReset::View);
-    if (colors_.begin(frame, wantsHistory()))
+    if (colors_.begin(frame, plan.previousColors))
         outputs_.remember(frame);
-    if (denoiser_)
-        denoiser_->begin(frame, followsSentinels());
+    if (Denoiser* const denoiser = optional_.find<Denoiser>())
+        denoiser->begin(frame);
     prepare(frame, view);
-    const bool reflects = hierarchy_->anySource() || settings.debug.outcome;
-    if (reflects && settings.screen.enabled) {
-        if (!classifiesEarly())
-            trace_->classify(frame, inputs(), prepared());
-        trace_->list(frame, prepare_->backFaceGroups());
-        prepare_->recordBackFaces(frame, inputs(), colors_.now(kViewZ), trace_->rays());
-        if (techniqueFor(settings.screen.march).usesPyramid || expectsLayers())
-            pyramid_->record(frame, inputs(), prepared(), expectsLayers() ? nullptr : &trace_->rays());
-        if (blursHits())
-            conePicture_->record(frame, traceInputs());
-        const Traced traced = trace_->record(frame, traceInputs());
-        if (meetsTransparents())
-            transparentTrace_->record(frame, traceInputs(), trace_->target());
-        resolve_->record(frame, {traceInputs(), traced});
-    } else {
+    if (plan.tracesScreen)
+        traceScreen(frame);
+    else
         resolve_->recordNothing(trace_->recordNothing(frame));
-        if (expectsLayers())
-            pyramid_->record(frame, inputs(), prepared(), nullptr);
-    }
-    if (reflects)
+    if (plan.layers && !plan.tracesScreen)
+        pyramid_->record(frame, inputs(), prepared(), nullptr);
+    if (plan.reflects)
         hierarchy_->recordSources(frame, hierarchyInputs());
     recordComposite(frame);
-    if (counts_ && tracesRays())
-        countRays(frame);
-    if (expectsLayers())
-        refraction_->begin(frame, composite());
-    colors_.end(frame, settings.debug.outcome ? HistoryReset::NotLight : HistoryReset::None);
-    if (denoiser_)
-        denoiser_->end(frame);
-    if (usesRays())
-        raysSource_->end(frame);
+    optional_.record(frame, Moment::AfterAll, stageInputs());
+    if (plan.countsRays)
+        countRays(frame, *optional_.find<RayCounts>());
+    if (plan.layers)
+        optional_.find<Refraction>()->begin(frame, composite());
+    colors_.end(frame, stages_.settings().debug.outcome ? HistoryReset::NotLight : HistoryReset::None);
+    if (Denoiser* const denoiser = optional_.find<Denoiser>())
+        denoiser->end(frame);
+    if (plan.rays)
+        raysSource()->end(frame);
+}
+
+/// The screen's rays, from the list of pixels that need one to an answer for every pixel.
+void FrameStages::traceScreen(gpu::Frame& frame) {
+    const FramePlan& plan = stages_.plan;
+    if (!plan.classifiesEarly)
+        trace_->classify(frame, inputs(), prepared());
+    trace_->list(frame, prepare_->backFaceGroups());
+    prepare_->recordBackFaces(frame, inputs(), colors_.now(kViewZ), trace_->rays());
+    if (plan.pyramid)
+        pyramid_->record(frame, inputs(), prepared(), plan.layers ? nullptr : &trace_->rays());
+    optional_.record(frame, Moment::BeforeMarch, stageInputs());
+    const Traced traced = trace_->record(frame, traceInputs());
+    optional_.record(frame, Moment::AfterMarch, stageInputs());
+    resolve_->record(frame, {traceInputs(), traced});
 }
 
 /// Combines the sources, and replaces the host's reflections by them.
 void FrameStages::recordComposite(gpu::Frame& frame) {
-    if (!readsReflected()) {
+    if (!stages_.plan.combines) {
         composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(),
                                    {rayRecord(), composite()});
         return;
     }
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
-    if (hasComposite())
+    if (stages_.plan.composites)
         composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
 }
 
@@ -69,12 +72,14 @@ void FrameStages::prepare(gpu::Frame& frame, const View& view) {
     block_->begin(view, host_);
     if (!block_->sameProjection() && colors_.valid())
         colors_.drop(HistoryReset::View);
-    trace_->begin(usesRays() && !stages_.settings().screen.enabled); // the record of `rays` has the frame's size
+    const FramePlan& plan = stages_.plan;
+    trace_->begin(plan.rays && !plan.screen); // the record of `rays` has the frame's size
     const Traced traced = trace_->traced();
     block_->record(frame, host_, resolveSettings(view), {traced.width, traced.height}, colors_);
-    if (denoises())
-        denoiser_->copyTag(frame, block_->buffer(), offsetof(FrameBlockValues, settings.denoise.historyTag));
-    if (!classifiesEarly()) {
+    if (plan.denoise)
+        optional_.find<Denoiser>()->copyTag(frame, block_->buffer(),
+                                            offsetof(FrameBlockValues, settings.denoise.historyTag));
+    if (!plan.classifiesEarly) {
         prepare_->record(frame, inputs(), colors_.now(kViewZ));
         return;
     }
@@ -86,25 +91,27 @@ void FrameStages::prepare(gpu::Frame& frame, const View& view) {
 /// The settings in force, with the inputs of this frame: a host may add lights or probes at any time.
 shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     const Settings& settings = stages_.settings();
+    const FramePlan& plan = stages_.plan;
     const uint32_t levels = pyramid_->pyramid().levels;
     shared::SettingsConstants resolved = {};
-    resolved.trace = traceConstants(settings, prepare_->backFacesKnown());
-    resolved.trace.flags |= prepare_->backFacesInPlace() ? shared::kTraceBackInPlace : 0;
-    resolved.trace.flags |= trace_->keepsRecord(settings) ? shared::kTraceRecords : 0;
-    resolved.trace.flags |= storesListedOnly() ? shared::kTraceListedOnly : 0;
+    resolved.trace = traceConstants(settings, plan.backFaces);
+    resolved.trace.flags |= plan.backFacesInPlace ? shared::kTraceBackInPlace : 0;
+    resolved.trace.flags |= plan.keepsRecord ? shared::kTraceRecords : 0;
+    resolved.trace.flags |= plan.storesListedOnly ? shared::kTraceListedOnly : 0;
     resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
     resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);
     resolved.layerTrace = layerTraceConstants(settings, levels);
     resolved.refraction =
         refractionConstants(settings, probes() != nullptr, static_cast<bool>(host_.images.environment));
-    if (usesRays())
-        resolved.rays = raysSource_->constants(host_.images, hierarchy_->before(shared::kSourceRays));
+    if (plan.rays)
+        resolved.rays = raysSource()->constants(host_.images, hierarchy_->before(shared::kSourceRays));
     resolved.planar = PlanarSource::constants(settings, hierarchy_->before(shared::kSourcePlanar));
     resolved.probes = {probeFlags(settings), hierarchy_->before(shared::kSourceProbes)};
     resolved.hierarchy = hierarchy_->constants();
     resolved.blur = blurConstants(settings);
-    if (denoises())
-        resolved.denoise = denoiser_->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0, averagesMirrored());
+    if (plan.denoise)
+        resolved.denoise = optional_.find<Denoiser>()->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0,
+                                                                 plan.rays && raysSource()->branches());
     resolved.composite = composite_->constants();
     return resolved;
 }
@@ -114,10 +121,7 @@ void FrameStages::clear(gpu::Frame& frame) {
     prepare_->clear(frame);
     pyramid_->clear(frame);
     trace_->clear(frame);
-    if (conePicture_)
-        conePicture_->clear(frame);
-    if (transparentTrace_)
-        transparentTrace_->clear(frame);
+    optional_.clear(frame);
     tables_->record(frame, stages_.progress);
 }
 
@@ -133,16 +137,17 @@ void FrameStages::bringUpToDate(gpu::Frame& frame) {
         upToDate_.recorded(stages_.progress);
 }
 
-void FrameStages::countRays(gpu::Frame& frame) {
+void FrameStages::countRays(gpu::Frame& frame, RayCounts& rayCounts) {
     const Traced traced = trace_->traced();
-    counts_->record(frame, inputs(), rayRecord(), traced.width, traced.height, [&](gpu::Buffer& counts) {
-        if (usesRays())
-            raysSource_->count(frame, inputs(), counts);
+    rayCounts.record(frame, inputs(), rayRecord(), traced.width, traced.height, [&](gpu::Buffer& counts) {
+        if (stages_.plan.rays)
+            raysSource()->count(frame, inputs(), counts);
     });
 }
 
 void FrameStages::recordLayer(gpu::Frame& frame, LayerImages& layer) {
-    refraction_->record(frame, layer, {inputs(), prepared(), pyramid_->pyramid(), probes()}, composite());
+    optional_.find<Refraction>()->record(frame, layer, {inputs(), prepared(), pyramid_->pyramid(), probes()},
+                                         composite());
 }
 
 // ---------------------------------------------------------------- recordings
@@ -155,20 +160,22 @@ HostImage FrameStages::record(VkCommandBuffer commands, const View& view) {
     stages_.retired.begin(frameNumber_, stages_.desc.framesInFlight);
     lastView_ = view;
     stages_.extent = {view.width > 0 ? view.width : stages_.width(), view.height > 0 ? view.height : stages_.height()};
+    replan(); // the host adds mirrors and probes at any time, and may use another extent
     recorded_ = true;
-    ranPasses_ = hierarchy_->anySource() || stages_.settings().debug.outcome || expectsLayers() || outputs_.areHosts();
+    ranPasses_ = stages_.plan.records;
     upToDate_.ask();
     written_.clear();
-    if (checker_)
-        checker_->begin(view, frameNumber_);
+    InputChecker* const checker = inputChecker();
+    if (checker)
+        checker->begin(view, frameNumber_);
     if (!ranPasses_) {
         forgetFrames(HistoryReset::NotLight);
         return host_.gbuffer.litRadiance;
     }
-    gpu::Frame frame(stages_.gpu, commands, timers_.get(), views_ ? &written_ : nullptr);
+    gpu::Frame frame(stages_.gpu, commands, timers_.get(), stages_.desc.views ? &written_ : nullptr);
     recordFrame(frame, view);
-    if (checker_ && checker_->isDue())
-        checker_->record(frame, inputs(), host_.gbuffer);
+    if (checker && checker->isDue())
+        checker->record(frame, inputs(), host_.gbuffer);
     outputs_.handOut(frame);
     host_.giveBack(frame);
     stages_.progress.end(frame);
@@ -179,15 +186,15 @@ void FrameStages::forget() {
     written_.clear();
     recorded_ = ranPasses_ = false;
     upToDate_.ask();
-    if (checker_)
-        checker_->forget();
+    if (InputChecker* const checker = inputChecker())
+        checker->forget();
     forgetFrames(HistoryReset::NotLight);
 }
 
 void FrameStages::forgetFrames(HistoryReset reason) {
     colors_.reset(reason);
-    if (denoiser_)
-        denoiser_->forgetFrames(reason);
+    if (Denoiser* const denoiser = optional_.find<Denoiser>())
+        denoiser->forgetFrames(reason);
 }
 
 HostImage FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {
@@ -212,13 +219,13 @@ gpu::Image& FrameStages::recordView(VkCommandBuffer commands, uint32_t view) {
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
     bringUpToDate(frame);
-    const bool layers = recorded_ && expectsLayers();
-    const bool denoised = ranPasses_ && denoises();
-    gpu::Image& image =
-        views_->record(frame,
-                       {hierarchyInputs(), *hierarchy_, resolve_->answer(), rayRecord(),
-                        layers ? refraction_.get() : nullptr, denoised ? denoiser_->history() : std::nullopt},
-                       view);
+    const bool layers = recorded_ && stages_.plan.layers;
+    Denoiser* const denoiser = ranPasses_ ? optional_.findWanted<Denoiser>() : nullptr;
+    gpu::Image& image = optional_.find<Views>()->record(frame,
+                                                        {hierarchyInputs(), *hierarchy_, resolve_->answer(),
+                                                         rayRecord(), layers ? optional_.find<Refraction>() : nullptr,
+                                                         denoiser ? denoiser->history() : std::nullopt},
+                                                        view);
     frame.hand(image, kHandedOut);
     outputs_.giveBack(frame);
     host_.giveBack(frame);
@@ -230,7 +237,7 @@ gpu::Image& FrameStages::recordWritten(VkCommandBuffer commands, size_t image) {
     outputs_.lend();
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
-    gpu::Image& shown = views_->show(frame, *written_[image].image);
+    gpu::Image& shown = optional_.find<Views>()->show(frame, *written_[image].image);
     frame.hand(shown, kHandedOut);
     outputs_.giveBack(frame);
     stages_.progress.end(frame);
@@ -243,7 +250,7 @@ void FrameStages::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
     bringUpToDate(frame);
-    inspector_->record(frame, inspectorInputs(), x, y);
+    optional_.find<Inspector>()->record(frame, inspectorInputs(), x, y);
     if (ranPasses_)
         outputs_.handOut(frame);
     host_.giveBack(frame);
@@ -255,54 +262,40 @@ void FrameStages::recordInputCheck(VkCommandBuffer commands, const std::optional
     stages_.progress.begin(frameNumber_);
     gpu::Frame frame(stages_.gpu, commands);
     tables_->record(frame, stages_.progress);
-    checker_->record(frame, inputs(), host_.gbuffer, plane);
+    inputChecker()->record(frame, inputs(), host_.gbuffer, plane);
     host_.giveBack(frame);
     stages_.progress.end(frame);
 }
 
 // ---------------------------------------------------------------- outputs that other stages read
 
-bool FrameStages::wantsHistory() const {
-    const ScreenSettings& screen = stages_.settings().screen;
-    return screen.enabled && screen.colorSource == ColorSource::Previous;
-}
-
-/// Without a previous frame no colour of a transparent surface is known.
-bool FrameStages::meetsTransparents() const {
-    return TransparentTrace::isWanted(stages_.settings()) && host_.images.transparentDepth && colors_.valid();
-}
-
-bool FrameStages::averagesMirrored() const {
-    return usesRays() && raysSource_->branches();
-}
-
 /// Joins and denoises the answers of screen and rays.
-gpu::Image& FrameStages::denoise(gpu::Frame& frame) {
+gpu::Image& FrameStages::denoise(gpu::Frame& frame, Denoiser& denoiser) {
+    const FramePlan& plan = stages_.plan;
     const Traced traced = trace_->traced();
-    const bool screen = stages_.settings().screen.enabled;
-    DenoiserInputs joined = {inputs(),
-                             prepared(),
-                             screen ? &traced.target : nullptr,
-                             traced.rayRecord,
-                             usesRays() ? &raysSource_->answer() : nullptr,
-                             usesRays() ? raysSource_->rayRecord() : traced.rayRecord,
-                             hierarchy_->raysComeFirst(),
-                             {},
-                             {}};
-    if (usesRays() && raysSource_->storesApart())
-        joined.mirrored.emplace(raysSource_->mirrored());
-    if (followsSentinels())
-        joined.followPaths = [this](gpu::Frame& f, const SentinelImages& images) {
-            raysSource_->recordSentinels(f, inputs(), prepared(), images);
+    RaysSource* const rays = plan.rays ? raysSource() : nullptr;
+    DenoiserInputs joined = {.frame = inputs(),
+                             .prepared = prepared(),
+                             .screenAnswer = plan.screen ? &traced.target : nullptr,
+                             .screenRecord = traced.rayRecord,
+                             .raysAnswer = rays ? &rays->answer() : nullptr,
+                             .raysRecord = rays ? rays->rayRecord() : traced.rayRecord,
+                             .raysFirst = hierarchy_->raysComeFirst()};
+    if (rays && rays->storesApart())
+        joined.mirrored.emplace(rays->mirrored());
+    if (plan.followsPaths)
+        joined.followPaths = [this, rays](gpu::Frame& f, const SentinelImages& images) {
+            rays->recordSentinels(f, inputs(), prepared(), images);
         };
-    return denoiser_->record(frame, joined);
+    return denoiser.record(frame, joined);
 }
 
 gpu::Image& FrameStages::rayRecord() {
-    return usesRays() && !stages_.settings().screen.enabled ? raysSource_->rayRecord() : trace_->traced().rayRecord;
+    return stages_.plan.rays && !stages_.plan.screen ? raysSource()->rayRecord() : trace_->traced().rayRecord;
 }
 
 TraceInputs FrameStages::traceInputs() {
+    ConePicture* const cones = optional_.findWanted<ConePicture>();
     TraceInputs trace = {inputs(),
                          prepared(),
                          met(),
@@ -310,20 +303,26 @@ TraceInputs FrameStages::traceInputs() {
                          pyramid_->pyramid(),
                          {},
                          probes(),
-                         blursHits() ? &conePicture_->image() : nullptr};
+                         cones ? &cones->image() : nullptr};
     if (colors_.valid())
-        trace.previous.emplace(PreviousFrame{previousHasLayers_ ? refraction_->withoutLayers() : outputs_.previous(),
-                                             outputs_.previous(), colors_.before(kViewZ)});
+        trace.previous.emplace(
+            PreviousFrame{previousHasLayers_ ? optional_.find<Refraction>()->withoutLayers() : outputs_.previous(),
+                          outputs_.previous(), colors_.before(kViewZ)});
     return trace;
 }
 
+StageInputs FrameStages::stageInputs() {
+    return {traceInputs(), trace_->target(), rayRecord(), stages_.plan.composites ? &composite() : nullptr};
+}
+
 HierarchyInputs FrameStages::hierarchyInputs() {
-    return {inputs(), prepared(), trace_->traced().rayRecord, usesRays() ? &raysSource_->rayRecord() : nullptr};
+    return {inputs(), prepared(), trace_->traced().rayRecord, stages_.plan.rays ? &raysSource()->rayRecord() : nullptr};
 }
 
 InspectorInputs FrameStages::inspectorInputs() {
-    return {traceInputs(), trace_->target(), hierarchyInputs(),
-            *hierarchy_,   rayRecord(),      ranPasses_ && hasComposite() ? composite() : host_.images.litRadiance};
+    return {traceInputs(),     trace_->target(),
+            hierarchyInputs(), *hierarchy_,
+            rayRecord(),       ranPasses_ && stages_.plan.composites ? composite() : host_.images.litRadiance};
 }
 
 // ---------------------------------------------------------------- results
@@ -333,7 +332,7 @@ std::vector<gpu::PassTime> FrameStages::passTimes() const {
 }
 
 Statistics FrameStages::statistics() const {
-    return counts_ && tracesRays() ? counts_->read() : Statistics();
+    return stages_.plan.countsRays ? optional_.find<RayCounts>()->read() : Statistics();
 }
 
 } // namespace glint::reflect

@@ -28,8 +28,6 @@ public:
     /// (lab/notes/gpu.md).
     void remember(gpu::Frame& frame);
 
-    bool areHosts() const { return stated_.composite || stated_.reflection; }
-    bool hasComposite() const { return stated_.composite || !stated_.reflection; }
     gpu::Image& composite() { return hosts_.composite ? hosts_.composite : own_; }
     /// The host's image for the reflections alone; null without.
     gpu::Image* reflection() { return hosts_.reflection ? &hosts_.reflection : nullptr; }

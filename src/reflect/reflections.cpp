@@ -27,6 +27,22 @@ Result<void> checkFrameSize(uint32_t width, uint32_t height) {
     return {};
 }
 
+/// A recording that follows `record`: what it needs, and its words for what is missing.
+struct Addition {
+    std::string_view call;
+    bool ReflectionsDesc::*enabled;
+    std::string_view member; ///< its name
+    std::string_view made;   ///< "these reflections were made without ..."
+    std::string_view next;   ///< "record a frame, then ..."
+};
+constexpr Addition kLayer = {"recordLayer", &ReflectionsDesc::transparentLayers, "transparentLayers",
+                             "transparent layers", "its layers"};
+constexpr Addition kView = {"recordView", &ReflectionsDesc::views, "views", "views", "its views"};
+constexpr Addition kInspection = {"recordInspection", &ReflectionsDesc::inspection, "inspection", "inspection",
+                                  "inspect it"};
+constexpr Addition kInputCheck = {"recordInputCheck", &ReflectionsDesc::inputCheck, "inputCheck", "a check",
+                                  "check its inputs"};
+
 } // namespace
 
 struct Reflections::State : gpu::KeepsContext {
@@ -43,6 +59,7 @@ struct Reflections::State : gpu::KeepsContext {
     void collectNotes();
     void readCheck();
     Result<void> checkRecord(VkCommandBuffer commands, const View& view) const;
+    Result<void> checkAddition(const Addition& addition, VkCommandBuffer commands) const;
     void refuse(const Error& why);
 };
 
@@ -117,6 +134,17 @@ Result<void> Reflections::State::checkRecord(VkCommandBuffer commands, const Vie
             "View uses {}x{} pixels of images of {}x{}: nothing is recorded, litRadiance is returned "
             "as it is",
             view.width, view.height, desc.width, desc.height);
+    return {};
+}
+
+Result<void> Reflections::State::checkAddition(const Addition& addition, VkCommandBuffer commands) const {
+    if (!(frame->desc().*addition.enabled))
+        return invalidArgument("these reflections were made without {}: set ReflectionsDesc::{}", addition.made,
+                               addition.member);
+    if (!frame->recorded())
+        return invalidArgument("nothing was recorded with these settings: record a frame, then {}", addition.next);
+    if (!commands)
+        return invalidArgument("{} without a command buffer", addition.call);
     return {};
 }
 
@@ -197,7 +225,7 @@ Result<void> Reflections::setOutputs(const Outputs& outputs) {
 Result<void> Reflections::setRays(RayScene& scene, SurfaceTable& surfaces) {
     GLINT_CHECK(reflect::checkBackend(state_->frame->desc().settings, scene.backend()));
     gpu::CompileBatch batch(state_->frame->context());
-    GLINT_CHECK(state_->frame->setRays(scene.scene(), surfaces.state()));
+    GLINT_CHECK(state_->frame->setRays({&scene.scene(), &surfaces.state(), {}}));
     GLINT_CHECK(batch.finish());
     state_->note();
     return {};
@@ -207,7 +235,7 @@ Result<void> Reflections::setRays(RayScene& scene, ShadeHits shade) {
     if (!shade)
         return invalidArgument("setRays needs something that shades hits");
     GLINT_CHECK(reflect::checkBackend(state_->frame->desc().settings, scene.backend()));
-    GLINT_CHECK(state_->frame->setRays(scene.scene(), std::move(shade)));
+    GLINT_CHECK(state_->frame->setRays({&scene.scene(), nullptr, std::move(shade)}));
     state_->note();
     return {};
 }
@@ -242,21 +270,15 @@ HostImage Reflections::record(VkCommandBuffer commands, const View& view) {
 Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer,
                                            const HostImage& picture) {
     reflect::FrameStages& frame = *state_->frame;
-    if (!frame.desc().transparentLayers)
-        return invalidArgument(
-            "these reflections were made without transparent layers: set ReflectionsDesc::transparentLayers");
-    if (!frame.recorded())
-        return invalidArgument("nothing was recorded with these settings: record a frame, then its layers");
-    if (!commands)
-        return invalidArgument("recordLayer without a command buffer");
+    GLINT_CHECK(state_->checkAddition(kLayer, commands));
     if (frame.extent() != glm::uvec2(frame.desc().width, frame.desc().height))
         return invalidArgument("the frame used {}x{} pixels of its images: layers need all {}x{}, View::width and "
                                "height 0",
                                frame.extent().x, frame.extent().y, frame.desc().width, frame.desc().height);
     GLINT_CHECK(reflect::checkLayer(frame.context(), layer, frame.desc()));
-    if (!frame.expectsLayers())
+    if (!frame.plan().layers)
         return picture;
-    if (!frame.hasComposite())
+    if (!frame.plan().composites)
         return invalidArgument("the outputs have `reflection` alone: a layer needs the image with reflections");
     if (picture.image != frame.composite().handle())
         return invalidArgument("a layer's picture is not the one that record returned");
@@ -268,16 +290,11 @@ Result<HostImage> Reflections::recordLayer(VkCommandBuffer commands, const Trans
 
 Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_view name) {
     reflect::FrameStages& frame = *state_->frame;
-    if (!frame.desc().views)
-        return invalidArgument("these reflections were made without views: set ReflectionsDesc::views");
+    GLINT_CHECK(state_->checkAddition(kView, commands));
     const auto found = std::ranges::find(reflect::kViewNames, name);
     const bool ofPass = name.find(':') != std::string_view::npos;
     if (found == reflect::kViewNames.end() && !ofPass)
         return invalidArgument("no view '{}'; did you mean '{}'?", name, nearestText(name, reflect::kViewNames));
-    if (!frame.recorded() || !commands)
-        return invalidArgument("{}", commands
-                                         ? "nothing was recorded with these settings: record a frame, then its views"
-                                         : "recordView without a command buffer");
     if (!ofPass)
         return handOut(frame.recordView(commands, static_cast<uint32_t>(found - reflect::kViewNames.begin())));
     for (size_t i = frame.written().size(); i-- > 0;) // the last one with this name
@@ -288,12 +305,7 @@ Result<HostImage> Reflections::recordView(VkCommandBuffer commands, std::string_
 
 Result<void> Reflections::recordInspection(VkCommandBuffer commands, uint32_t x, uint32_t y) {
     reflect::FrameStages& frame = *state_->frame;
-    if (!frame.desc().inspection)
-        return invalidArgument("these reflections were made without inspection: set ReflectionsDesc::inspection");
-    if (!frame.recorded())
-        return invalidArgument("nothing was recorded with these settings: record a frame, then inspect it");
-    if (!commands)
-        return invalidArgument("recordInspection without a command buffer");
+    GLINT_CHECK(state_->checkAddition(kInspection, commands));
     if (x >= frame.extent().x || y >= frame.extent().y)
         return invalidArgument("pixel {},{} lies outside the picture of {}x{}", x, y, frame.extent().x,
                                frame.extent().y);
@@ -308,12 +320,7 @@ RayInspection Reflections::inspection() const {
 
 Result<void> Reflections::recordInputCheck(VkCommandBuffer commands, const KnownPlane* plane) {
     reflect::FrameStages& frame = *state_->frame;
-    if (!frame.inputChecker())
-        return invalidArgument("these reflections were made without a check: set ReflectionsDesc::inputCheck");
-    if (!frame.recorded())
-        return invalidArgument("nothing was recorded with these settings: record a frame, then check its inputs");
-    if (!commands)
-        return invalidArgument("recordInputCheck without a command buffer");
+    GLINT_CHECK(state_->checkAddition(kInputCheck, commands));
     if (plane)
         GLINT_CHECK(reflect::checkPlane(*plane));
     frame.recordInputCheck(commands, plane ? std::optional(*plane) : std::nullopt);
@@ -342,6 +349,10 @@ std::vector<PassTime> Reflections::passTimes() {
     for (const gpu::PassTime& time : state_->frame->passTimes())
         times.push_back({time.name, time.milliseconds});
     return times;
+}
+
+std::vector<FrameDecision> Reflections::plan() const {
+    return state_->frame->decisions();
 }
 
 Statistics Reflections::statistics() {

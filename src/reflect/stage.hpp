@@ -7,6 +7,7 @@
 #include "gpu/pass.hpp"
 #include "gpu/progress.hpp"
 #include "gpu/retired.hpp"
+#include "reflect/frame_plan.hpp"
 
 #include <glm/glm.hpp>
 
@@ -23,6 +24,7 @@ struct StageContext {
     /// Pixels of the frame's images that the recorded frame uses, from the top left (View::width, height): what passes
     /// are dispatched over. Images are made for `width` x `height`.
     glm::uvec2 extent;
+    FramePlan plan; ///< of the settings, inputs and sources in force
 
     uint32_t width() const { return desc.width; } ///< size of the frame's images in pixels
     uint32_t height() const { return desc.height; }

@@ -69,7 +69,7 @@ struct Pyramid {
 /// left part of the same images.
 struct Traced {
     gpu::Image& target;    ///< RGBA16F, or RGBA8 with screen.targetFormat rgba8: radiance at the hit, weight [0, 1]
-    gpu::Image& rayRecord; ///< RG32UI, lib/ray_record.glsl; one texel if nothing reads it: ScreenTrace::keepsRecord
+    gpu::Image& rayRecord; ///< RG32UI, lib/ray_record.glsl; one texel unless FramePlan::keepsRecord
     uint32_t width;        ///< pixels that this frame traces
     uint32_t height;
 };

@@ -121,6 +121,10 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     if (!stats.passes.empty())
         json["gpuMs"] = total;
     json["passes"] = std::move(passes);
+    Json plan = Json::object();
+    for (const FrameDecision& decision : stats.plan)
+        plan[decision.name] = decision.value;
+    json["plan"] = std::move(plan);
     json["memory"] = memoryJson(stats.memory);
     json["rays"] = stats.rays;
     json["lookupsPerRay"] = stats.lookupsPerRay;

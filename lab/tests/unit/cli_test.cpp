@@ -66,6 +66,7 @@ protected:
                         40,
                         {},
                         {{"hit", 2}, {"sky", 0}}};
+        result.stats.plan = {{"denoise", true}, {"trace/picture", false}};
         if (job.inspect)
             result.inspection = inspection_;
         return result;
@@ -170,6 +171,7 @@ TEST_F(CliTest, StatsAreJsonWithTheSettingsInForce) {
     EXPECT_EQ(json["width"], 2);
     EXPECT_EQ(json["gpuMs"], 2.0);
     EXPECT_EQ(json["passes"][0], (nlohmann::json{{"name", "trace/linear"}, {"ms", 1.5}}));
+    EXPECT_EQ(json["plan"], (nlohmann::json{{"denoise", true}, {"trace/picture", false}}));
     EXPECT_EQ(json["rays"], 3);
     EXPECT_EQ(json["lookupsPerRay"], 12.5);
     EXPECT_EQ(json["outcomes"], (nlohmann::json{{"hit", 2}, {"sky", 0}}));

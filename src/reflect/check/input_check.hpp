@@ -25,6 +25,7 @@ InputCheck compareInputs(const DeclaredFrame& frame, std::span<const shared::Inp
 
 class InputChecker {
 public:
+    static bool wanted(const PlanInputs& inputs) { return inputs.inputCheck; }
     static Result<std::unique_ptr<InputChecker>> create(StageContext& stages);
 
     void rehearse(gpu::Frame& frame, const FrameInputs& inputs);

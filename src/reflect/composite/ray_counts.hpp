@@ -10,6 +10,7 @@ namespace glint::reflect {
 
 class RayCounts {
 public:
+    static bool wanted(const PlanInputs& inputs) { return inputs.statistics; }
     static Result<std::unique_ptr<RayCounts>> create(StageContext& stages);
 
     /// `width` x `height`: number of traced pixels. `addMore` adds the rays of other sources to a

@@ -19,6 +19,7 @@ struct ViewInputs {
 
 class Views {
 public:
+    static bool wanted(const PlanInputs& inputs) { return inputs.views; }
     static Result<std::unique_ptr<Views>> create(StageContext& stages);
 
     /// `view`: index in kViewNames. The image is RGBA32F.

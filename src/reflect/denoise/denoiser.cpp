@@ -1,7 +1,5 @@
 #include "reflect/denoise/denoiser.hpp"
 
-#include "reflect/denoise/denoises.hpp"
-
 #include <algorithm>
 #include <array>
 #include <ranges>
@@ -116,6 +114,7 @@ Result<void> Denoiser::make(const Settings& settings) {
             GLINT_CHECK(makeImage(stages_.gpu, stabilized_, {"glint/stabilized", kHalf, w, h}));
         kept.stable = true;
     }
+    history_.reset(HistoryReset::Settings);
     return kept_ != kept ? makeHistory(kept) : Result<void>();
 }
 
@@ -126,15 +125,15 @@ bool Denoiser::reusesTarget(const Settings& settings) const {
            settings.screen.targetFormat != TargetFormat::Rgba8;
 }
 
-void Denoiser::begin(gpu::Frame& frame, bool followsPaths) {
-    const Settings& settings = stages_.settings();
-    Sentinels followed = followsPaths ? Sentinels::Paths : Sentinels::None;
-    if (!followsPaths && settings.denoise.antilag == Antilag::Gradient && settings.screen.enabled)
-        followed = Sentinels::Places;
+void Denoiser::begin(gpu::Frame& frame) {
+    const FramePlan& plan = stages_.plan;
+    const Sentinels followed = plan.followsPaths    ? Sentinels::Paths
+                               : plan.followsPlaces ? Sentinels::Places
+                                                    : Sentinels::None;
     if (followed != followed_)
         history_.reset(HistoryReset::Asked); // a history without sentinels holds what older frames left there
     followed_ = followed;
-    history_.begin(frame, denoises(settings));
+    history_.begin(frame, plan.denoise);
     if (blank_.isNeeded(stages_.progress)) {
         frame.clear(noMirroredSurface_, {});
         frame.clear(noMirroredLight_, {});
@@ -239,7 +238,7 @@ void Denoiser::lookAtPlaces(gpu::Frame& frame, const DenoiserInputs& inputs) {
 /// Returns what has changed since the previous frame, by tiles; black where nothing is to be found.
 gpu::Image& Denoiser::findChange(gpu::Frame& frame, const DenoiserInputs& inputs) {
     gpu::Image& black = inputs.frame.standIns.black;
-    if (stages_.settings().denoise.antilag == Antilag::Off)
+    if (!stages_.plan.findsChange)
         return black;
     const bool places = followed_ == Sentinels::Places || frame.rehearsing();
     if (inputs.followPaths)
@@ -255,10 +254,6 @@ gpu::Image& Denoiser::findChange(gpu::Frame& frame, const DenoiserInputs& inputs
         .write("changed", changed_)
         .dispatch(changed_.width(), changed_.height());
     return changed_;
-}
-
-bool Denoiser::stabilizes() const {
-    return stages_.settings().denoise.stabilizeSeconds > 0;
 }
 
 /// Returns the image of what it was given or, without views, of `spare`, which nothing reads any more.
@@ -326,9 +321,10 @@ gpu::Image& Denoiser::record(gpu::Frame& frame, const DenoiserInputs& inputs) {
         .write("fast", history_.now(kFast))
         .write("speed", history_.now(kSpeed))
         .write("place", history_.now(kPlace))
-        .write("takenFrom", stabilizes() ? takenFrom_ : history_.now(kStable)) // written only where it is kept
+        .write("takenFrom",
+               stages_.plan.stabilizes ? takenFrom_ : history_.now(kStable)) // written only where it is kept
         .dispatch(w, h);
-    if (stages_.settings().reuse.rate == RayRate::Adaptive)
+    if (stages_.plan.ratesRays)
         begin(rate_)
             .read("meta", history_.now(kMeta))
             .write("rates", history_.now(kRates))
@@ -340,7 +336,7 @@ gpu::Image& Denoiser::record(gpu::Frame& frame, const DenoiserInputs& inputs) {
         .read("mirroredLight", mirrored.light)
         .write("answer", answer)
         .dispatch(w, h);
-    return stabilizes() ? stabilize(frame, inputs, answer, reused) : answer;
+    return stages_.plan.stabilizes ? stabilize(frame, inputs, answer, reused) : answer;
 }
 
 } // namespace glint::reflect

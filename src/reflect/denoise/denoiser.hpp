@@ -2,6 +2,7 @@
 // rays of neighbours, averages frames, and filters what noise is left. docs/techniques/rough.md.
 #pragma once
 
+#include "reflect/denoise/denoises.hpp"
 #include "reflect/history.hpp"
 #include "reflect/stages.hpp"
 #include "shared/denoise_constants.h"
@@ -48,11 +49,13 @@ public:
     /// Errors: OutOfMemory.
     static Result<std::unique_ptr<Denoiser>> create(StageContext& stages);
 
-    /// Creates the images that these settings need for the first time. Errors: OutOfMemory.
+    static bool wanted(const Settings& settings) { return denoises(settings); }
+    /// Creates the images that these settings need for the first time, and starts the history again. Errors:
+    /// OutOfMemory.
     Result<void> make(const Settings& settings);
 
-    /// Begins a frame, before its constants are resolved. `followsPaths`: it will be given DenoiserInputs's.
-    void begin(gpu::Frame& frame, bool followsPaths);
+    /// Begins a frame, before its constants are resolved.
+    void begin(gpu::Frame& frame);
     /// The next frame starts without history.
     void forgetFrames(HistoryReset reason) { history_.reset(reason); }
     /// `seconds`: since the previous frame.
@@ -87,7 +90,6 @@ private:
     MirroredImages mirroredOf(const DenoiserInputs& inputs);
     void gather(gpu::Frame& frame, const DenoiserInputs& inputs);
     gpu::Image& findChange(gpu::Frame& frame, const DenoiserInputs& inputs);
-    bool stabilizes() const;
     gpu::Image& stabilize(gpu::Frame& frame, const DenoiserInputs& inputs, gpu::Image& filtered, gpu::Image& spare);
     void lookAtPlaces(gpu::Frame& frame, const DenoiserInputs& inputs);
 

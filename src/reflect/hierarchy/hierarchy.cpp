@@ -24,18 +24,12 @@ Result<void> Hierarchy::makeReflected(gpu::Image* target) {
     return {};
 }
 
-uint32_t Hierarchy::add(Source source) {
-    GLINT_ASSERT(sources_.size() < shared::kMaxSources, "the table has room for {} sources", shared::kMaxSources);
-    sources_.push_back(std::move(source));
-    return static_cast<uint32_t>(sources_.size() - 1);
-}
-
 /// Bit s: source s is used.
 uint32_t Hierarchy::takingPart() const {
     uint32_t bits = 0;
     if (stages_.settings().reflect.strength > 0)
         for (uint32_t source = 0; source < sources_.size(); ++source)
-            bits |= sources_[source].takesPart() ? 1u << source : 0;
+            bits |= isUsed(source) ? 1u << source : 0;
     return bits;
 }
 
@@ -57,7 +51,7 @@ uint32_t Hierarchy::before(uint32_t source) const {
 gpu::Image& Hierarchy::answerOf(uint32_t source, const HierarchyInputs& inputs) const {
     if (joined_ && (kScreenAndRays >> source & 1) != 0)
         return *joined_;
-    gpu::Image* const answer = sources_[source].takesPart() ? sources_[source].answer() : nullptr;
+    gpu::Image* const answer = isUsed(source) ? sources_[source].answer() : nullptr;
     return answer ? *answer : inputs.frame.standIns.black;
 }
 
@@ -83,7 +77,7 @@ void Hierarchy::recordSources(gpu::Frame& frame, const HierarchyInputs& inputs) 
     uint32_t unjoined = join_ ? takingPart() & kScreenAndRays : 0;
     joined_ = nullptr;
     for (const uint32_t source : order) {
-        if (sources_[source].record && sources_[source].takesPart())
+        if (sources_[source].record && isUsed(source))
             sources_[source].record(frame, answersOf(before(source), inputs));
         const uint32_t left = unjoined & ~(1u << source);
         if (unjoined != 0 && left == 0)

@@ -13,8 +13,8 @@ namespace glint::reflect {
 /// An entry of the table; its index is the source's number, kSource* of shared/hierarchy.h for Glint's own sources.
 struct Source {
     std::string_view name; ///< name of its settings group, views and log
-    /// True if the source is used with the current settings and inputs. No source is used while reflect.strength is 0.
-    std::function<bool()> takesPart;
+    /// True if the source is used. No source is used while reflect.strength is 0.
+    bool FramePlan::*takesPart;
     /// Records the passes that compute the source's answer for the weight remaining after earlier sources. Empty: the
     /// answer already exists, or is computed in the walk.
     std::function<void(gpu::Frame& frame, const EarlierAnswers& before)> record;
@@ -33,13 +33,8 @@ class Hierarchy {
 public:
     /// Errors: OutOfMemory.
     static Result<std::unique_ptr<Hierarchy>> create(StageContext& stages, std::vector<Source> sources);
-    /// Adds a source before all others; at most kMaxSources in all. Returns its number.
-    uint32_t add(Source source);
     std::string_view nameOf(uint32_t source) const { return sources_[source].name; }
 
-    /// True if at least one source is used.
-    bool anySource() const { return takingPart() != 0; }
-    bool takesPart(uint32_t source) const { return (takingPart() >> source & 1) != 0; }
     /// Bit s: source s is used, and asked before `source`.
     uint32_t before(uint32_t source) const;
     shared::HierarchyConstants constants() const { return {answering(), order().packed(), keepsWeights() ? 1u : 0u}; }
@@ -78,7 +73,8 @@ private:
     uint32_t answering() const;
     /// True if views or the inspection show which source answered.
     bool keepsWeights() const { return stages_.desc.views || stages_.desc.inspection; }
-    SourceOrder order() const { return SourceOrder(stages_.settings(), static_cast<uint32_t>(sources_.size())); }
+    bool isUsed(uint32_t source) const { return stages_.plan.*sources_[source].takesPart; }
+    SourceOrder order() const { return SourceOrder(stages_.settings()); }
     /// Returns the answers of the sources in `which`, where bit s is source s.
     EarlierAnswers answersOf(uint32_t which, const HierarchyInputs& inputs) const;
 

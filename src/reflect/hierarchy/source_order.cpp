@@ -6,20 +6,18 @@
 
 namespace glint::reflect {
 
-SourceOrder::SourceOrder(const Settings& settings, uint32_t count) : count_(count) {
+SourceOrder::SourceOrder(const Settings& settings) {
     const OrderSettings& places = settings.order;
     const std::array<int, shared::kSourceCount> placeOf = {places.screen, places.rays, places.planar, places.probes,
                                                            places.sky};
     std::iota(sources_.begin(), sources_.end(), 0u);
     // Not stable_sort, which allocates: this is called while recording.
-    std::ranges::sort(sources_.begin(), sources_.begin() + count_, {}, [&](uint32_t source) {
-        return std::pair(source < shared::kSourceCount ? placeOf[source] : -1, source);
-    });
+    std::ranges::sort(sources_, {}, [&](uint32_t source) { return std::pair(placeOf[source], source); });
 }
 
 uint32_t SourceOrder::packed() const {
     uint32_t packed = ~0u; // 15: none
-    for (uint32_t i = 0; i < count_; ++i)
+    for (uint32_t i = 0; i < sources_.size(); ++i)
         packed = (packed & ~(15u << (4 * i))) | sources_[i] << (4 * i);
     return packed;
 }

@@ -26,6 +26,7 @@ RayInspection readRayLog(const std::byte* log, bool screenEnabled,
 
 class Inspector {
 public:
+    static bool wanted(const PlanInputs& inputs) { return inputs.inspection; }
     static Result<std::unique_ptr<Inspector>> create(StageContext& stages);
 
     void rehearse(gpu::Frame& frame, const InspectorInputs& inputs);

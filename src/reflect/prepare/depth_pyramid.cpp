@@ -18,6 +18,13 @@ gpu::ComputeDesc DepthPyramid::program() {
     return {"prepare/pyramid", sizeof(shared::PyramidConstants), {}};
 }
 
+bool DepthPyramid::wanted(const PlanInputs& inputs) {
+    const Settings& settings = inputs.settings;
+    const bool marches = settings.screen.enabled || inputs.inspection; // inspections record the marcher's pass
+    return (marches && techniqueFor(settings.screen.march).usesPyramid) ||
+           (inputs.transparentLayers && settings.refraction.enabled);
+}
+
 Result<void> DepthPyramid::make() {
     GLINT_CHECK(pass_.compile());
     if (cells_)

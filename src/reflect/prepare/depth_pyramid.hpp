@@ -12,6 +12,8 @@ public:
     static gpu::ComputeDesc program();
     static Result<std::unique_ptr<DepthPyramid>> create(StageContext& stages);
 
+    /// True if rays of the screen, of an inspection or of a transparent layer step through it.
+    static bool wanted(const PlanInputs& inputs);
     /// Creates its images when settings first need them. Errors: OutOfMemory.
     Result<void> make();
 

@@ -24,18 +24,16 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
     return prepare;
 }
 
-Result<void> Prepare::setInputs(const GBuffer& gbuffer) {
-    const HostImage& back = gbuffer.backDepth;
-    const bool known = stages_.settings().screen.thicknessMode == ThicknessMode::Backface && back;
-    const bool inPlace =
-        known && gbuffer.depth.samples == 1 && back.width == stages_.width() && back.height == stages_.height();
-    if (known && !inPlace)
+Result<void> Prepare::make() {
+    const FramePlan& plan = stages_.plan;
+    const bool converts = plan.backFaces && !plan.backFacesInPlace;
+    if (!plan.manySamples)
+        GLINT_CHECK((plan.classifiesEarly ? classifiedPass_ : surfacePass_).compile());
+    if (converts)
         GLINT_CHECK(backFacesPass_.compile());
-    backFacesKnown_ = known;
-    backFacesInPlace_ = inPlace;
-    GLINT_CHECK(makeEdge(gbuffer.depth.samples > 1));
-    GLINT_CHECK(makeMaterial(resolvesMaterial(gbuffer)));
-    return makeBackFaces(backFacesKnown_ && !backFacesInPlace_);
+    GLINT_CHECK(makeEdge(plan.manySamples));
+    GLINT_CHECK(makeMaterial(plan.resolvesMaterial));
+    return makeBackFaces(converts);
 }
 
 /// The size of an image that is needed, and of one that is only bound.
@@ -113,7 +111,7 @@ void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::I
 }
 
 void Prepare::recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, Rays& rays) {
-    if ((backFacesKnown_ && !backFacesInPlace_) || frame.rehearsing()) {
+    if ((stages_.plan.backFaces && !stages_.plan.backFacesInPlace) || frame.rehearsing()) {
         frame.pass(backFacesPass_)
             .read("frame", inputs.constants)
             .read("backDepth", inputs.host.backDepth, kTexels)
@@ -123,7 +121,7 @@ void Prepare::recordBackFaces(gpu::Frame& frame, const FrameInputs& inputs, gpu:
             .write("backViewZ", backViewZ_)
             .dispatchIndirect(rays.list, offsetof(shared::RayListHeader, backFaceGroups));
         noBackFaces_.ask();
-    } else if (!backFacesInPlace_ && noBackFaces_.isNeeded(stages_.progress)) {
+    } else if (!stages_.plan.backFacesInPlace && noBackFaces_.isNeeded(stages_.progress)) {
         frame.clear(backViewZ_, {.float32 = {shared::kBackgroundZ}});
         noBackFaces_.recorded(stages_.progress);
     }
@@ -134,14 +132,14 @@ Prepared Prepare::prepared(Host& host, gpu::Image& viewZ) {
             surface_,
             host.resolvesMaterial() ? resolvedMaterial_ : host.images.material,
             edge_,
-            backFacesInPlace_ ? host.images.backDepth : backViewZ_,
-            backFacesKnown_,
-            backFacesInPlace_};
+            stages_.plan.backFacesInPlace ? host.images.backDepth : backViewZ_,
+            stages_.plan.backFaces,
+            stages_.plan.backFacesInPlace};
 }
 
 glm::uvec2 Prepare::backFaceGroups() const {
     const uint32_t* local = backFacesPass_.localSize();
-    const glm::uvec2 pixels = backFacesKnown_ ? stages_.extent : glm::uvec2(1); // otherwise no pass runs
+    const glm::uvec2 pixels = stages_.plan.backFaces ? stages_.extent : glm::uvec2(1); // otherwise no pass runs
     return {(pixels.x + local[0] - 1) / local[0], (pixels.y + local[1] - 1) / local[1]};
 }
 

@@ -14,12 +14,9 @@ public:
 
     static Result<std::unique_ptr<Prepare>> create(StageContext& stages);
 
-    /// Allocates what these inputs need: edges with several samples per pixel, and back faces in their own size.
-    /// Errors: OutOfMemory, Unsupported.
-    Result<void> setInputs(const GBuffer& gbuffer);
-
-    /// Compiles the pass that `record` runs for hosts with one sample per pixel. Errors: Unsupported.
-    Result<void> makeSurface(bool classifies) { return (classifies ? classifiedPass_ : surfacePass_).compile(); }
+    /// Compiles and allocates what the plan needs: edges with several samples per pixel, and back faces in their own
+    /// size. Errors: OutOfMemory, Unsupported.
+    Result<void> make();
 
     /// Initializes images that may be read before they are written.
     void clear(gpu::Frame& frame);
@@ -40,9 +37,6 @@ public:
     Prepared prepared(Host& host, gpu::Image& viewZ);
     /// Group counts of the pass that recordBackFaces records, and of that for transparent surfaces.
     glm::uvec2 backFaceGroups() const;
-    bool backFacesKnown() const { return backFacesKnown_; } ///< a host provides them and the settings use them
-    /// Their image has one texel per pixel, which the passes that ask read themselves.
-    bool backFacesInPlace() const { return backFacesInPlace_; }
 
 private:
     explicit Prepare(StageContext& stages) : stages_(stages) {}
@@ -64,8 +58,6 @@ private:
     gpu::Image backViewZ_;
     gpu::Standing blank_;       ///< edge_ and backViewZ_ are initialized
     gpu::Standing noBackFaces_; ///< backViewZ_ is cleared
-    bool backFacesKnown_ = false;
-    bool backFacesInPlace_ = false;
 };
 
 } // namespace glint::reflect

@@ -80,11 +80,9 @@ Result<std::unique_ptr<RaysSource>> RaysSource::create(StageContext& stages) {
     return source;
 }
 
-Result<void> RaysSource::setSettings(const Settings& settings) {
+Result<void> RaysSource::make(const Settings& settings) {
     GLINT_CHECK(makeMirrored(wantsBranches(settings), wantsSkyApart(settings)));
-    wantsSentinels_ = denoises(settings) && settings.denoise.antilag == Antilag::Gradient;
     GLINT_CHECK(makeSentinels());
-    sampleLights_ = settings.rays.sampleLights;
     GLINT_CHECK(makeShading());
     if (interpolation(settings) > 0)
         GLINT_CHECK(interpolate_.compile());
@@ -122,7 +120,9 @@ bool RaysSource::storesApart() const {
 
 /// Creates the pipeline of sentinels once settings want it and there is a scene that lights hits.
 Result<void> RaysSource::makeSentinels() {
-    if (!wantsSentinels_ || !surfaces_ || followSentinels_)
+    const Settings& settings = stages_.settings();
+    const bool wanted = denoises(settings) && settings.denoise.antilag == Antilag::Gradient;
+    if (!wanted || !surfaces_ || followSentinels_)
         return {};
     const bool query = scene_->backend() == RayBackend::Query;
     GLINT_TRY(follow, gpu::Pipeline::compute(stages_.gpu, {query ? "rays/sentinels_query" : "rays/sentinels_bvh", 0,
@@ -171,7 +171,7 @@ Result<void> RaysSource::makeInstancesBefore(SurfaceTableState& surfaces) {
 Result<void> RaysSource::makeShading() {
     if (!surfaces_)
         return {};
-    if (!sampleLights_)
+    if (!samplesLights())
         return reflect_.compile();
     if (!lights_) {
         GLINT_TRY(lights, LightTable::create(stages_));
@@ -232,7 +232,7 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     flag(rays.accumulate, shared::kRaysAccumulate);
     flag(rays.environmentOcclusion, shared::kRaysEnvironmentOcclusion);
     flag(branches(), shared::kRaysBranches);
-    flag(sampleLights_ && !denoises(settings), shared::kRaysSampleLights);
+    flag(samplesLights() && !denoises(settings), shared::kRaysSampleLights);
     // The denoiser uses a pixel's answer as the light along its one ray.
     flag(wantsSkyApart(settings) && surfaces_ && host.environment && settings.sky.enabled, shared::kRaysSampleSky);
     const bool afterScreen = (before & (1u << shared::kSourceScreen)) != 0;
@@ -284,7 +284,7 @@ void RaysSource::recordBetween(gpu::Frame& frame, const RaysInputs& inputs) {
         .readWrite("raysRecord", record_);
     lister_.bind(between).dispatch(stages_.extent.x, stages_.extent.y);
     lister_.list(frame, rays_, stages_.extent.x, stages_.extent.y, {});
-    recordPaths(frame, inputs, sampleLights_);
+    recordPaths(frame, inputs, samplesLights());
 }
 
 /// True if the denoiser asks how what rays hit has moved.
@@ -320,11 +320,11 @@ gpu::Pass& RaysSource::bindShading(gpu::Pass& pass, const FrameInputs& inputs, c
 
 /// Traces rays and shades their hits with the host's table.
 void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
-    if (lights_ && (sampleLights_ || frame.rehearsing())) {
+    if (lights_ && (samplesLights() || frame.rehearsing())) {
         lights_->record(frame, inputs.frame, *scene_);
         recordPaths(frame, inputs, true);
     }
-    if (!sampleLights_ || frame.rehearsing())
+    if (!samplesLights() || frame.rehearsing())
         recordPaths(frame, inputs, false);
 }
 

@@ -26,6 +26,7 @@ struct RaysInputs {
 /// Created when the settings first enable it.
 class RaysSource {
 public:
+    static bool wanted(const Settings& settings) { return settings.rays.enabled; }
     /// Errors: OutOfMemory.
     static Result<std::unique_ptr<RaysSource>> create(StageContext& stages);
 
@@ -38,7 +39,7 @@ public:
 
     /// Allocates the history and compiles the pipelines that the settings need, and resets the history. Errors:
     /// OutOfMemory, Unsupported.
-    Result<void> setSettings(const Settings& settings);
+    Result<void> make(const Settings& settings);
     /// The host's environment is another.
     void environmentChanged();
     /// The next frame starts without history.
@@ -48,9 +49,8 @@ public:
     shared::RaysConstants constants(const Inputs& host, uint32_t before) const;
     void record(gpu::Frame& frame, const RaysInputs& inputs);
 
-    /// False for a host that shades hits itself.
-    bool followsSentinels() const { return surfaces_ && followSentinels_; }
-    /// Follows the previous frame's sentinels and starts this frame's. Call after `record`.
+    /// Follows the previous frame's sentinels and starts this frame's. Call after `record`, with
+    /// FramePlan::followsPaths.
     void recordSentinels(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared,
                          const SentinelImages& images);
 
@@ -72,6 +72,7 @@ public:
 
 private:
     explicit RaysSource(StageContext& stages) : stages_(stages), sums_(stages, History::Kind::InPlace) {}
+    bool samplesLights() const { return stages_.settings().rays.sampleLights; }
     Result<void> makeShading();
     Result<void> makeMirrored(bool surfaces, bool skyApart);
     void recordShaded(gpu::Frame& frame, const RaysInputs& inputs);
@@ -88,9 +89,7 @@ private:
     gpu::Pipeline interpolate_; ///< with rays.interpolate
     gpu::Pipeline reflect_;
     gpu::Pipeline followSentinels_;
-    bool wantsSentinels_ = false;        ///< the settings do
     gpu::Pipeline reflectLights_;        ///< with rays.sampleLights
-    bool sampleLights_ = false;          ///< the newest settings ask for it
     std::unique_ptr<LightTable> lights_; ///< absent until settings and scene need it
     gpu::Pipeline traceHits_;
     gpu::Pipeline count_;

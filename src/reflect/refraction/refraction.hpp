@@ -45,13 +45,13 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
 /// Created if the host declares layers (ReflectionsDesc::transparentLayers).
 class Refraction {
 public:
-    /// `views`: keep the images for debug views. Errors: OutOfMemory; Unsupported on a device that can bind too few
-    /// images in a pass.
-    static Result<std::unique_ptr<Refraction>> create(gpu::Context& context, uint32_t width, uint32_t height,
-                                                      bool views);
+    static bool wanted(const PlanInputs& inputs) { return inputs.transparentLayers; }
+    /// Errors: OutOfMemory; Unsupported on a device that can bind too few images in a pass.
+    static Result<std::unique_ptr<Refraction>> create(StageContext& stages);
 
-    /// Compiles the pipeline that layers need: by far the largest of the library. Errors: Unsupported.
-    Result<void> make() const;
+    /// Compiles the pipeline that layers need, if there are any: by far the largest of the library. Errors:
+    /// Unsupported.
+    Result<void> make(const Settings& settings) const;
     /// Creates the pipeline for these probes, which must outlive the frames. Errors: OutOfMemory.
     Result<void> setProbes(ProbesState& probes, gpu::Retired& retired);
 

@@ -1,22 +1,9 @@
 #include "reflect/resolve/screen_resolve.hpp"
 
-#include "reflect/denoise/denoises.hpp"
-
 #include <algorithm>
-#include <cmath>
 
 namespace glint::reflect {
 namespace {
-
-bool blurs(const Settings& settings) {
-    return settings.blur.strength > 0 && !denoises(settings);
-}
-
-/// Returns the blurred images' side: `traced` / (blur.downsample + 1), rounded up.
-uint32_t blurredPixels(const Settings& settings, uint32_t traced) {
-    const auto divisor = static_cast<uint32_t>(settings.blur.downsample) + 1;
-    return (traced + divisor - 1) / divisor;
-}
 
 uint32_t maxTaps(const Settings& settings) {
     constexpr uint32_t kTaps[] = {9, 21, 41}; // 21: as in Babylon.js
@@ -33,15 +20,11 @@ shared::BlurConstants blurConstants(const Settings& settings) {
 
 gpu::Image& ScreenResolve::record(gpu::Frame& frame, const ResolveInputs& inputs) {
     Signal signal = {&inputs.traced.target, inputs.traced.width, inputs.traced.height};
-    if (blurs(stages_.settings()))
+    if (stages_.plan.blur)
         signal = blur(frame, inputs, signal);
-    if (isSmaller(signal.width, signal.height))
+    if (stages_.plan.upsample)
         signal = upsample(frame, inputs, signal);
     return *(answer_ = signal.image);
-}
-
-bool ScreenResolve::isSmaller(uint32_t width, uint32_t height) const {
-    return width < stages_.extent.x || height < stages_.extent.y;
 }
 
 void ScreenResolve::rehearse(gpu::Frame& frame, const ResolveInputs& inputs) {
@@ -97,14 +80,6 @@ ScreenResolve::Signal ScreenResolve::upsample(gpu::Frame& frame, const ResolveIn
 
 // ---------------------------------------------------------------- creation
 
-uint32_t tracedPixels(const Settings& settings, uint32_t pixels) {
-    if (denoises(settings)) // each pixel has a sample of its own lobe
-        return pixels;
-    // 1e-3 less before rounding up, as 0.1f is slightly above a tenth.
-    const double wanted = pixels * static_cast<double>(settings.screen.resolutionScale) - 1e-3;
-    return static_cast<uint32_t>(std::clamp(std::ceil(wanted), 1.0, static_cast<double>(pixels)));
-}
-
 Result<std::unique_ptr<ScreenResolve>> ScreenResolve::create(StageContext& stages) {
     std::unique_ptr<ScreenResolve> stage(new ScreenResolve(stages));
     GLINT_TRY(blurPass, gpu::Pipeline::compute(stages.gpu, {"resolve/blur", sizeof(shared::BlurPassConstants), {}},
@@ -116,24 +91,20 @@ Result<std::unique_ptr<ScreenResolve>> ScreenResolve::create(StageContext& stage
     return stage;
 }
 
-Result<void> ScreenResolve::make(const Settings& settings) {
-    const uint32_t width = stages_.width();
-    const uint32_t height = stages_.height();
+Result<void> ScreenResolve::make() {
+    const FramePlan& plan = stages_.plan;
     const auto make = [&](gpu::Image& image, const char* name) {
-        return makeImage(stages_.gpu, image, {name, VK_FORMAT_R16G16B16A16_SFLOAT, width, height});
+        return makeImage(stages_.gpu, image, {name, VK_FORMAT_R16G16B16A16_SFLOAT, stages_.width(), stages_.height()});
     };
-    const bool smaller = tracedPixels(settings, width) < width || tracedPixels(settings, height) < height;
-    if (smaller || blurs(settings))
+    if (plan.upsample || plan.blur)
         GLINT_CHECK(make(whole_, "glint/resolved"));
-    if (smaller || (blurs(settings) && settings.blur.downsample > 0))
+    if (plan.upsample)
         GLINT_CHECK(upsamplePass_.compile());
-    if (!blurs(settings))
+    if (!plan.blur)
         return {};
     GLINT_CHECK(blurPass_.compile());
     GLINT_CHECK(make(blurred_[0], "glint/blurredX"));
-    if (smaller || settings.blur.downsample > 0)
-        GLINT_CHECK(make(blurred_[1], "glint/blurred"));
-    return {};
+    return plan.upsample ? make(blurred_[1], "glint/blurred") : Result<void>();
 }
 
 } // namespace glint::reflect

@@ -8,9 +8,6 @@
 
 namespace glint::reflect {
 
-/// Returns the traced size for an image side of `pixels`: scaled by screen.resolutionScale, at least one pixel.
-uint32_t tracedPixels(const Settings& settings, uint32_t pixels);
-
 struct ResolveInputs {
     TraceInputs trace; ///< inputs that the rays were traced with
     Traced traced;
@@ -23,9 +20,9 @@ class ScreenResolve {
 public:
     static Result<std::unique_ptr<ScreenResolve>> create(StageContext& stages);
 
-    /// Creates missing images that these settings need. Nothing is released, as frames in flight may still read it.
+    /// Creates missing images that the plan needs. Nothing is released, as frames in flight may still read it.
     /// Errors: OutOfMemory.
-    Result<void> make(const Settings& settings);
+    Result<void> make();
 
     /// Records both passes, whatever the settings.
     void rehearse(gpu::Frame& frame, const ResolveInputs& inputs);
@@ -46,7 +43,6 @@ private:
     };
 
     explicit ScreenResolve(StageContext& stages) : stages_(stages) {}
-    bool isSmaller(uint32_t width, uint32_t height) const;
     Signal blur(gpu::Frame& frame, const ResolveInputs& inputs, Signal source);
     Signal upsample(gpu::Frame& frame, const ResolveInputs& inputs, Signal source);
     void recordBlur(gpu::Frame& frame, const ResolveInputs& inputs, bool vertical, Signal source, Signal target);

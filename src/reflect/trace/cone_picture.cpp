@@ -6,7 +6,7 @@
 
 namespace glint::reflect {
 
-bool ConePicture::isWanted(const Settings& settings) {
+bool ConePicture::wanted(const Settings& settings) {
     return settings.rough.cones && settings.screen.enabled && !denoises(settings) && settings.blur.strength <= 0 &&
            settings.rough.factor <= 0;
 }
@@ -18,7 +18,7 @@ Result<std::unique_ptr<ConePicture>> ConePicture::create(StageContext& stages) {
     return picture;
 }
 
-Result<void> ConePicture::make() {
+Result<void> ConePicture::make(const Settings&) {
     GLINT_CHECK(pass_.compile());
     if (image_)
         return {};
@@ -41,7 +41,8 @@ void ConePicture::clear(gpu::Frame& frame) {
     blank_.recorded(stages_.progress);
 }
 
-void ConePicture::record(gpu::Frame& frame, const TraceInputs& inputs) {
+void ConePicture::record(gpu::Frame& frame, const StageInputs& stage) {
+    const TraceInputs& inputs = stage.trace;
     static_assert(shared::kPictureTile == shared::kPyramidTile, "dispatched over the pyramid's tiles");
     static constexpr std::array kLevels = {"level1", "level2", "level3", "level4", "level5", "level6"};
     static_assert(kLevels.size() == shared::kPictureLevels);

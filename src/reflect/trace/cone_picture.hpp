@@ -2,8 +2,7 @@
 // (rough.cones).
 #pragma once
 
-#include "reflect/stage.hpp"
-#include "reflect/trace/technique.hpp"
+#include "reflect/stage_list.hpp"
 
 namespace glint::reflect {
 
@@ -11,17 +10,19 @@ class ConePicture {
 public:
     /// True if hits are blurred by the width of the surface's lobe: where rays take mirror directions, and nothing else
     /// blurs them.
-    static bool isWanted(const Settings& settings);
+    static bool wanted(const Settings& settings);
+    static constexpr std::string_view kName = "trace/picture";
+    static constexpr Moment kMoment = Moment::BeforeMarch;
 
     static Result<std::unique_ptr<ConePicture>> create(StageContext& stages);
 
     /// Compiles the pass and creates the image when settings first need them. Errors: OutOfMemory, Unsupported.
-    Result<void> make();
+    Result<void> make(const Settings& settings);
     /// Initializes the image, which an inspection may read before a frame with rays wrote it.
     void clear(gpu::Frame& frame);
     /// Builds the copies if rays start on rough surfaces: of the previous frame if hits take its colours, else of this
     /// one.
-    void record(gpu::Frame& frame, const TraceInputs& inputs);
+    void record(gpu::Frame& frame, const StageInputs& stage);
 
     /// RGBA16F; level n shows 2^(n+1) pixels a side. Absent until made.
     gpu::Image& image() { return image_; }

@@ -1,9 +1,5 @@
 #include "reflect/trace/screen_trace.hpp"
 
-#include "reflect/denoise/denoises.hpp"
-#include "reflect/resolve/screen_resolve.hpp"
-#include "reflect/trace/transparents.hpp"
-
 namespace glint::reflect {
 
 Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
@@ -30,25 +26,13 @@ gpu::Pipeline& ScreenTrace::marcherOf(const Settings& settings) {
     return marchers_[static_cast<size_t>(&techniqueFor(settings.screen.march) - techniques().data())];
 }
 
-bool ScreenTrace::tracesEveryPixel(const Settings& settings) const {
-    return tracedPixels(settings, stages_.width()) == stages_.width() &&
-           tracedPixels(settings, stages_.height()) == stages_.height();
-}
-
-bool ScreenTrace::classifiesAlone(const Settings& settings) const {
-    return settings.screen.enabled && tracesEveryPixel(settings) && !denoises(settings);
-}
-
-bool ScreenTrace::keepsRecord(const Settings& settings) const {
-    const ReflectionsDesc& desc = stages_.desc;
-    return desc.statistics || desc.views || desc.inspection || settings.debug.outcome || settings.rays.enabled ||
-           !tracesEveryPixel(settings) || denoises(settings) || settings.blur.strength > 0 ||
-           TransparentTrace::isWanted(settings);
-}
-
-Result<void> ScreenTrace::make(const Settings& settings) {
-    if (settings.screen.enabled)
+Result<void> ScreenTrace::make() {
+    const Settings& settings = stages_.settings();
+    const FramePlan& plan = stages_.plan;
+    if (plan.screen)
         GLINT_CHECK(marcherOf(settings).compile());
+    if (plan.screen && !plan.classifiesEarly)
+        GLINT_CHECK(classify_.compile());
     const uint32_t w = tracedPixels(settings, stages_.width());
     const uint32_t h = tracedPixels(settings, stages_.height());
     const auto grow = [&](gpu::Image& image, const StageImage& wanted) -> Result<void> {
@@ -61,7 +45,7 @@ Result<void> ScreenTrace::make(const Settings& settings) {
         GLINT_CHECK(grow(radianceWeight8_, {"glint/radianceWeight8", VK_FORMAT_R8G8B8A8_UNORM, w, h, kCleared}));
     else
         GLINT_CHECK(grow(radianceWeight_, {"glint/radianceWeight", VK_FORMAT_R16G16B16A16_SFLOAT, w, h, kCleared}));
-    const bool keeps = keepsRecord(settings);
+    const bool keeps = plan.keepsRecord;
     GLINT_CHECK(grow(rayRecord_, {"glint/rayRecord", VK_FORMAT_R32G32_UINT, keeps ? w : 1, keeps ? h : 1, kCleared}));
     if (listed_.x >= w && listed_.y >= h)
         return {};

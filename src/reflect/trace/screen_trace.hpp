@@ -13,22 +13,14 @@ class ScreenTrace {
 public:
     static Result<std::unique_ptr<ScreenTrace>> create(StageContext& stages);
 
-    /// Compiles the passes and creates the images that these settings need for the first time. Errors: OutOfMemory,
+    /// Compiles the passes and creates the images that the plan needs for the first time. Errors: OutOfMemory,
     /// Unsupported.
-    Result<void> make(const Settings& settings);
-
-    /// True if a pass, the host or a view reads how each ray ended; otherwise Traced::rayRecord is one texel.
-    bool keepsRecord(const Settings& settings) const;
+    Result<void> make();
 
     void clear(gpu::Frame& frame);
     /// Sets the size and format of this frame's images. `whole`: the frame's size, whatever the settings.
     void begin(bool whole);
     void rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups);
-    /// True if no pixel is left out and none asks its neighbours, so that the pass that prepares a pixel can classify
-    /// it (Prepare::recordClassified).
-    bool classifiesAlone(const Settings& settings) const;
-    /// Compiles the pass that `classify` records. Errors: Unsupported.
-    Result<void> makeClassify() { return classify_.compile(); }
     /// Call before the pass that classifies.
     void beginClasses(gpu::Frame& frame);
     /// Binds what trace/starts_ray.glsl and trace/ray_list.glsl write.
@@ -50,7 +42,6 @@ public:
 private:
     explicit ScreenTrace(StageContext& stages) : stages_(stages) {}
     gpu::Pipeline& marcherOf(const Settings& settings);
-    bool tracesEveryPixel(const Settings& settings) const;
 
     StageContext& stages_;
     gpu::Pipeline classify_;

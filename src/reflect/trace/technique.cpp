@@ -111,7 +111,7 @@ shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKn
     flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
     flag(settings.fade.backface, shared::kFadeBackface);
     flag(denoises(settings), shared::kTraceLobe);
-    flag(ConePicture::isWanted(settings), shared::kTraceCones);
+    flag(ConePicture::wanted(settings), shared::kTraceCones);
     flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
     return constants;
 }

@@ -22,7 +22,7 @@ Result<std::unique_ptr<TransparentTrace>> TransparentTrace::create(StageContext&
     return trace;
 }
 
-bool TransparentTrace::isWanted(const Settings& settings) {
+bool TransparentTrace::wanted(const Settings& settings) {
     const ScreenSettings& screen = settings.screen;
     return screen.enabled && screen.transparents && screen.colorSource == ColorSource::Previous;
 }
@@ -44,7 +44,10 @@ void TransparentTrace::clear(gpu::Frame& frame) {
     pyramid_->clear(frame);
 }
 
-void TransparentTrace::record(gpu::Frame& frame, const TraceInputs& inputs, TraceTarget out) {
+void TransparentTrace::record(gpu::Frame& frame, const StageInputs& stage) {
+    const TraceInputs& inputs = stage.trace;
+    if (!frame.rehearsing() && !(inputs.frame.host.transparentDepth && inputs.previous))
+        return;
     const Technique& technique = techniqueFor(stages_.settings().screen.march);
     const auto index = static_cast<size_t>(&technique - techniques().data());
     Inputs& host = inputs.frame.host;
@@ -84,7 +87,7 @@ void TransparentTrace::record(gpu::Frame& frame, const TraceInputs& inputs, Trac
                           pyramid_->pyramid(),
                           previous,
                           inputs.probes},
-                         out);
+                         stage.target);
     };
     frame.scope("trace/transparents", [&] { frame.untimed(recordPasses); });
 }

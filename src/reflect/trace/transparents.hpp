@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reflect/prepare/depth_pyramid.hpp"
-#include "reflect/trace/technique.hpp"
+#include "reflect/stage_list.hpp"
 
 namespace glint::reflect {
 
@@ -13,14 +13,17 @@ public:
 
     /// True if the settings ask for it. Hits take their colour from the previous frame, the only one that shows
     /// transparent surfaces.
-    static bool isWanted(const Settings& settings);
+    static bool wanted(const Settings& settings);
+    static constexpr std::string_view kName = "trace/transparents";
+    static constexpr Moment kMoment = Moment::AfterMarch;
 
     /// Compiles and creates what these settings need for the first time. Errors: OutOfMemory.
     Result<void> make(const Settings& settings);
 
     void clear(gpu::Frame& frame);
-    /// Follows the rays that the marcher of the settings has traced into `out`.
-    void record(gpu::Frame& frame, const TraceInputs& inputs, TraceTarget out);
+    /// Follows the rays that the marcher of the settings has traced. Nothing to do unless a host provides transparent
+    /// surfaces and there is a previous frame, without which no colour of theirs is known.
+    void record(gpu::Frame& frame, const StageInputs& stage);
 
 private:
     explicit TransparentTrace(StageContext& stages) : stages_(stages) {}
