@@ -151,8 +151,9 @@ bool ShaderReload::look() {
     seen_ = std::move(now);
     if (changed.empty())
         return false;
-    const bool variantsChanged = std::ranges::any_of(
-        kRoots, [&](const char* root) { return changed.contains(fmt::format("{}/{}", root, gpu::kShaderVariantsFile)); });
+    const bool variantsChanged = std::ranges::any_of(kRoots, [&](const char* root) {
+        return changed.contains(fmt::format("{}/{}", root, gpu::kShaderVariantsFile));
+    });
     if (variantsChanged) { // rare, so recompile all
         markAll();
         return true;

@@ -78,7 +78,8 @@ TEST(ShaderVariants, TheTableAndTheEmbeddedShadersAgree) {
         EXPECT_TRUE(embedded.contains(name)) << name << " is in no set: does CMakeLists.txt list its folder?";
     for (const auto& [name, shader] : embedded) {
         const std::string file = shaderSource(variants, name).file;
-        EXPECT_TRUE(std::ranges::any_of(kFolders, [&](const std::string& at) { return std::filesystem::exists(at + file); }))
+        EXPECT_TRUE(
+            std::ranges::any_of(kFolders, [&](const std::string& at) { return std::filesystem::exists(at + file); }))
             << name << " is built from " << file;
     }
 }
