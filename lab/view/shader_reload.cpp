@@ -67,8 +67,8 @@ Result<ShaderReload> ShaderReload::create(const std::string& folder) {
         return invalidArgument("{}: not the folder of Glint's sources: it must hold {}/{} and {}/{}", printable(folder),
                                kRoots[0], gpu::kShaderVariantsFile, kRoots[1], gpu::kShaderVariantsFile);
     ShaderReload reload(folder.substr(0, folder.find_last_not_of('/') + 1)); // without trailing slashes
-    GLINT_CHECK(reload.readVariants());
     reload.seen_ = reload.stamps();
+    GLINT_CHECK(reload.readVariants());
     return reload;
 }
 
@@ -92,7 +92,12 @@ Result<gpu::ShaderVariants> ShaderReload::readVariants() const {
     for (const char* root : kRoots) {
         const std::string file = (fs::path(folder_) / root / gpu::kShaderVariantsFile).string();
         GLINT_TRY(text, readFile(file, kLongestShader));
-        GLINT_TRY(variants, gpu::parseShaderVariants(text));
+        std::vector<std::string> files; // in this root
+        const std::string inRoot = fmt::format("{}/", root);
+        for (const auto& [path, stamp] : seen_)
+            if (path.starts_with(inRoot))
+                files.push_back(path.substr(inRoot.size()));
+        GLINT_TRY(variants, gpu::parseShaderVariants(text, files));
         for (auto& [name, source] : variants) {
             source.file = fmt::format("{}/{}", root, source.file);
             all[name] = std::move(source);
@@ -146,8 +151,9 @@ bool ShaderReload::look() {
     seen_ = std::move(now);
     if (changed.empty())
         return false;
-    const bool variantsChanged = std::ranges::any_of(
-        kRoots, [&](const char* root) { return changed.contains(fmt::format("{}/{}", root, gpu::kShaderVariantsFile)); });
+    const bool variantsChanged = std::ranges::any_of(kRoots, [&](const char* root) {
+        return changed.contains(fmt::format("{}/{}", root, gpu::kShaderVariantsFile));
+    });
     if (variantsChanged) { // rare, so recompile all
         markAll();
         return true;

@@ -67,6 +67,16 @@ BvhRay makeBvhRay(vec3 origin, vec3 direction) {
     return BvhRay(makeBoxRay(origin, direction), shearRay(origin, direction));
 }
 
+/// The ray in the local space of an instance.
+BvhRay rayInInstance(BvhInstance instance, Ray ray) {
+    // Subtract the translation first: near the instance little is lost by rounding, wherever in the world it is. The
+    // direction keeps its world length, so distances are world distances.
+    vec4 rows[3] = instance.worldToLocal;
+    mat3 transposed = mat3(rows[0].xyz, rows[1].xyz, rows[2].xyz);
+    return makeBvhRay((ray.originWS - vec3(rows[0].w, rows[1].w, rows[2].w)) * transposed,
+                      ray.directionWS * transposed);
+}
+
 // A group is a stack entry to visit. Group of nodes: x is the first sibling; y holds the hits of intersectChildren and,
 // below them, the bits of the slots that hold nodes. Group of primitives: x is the first primitive; y holds the hits,
 // all below bit 24.
@@ -81,6 +91,15 @@ uvec2 groupOfRoot(uint root) {
 vec3 normalOf(BvhTriangle triangle, uint axis) {
     vec2 others = vec2(triangle.vertices[1].w, triangle.vertices[2].w);
     return axis == 0u ? vec3(1.0, others) : axis == 1u ? vec3(others.x, 1.0, others.y) : vec3(others, 1.0);
+}
+
+TriangleHit intersectLeaf(ShearedRay ray, BvhTriangle triangle, uint axis) {
+    return intersectTriangle(ray, triangle.vertices[0].xyz, triangle.vertices[1].xyz, triangle.vertices[2].xyz,
+                             normalOf(triangle, axis));
+}
+
+bool isCulled(Ray ray, TriangleHit met, uint instanceFlags) {
+    return (ray.flags & kRayCullBackFaces) != 0u && !met.frontFace && (instanceFlags & kBvhInstanceDoubleSided) == 0u;
 }
 
 /// Returns the nearest hit or, with `any`, the first hit found.
@@ -127,25 +146,17 @@ Hit traverseBvh(Ray ray, bool any) {
                 instanceHeight = height;
                 instanceNumber = instance.number;
                 instanceFlags = instance.maskAndFlags;
-                // Subtract the translation first: near the instance little is lost by rounding, wherever in the world
-                // it is. The direction keeps its world length, so distances are world distances.
-                vec4 rows[3] = instance.worldToLocal;
-                mat3 transposed = mat3(rows[0].xyz, rows[1].xyz, rows[2].xyz);
-                current = makeBvhRay((ray.originWS - vec3(rows[0].w, rows[1].w, rows[2].w)) * transposed,
-                                     ray.directionWS * transposed);
+                current = rayInInstance(instance, ray);
                 nodes = groupOfRoot(instance.rootNode);
                 primitives.y = 0u;
                 continue;
             }
             BvhTriangle triangle = loadTriangleOfLeaf(index);
             uint numberAndAxis = floatBitsToUint(triangle.vertices[0].w);
-            TriangleHit met =
-                intersectTriangle(current.triangles, triangle.vertices[0].xyz, triangle.vertices[1].xyz,
-                                  triangle.vertices[2].xyz, normalOf(triangle, numberAndAxis >> kBvhNormalAxisShift));
+            TriangleHit met = intersectLeaf(current.triangles, triangle, numberAndAxis >> kBvhNormalAxisShift);
             if (!met.met || !(met.distance > ray.tMin) || !(met.distance < hit.distance))
                 continue;
-            if ((ray.flags & kRayCullBackFaces) != 0u && !met.frontFace &&
-                (instanceFlags & kBvhInstanceDoubleSided) == 0u)
+            if (isCulled(ray, met, instanceFlags))
                 continue;
             uint primitive = numberAndAxis & ((1u << kBvhNormalAxisShift) - 1u);
             bool ask = (ray.flags & kRayAllOpaque) == 0u && (instanceFlags & kBvhInstanceOpaque) == 0u;

@@ -29,10 +29,17 @@ void main() {
     Ray ray = viewRay(from.originWS, direction.ws);
     Hit hit = traceRay(ray);
     bool met = isHit(hit);
-    hits.item[index] =
-        RayHitRecord(uint(from.px.x) | (uint(from.px.y) << 16), hit.distance, hit.instance, hit.primitive,
-                     hit.barycentrics, hit.frontFace ? 1u : 0u,
-                     from.cone.width + from.cone.spread * (met ? hit.distance : 0.0), ray.originWS, ray.directionWS);
+    RayHitRecord item;
+    item.pixel = uint(from.px.x) | (uint(from.px.y) << 16);
+    item.distance = hit.distance;
+    item.instance = hit.instance;
+    item.primitive = hit.primitive;
+    item.barycentrics = hit.barycentrics;
+    item.frontFace = hit.frontFace ? 1u : 0u;
+    item.coneWidth = from.cone.width + from.cone.spread * (met ? hit.distance : 0.0);
+    item.originWS = ray.originWS;
+    item.directionWS = ray.directionWS;
+    hits.item[index] = item;
     RayRecord record = RayRecord(met ? projectedUV(ray.originWS + ray.directionWS * hit.distance) : from.uv,
                                  met ? hit.distance : 0.0, 1u, met ? kOutcomeHit : kOutcomeSky, false);
     imageStore(raysRecord, from.px,

@@ -72,11 +72,31 @@ float drawnAngle(vec3 N, vec3 V, vec3 directionWS, float perceptualRoughness) {
 
 /// `angle`: drawnAngle of the direction.
 Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float regularization) {
-    PathSpread spread = PathSpread(0.0, angle);
-    Ray ray = viewRay(originWS, directionWS);
-    return Path(vec3(0.0), vec3(0.0), 1.0, 0.0, originWS, missOf(ray), false, 0u, 0u, false, false,
-                vec3(1.0), ray, kNoVertex, 0.0, cone, spread, regularization, kAir, mostTransparents(), kNoBranch, false,
-                false);
+    Path path;
+    path.radiance = vec3(0.0);
+    path.lights = vec3(0.0);
+    path.weight = 1.0;
+    path.hitDistance = 0.0;
+    path.hitWS = originWS;
+    path.ray = viewRay(originWS, directionWS);
+    path.first = missOf(path.ray);
+    path.hit = false;
+    path.rays = 0u;
+    path.reused = 0u;
+    path.ended = false;
+    path.isLastRay = false;
+    path.throughput = vec3(1.0);
+    path.vertex = kNoVertex;
+    path.density = 0.0;
+    path.cone = cone;
+    path.spread = PathSpread(0.0, angle);
+    path.regularization = regularization;
+    path.medium = kAir;
+    path.transparents = mostTransparents();
+    path.branch = kNoBranch;
+    path.splits = false;
+    path.isAveraged = false;
+    return path;
 }
 
 /// `ownRoughness`: before regularization. `emissionWeight`: fraction of the emission that the path counts.
@@ -165,9 +185,18 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
     float weight = next.weight / meanWeight;
     path.throughput *= met.response;
     bool branches = bounce == 0u && path.transparents == mostTransparents() && roughness > 0.0;
-    if (branches)
-        path.branch = Branch(true, path.radiance, path.throughput, met.normalWS, met.lobeRoughness, onwardWS, weight,
-                             meanWeight, path.cone.width, 0.0);
+    if (branches) {
+        path.branch = kNoBranch;
+        path.branch.exists = true;
+        path.branch.exact = path.radiance;
+        path.branch.share = path.throughput;
+        path.branch.normalWS = met.normalWS;
+        path.branch.perceptualRoughness = met.lobeRoughness;
+        path.branch.directionWS = onwardWS;
+        path.branch.weight = weight;
+        path.branch.meanWeight = meanWeight;
+        path.branch.width = path.cone.width;
+    }
     path.isAveraged = path.isAveraged || (path.splits && branches);
     path.density = 0.0;
     bool skyApart = path.splits && branches && samplesSky(met.lobeRoughness);

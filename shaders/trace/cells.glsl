@@ -5,9 +5,14 @@
 #include "lib/math.glsl"
 #include "lib/nearness.glsl"
 #include "lib/pyramid.glsl"
-#include "trace/ray_inputs.glsl"
+#include "trace/ray.glsl"
 
 layout(set = 0, binding = 12) uniform usampler2D pyramid;
+
+CellBounds loadCell(ivec2 cell, int level) {
+    ivec2 at = pyramidOffset(ivec2(frame.constants.size), level) + cell;
+    return unpackBounds(texelFetch(pyramid, at, 0), frame.constants.invSize.x);
+}
 
 /// The line on screen, in the form that crossings of cell borders need.
 struct Line {

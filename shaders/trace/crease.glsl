@@ -55,7 +55,7 @@ bool showsOtherFace(ivec2 px, vec3 normalVS) {
 
 /// viewZ at a pixel of the hit's surroundings.
 float besideHit(Ray r, ivec2 px, inout March hit) {
-    float sceneZ = texelFetch(metViewZ, px, 0).r;
+    float sceneZ = loadSceneZ(px);
     ++hit.lookups;
     logBeside(r.screen, hit.share, vec2(px) + 0.5, rayViewZ(r.screen, hit.share), sceneZ);
     return sceneZ;

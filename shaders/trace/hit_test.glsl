@@ -5,10 +5,9 @@
 #ifndef GLINT_TRACE_HIT_TEST_GLSL
 #define GLINT_TRACE_HIT_TEST_GLSL
 
-#include "lib/back_face.glsl"
 #include "lib/math.glsl"
 #include "lib/nearness.glsl"
-#include "trace/ray_inputs.glsl"
+#include "trace/ray.glsl"
 
 /// dot(normal at the hit, -ray) below which a surface was met from behind. A little below 0, as shading normals lean;
 /// `fade.backface` fades what lies between.
@@ -47,7 +46,7 @@ Sample takeSample(ScreenRay ray, ivec2 px, float share, inout uint lookups) {
     s.share = share;
     s.px = placeInPixel(ray, px, share);
     s.rayZ = rayViewZ(ray, share);
-    s.sceneZ = texelFetch(metViewZ, px, 0).r;
+    s.sceneZ = loadSceneZ(px);
     ++lookups;
     logSample(ray, share, s.px, s.rayZ, s.sceneZ);
     return s;
@@ -61,10 +60,8 @@ Sample takeSample(ScreenRay ray, float share, inout uint lookups) {
 float backOf(vec2 px, float sceneZ, inout uint lookups) {
     if (!isOn(kTraceBackDepth))
         return sceneZ;
-    float backZ = texelFetch(backViewZ, floorToInt(px), 0).r;
+    float backZ = loadSceneBackZ(floorToInt(px), sceneZ);
     ++lookups;
-    if (!kAmongTransparents && isOn(kTraceBackInPlace))
-        backZ = storedViewZ(frame.constants, backViewZOf(frame.constants, backZ, sceneZ));
     return backZ < kBackgroundZ ? backZ : sceneZ;
 }
 
@@ -88,7 +85,7 @@ bool facesRay(vec3 hitNormalVS, bool own, Ray ray) {
 }
 
 vec3 normalAt(vec2 px) {
-    return unpackSurface(texelFetch(metSurface, floorToInt(px), 0).xy).normalVS;
+    return loadSceneNormalVS(floorToInt(px));
 }
 
 const uint kPasses = 0u;      // far behind the surface
@@ -106,7 +103,7 @@ vec2 placeOfHit(ScreenRay ray, float share, ivec2 px, vec3 surfaceVS, vec3 norma
     vec2 at = ray.startPX + ray.deltaPX * share;
     ivec2 there = floorToInt(at);
     if (there != px && onScreen(at)) {
-        float sceneZ = texelFetch(metViewZ, there, 0).r;
+        float sceneZ = loadSceneZ(there);
         ++lookups;
         logPlace(ray, share, at, rayViewZ(ray, share), sceneZ);
         vec3 thereVS = viewPosition(frame.constants, (vec2(there) + 0.5) * frame.constants.invSize, sceneZ);
@@ -145,7 +142,7 @@ bool endsAsRim(ivec2 px, vec3 normalVS, vec3 surfaceVS, float metZ, inout uint l
     bool beside = metZ <= -surfaceVS.z || nearnessOf(frame.constants, metZ) >= here - min(away, edge);
     if (beside || !onScreen(vec2(next)))
         return false;
-    float nextZ = texelFetch(metViewZ, next, 0).r;
+    float nextZ = loadSceneZ(next);
     ++lookups;
     float shown = nearnessOf(frame.constants, nextZ);
     bool onPlane = nextZ < kBackgroundZ && abs(shown - (here - away)) <= edge &&
@@ -168,16 +165,6 @@ uint endedOnScreen(ScreenRay ray, float sceneZ, bool behind, bool nearlyThickEno
     float longer = max(frame.constants.size.x, frame.constants.size.y);
     bool vanishes = toVanish * screenPixels(ray) <= kRest * longer;
     return sceneZ >= kBackgroundZ && vanishes ? kOutcomeSky : kOutcomeMaxDistance;
-}
-
-/// Did the ray go behind something that the picture shows? What it would have met there is not known.
-bool passedBehind = false;
-/// Where on its line the ray first did; 1: nowhere.
-float firstBehind = 1.0;
-
-void passBehind(float share) {
-    passedBehind = true;
-    firstBehind = min(firstBehind, share);
 }
 
 /// Where the ray crosses a plane, from its heights over the plane at two places: in front of it, and behind it.
@@ -253,21 +240,21 @@ bool mayMeetBeforeLeaving(Ray r, float leave, inout Sample s) {
 /// `s` moves to where it does. `inFront`: the ray is in front of the depth at the pixel's centre (mayMeetBeforeLeaving);
 /// then only an intersection with the plane from its front counts. One call a marcher: the test is most of its code,
 /// and the rays of a group test together.
-uint meetSurface(Ray r, float fromShare, bool inFront, inout Sample s, inout uint lookups) {
+uint meetSurface(Ray r, float fromShare, bool inFront, inout Sample s, inout March march) {
     vec2 px = s.px;
-    uint met = testSurface(r, fromShare, s, lookups);
+    uint met = testSurface(r, fromShare, s, march.lookups);
     if (inFront) {
         if (met != kMeets || s.share <= fromShare) // or behind the plane from the start on
             return kInFront;
     } else if (met == kPasses || met == kNearlyMeets) {
-        passBehind(s.share);
+        passBehind(march, s.share);
     }
     logDecision(px, kSamplePasses + (met == kInFront ? kPasses : met)); // in the same order
     return met;
 }
 
-uint meetSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
-    return meetSurface(r, fromShare, false, s, lookups);
+uint meetSurface(Ray r, float fromShare, inout Sample s, inout March march) {
+    return meetSurface(r, fromShare, false, s, march);
 }
 
 bool isEnd(uint met) {

@@ -28,6 +28,16 @@ ivec2 enterNext(Line line, ivec2 cell, int level, float share, bool overX) {
     return px;
 }
 
+/// What a march knows on its way. A driver that runs rays in groups copies all of it for each cell, so it holds no more
+/// than the next cell needs.
+struct CellWalk {
+    ivec2 px;
+    int level;
+    float share;     // the ray is here
+    uint cells;      // looked at so far
+    uint flatTested; // the number of the cell whose flat surface a pixel has decided about: its quarters are looked at
+};
+
 /// A ray's way through a cell or a part of it, from `share` to `end` of its line, and its height over the cell's plane
 /// as a function of the share: nearness, `above` + `climb` * share.
 struct Way {
@@ -35,6 +45,7 @@ struct Way {
     float end;
     float above;
     float climb;
+    float invClimb; // 1 / climb
 };
 
 /// Where the march continues inside a cell that it descends into.
@@ -60,21 +71,21 @@ uint crossQuarter(Line line, vec2 solid, Way way, float rounding) {
 }
 
 /// Where the ray reaches the solid part of a quarter: it hits nothing before.
-float reachSolid(Line line, vec2 solid, Way way, float invClimb) {
+float reachSolid(Line line, vec2 solid, Way way) {
     float first = way.above + way.climb * way.share;
     bool fromFront = first > -solid.x;
     bool fromBehind = !fromFront && first < -solid.y;
-    float reached = ((fromFront ? -solid.x : -solid.y) - way.above) * invClimb - (fromFront ? 0.0 : line.pixelShare);
+    float reached = ((fromFront ? -solid.x : -solid.y) - way.above) * way.invClimb - (fromFront ? 0.0 : line.pixelShare);
     return fromFront || fromBehind ? clamp(reached, way.share, way.end) : way.share;
 }
 
-/// The first quarter of the cell at `at` that the ray may hit on its way from pixel `px`. Without branches: rays of a
-/// group cross different numbers of quarters.
-Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, Way way, float rounding,
-                     float invClimb) {
+/// The first quarter of the cell at `at` that the ray may hit on its way from the walk's pixel. `passed`: share at which
+/// it passes behind a quarter before that one; 2: it does not. Without branches: rays of a group cross different numbers
+/// of quarters.
+Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, CellWalk walk, Way way, float rounding, out float passed) {
     // A line crosses at most three quarters: it goes over the cell's middle in x and in y, unless it starts behind it.
-    ivec2 quarter = (px >> (level - 1)) & 1;
-    vec2 middle = vec2((2 * at + 1) << (level - 1));
+    ivec2 quarter = (walk.px >> (walk.level - 1)) & 1;
+    vec2 middle = vec2((2 * at + 1) << (walk.level - 1));
     vec2 crossing = max((middle - line.startPX) * line.invDelta, way.share);
     crossing = mix(vec2(1e30), crossing, notEqual(vec2(quarter), line.forward));
     crossing = mix(crossing, vec2(1e30), greaterThan(abs(line.invDelta), vec2(1e29)));
@@ -83,9 +94,9 @@ Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, 
     int which0 = quarter.x + 2 * quarter.y;
     int which1 = which0 ^ (crossing.x < crossing.y ? 1 : 2);
     int which2 = which0 ^ 3;
-    Way way0 = Way(way.share, min(first, way.end), way.above, way.climb);
-    Way way1 = Way(first, min(second, way.end), way.above, way.climb);
-    Way way2 = Way(second, way.end, way.above, way.climb);
+    Way way0 = Way(way.share, min(first, way.end), way.above, way.climb, way.invClimb);
+    Way way1 = Way(first, min(second, way.end), way.above, way.climb, way.invClimb);
+    Way way2 = Way(second, way.end, way.above, way.climb, way.invClimb);
     vec2 solid0 = quarterSolid(cell, which0);
     vec2 solid1 = quarterSolid(cell, which1);
     vec2 solid2 = quarterSolid(cell, which2);
@@ -96,27 +107,15 @@ Quarter firstQuarter(Line line, CellBounds cell, ivec2 at, int level, ivec2 px, 
     bool hits1 = crossed1 == kMayHitQuarter;
     bool found = hits0 || hits1 || crossed2 == kMayHitQuarter;
     // The first that it passes behind, of those before the one found.
-    float behind = !hits0 && !hits1 && crossed2 == kPassesBehindQuarter ? second : 2.0;
-    behind = !hits0 && crossed1 == kPassesBehindQuarter ? first : behind;
-    behind = crossed0 == kPassesBehindQuarter ? way.share : behind;
-    if (behind <= 1.0)
-        passBehind(behind);
+    passed = !hits0 && !hits1 && crossed2 == kPassesBehindQuarter ? second : 2.0;
+    passed = !hits0 && crossed1 == kPassesBehindQuarter ? first : passed;
+    passed = crossed0 == kPassesBehindQuarter ? way.share : passed;
     Way into = way2;
     into.share = hits0 ? way0.share : hits1 ? way1.share : way2.share;
     into.end = hits0 ? way0.end : hits1 ? way1.end : way2.end;
     vec2 solid = hits0 ? solid0 : hits1 ? solid1 : solid2;
-    return Quarter(found, reachSolid(line, solid, into, invClimb), hits0 ? which0 : hits1 ? which1 : which2);
+    return Quarter(found, reachSolid(line, solid, into), hits0 ? which0 : hits1 ? which1 : which2);
 }
-
-/// What a march knows on its way. A driver that runs rays in groups copies all of it for each cell, so it holds no more
-/// than the next cell needs.
-struct CellWalk {
-    ivec2 px;
-    int level;
-    float share;     // the ray is here
-    uint cells;      // looked at so far
-    uint flatTested; // the number of the cell whose flat surface a pixel has decided about: its quarters are looked at
-};
 
 /// A ray's way through the cell that it is in.
 struct CellCrossing {
@@ -152,62 +151,81 @@ const uint kWalked = 0u;     // no pixel yet
 const uint kAtPixel = 1u;    // a pixel decides whether the ray ends there
 const uint kAtFlatCell = 2u; // the same: a cell of several pixels shows one flat surface, which the ray meets at this one
 
+/// The ray's line, and its nearness along it.
+struct CellRay {
+    ScreenRay screen;
+    Line line;
+    float start; // nearness at share 0
+    float slope; // nearness gained from share 0 to 1
+    float end;   // share at which the march ends
+};
+
+/// The ray's way through a cell of this plane.
+Way wayThrough(CellRay ray, CellBounds bounds, CellWalk walk, CellCrossing crossing) {
+    // How much nearer the ray is than the cell's plane: linear along the ray.
+    vec2 center = (vec2(crossing.cell) + 0.5) * float(1 << walk.level);
+    float above = ray.start - bounds.front - dot(bounds.slope, ray.line.startPX - center);
+    float climb = ray.slope - dot(bounds.slope, ray.line.deltaPX);
+    return Way(walk.share, crossing.last, above, climb, 1.0 / climb);
+}
+
+/// Goes down to a quarter of the cell.
+void descend(Line line, CellCrossing crossing, Quarter quarter, inout CellWalk walk) {
+    --walk.level;
+    walk.share = quarter.share;
+    ivec2 low = (2 * crossing.cell + ivec2(quarter.which & 1, quarter.which >> 1)) << walk.level;
+    ivec2 high = min(low + (1 << walk.level), ivec2(frame.constants.size)) - 1;
+    walk.px = clamp(floorToInt(line.startPX + line.deltaPX * quarter.share), low, high);
+}
+
 /// Walks up to the first pixel that decides something, or to cell number `stop`. With kWalked and kAtPixel the ray may be
 /// at its end or off screen. `pixels`: steps of the march that were no cells. `flatShare`: where the ray meets the flat
 /// surface of kAtFlatCell.
-uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endShare, uint stop, uint pixels,
-                 inout CellWalk walk, out float flatShare) {
+uint walkToPixel(CellRay ray, uint stop, uint pixels, inout CellWalk walk, inout March march, out float flatShare) {
     ivec2 size = ivec2(frame.constants.size);
+    Line line = ray.line;
     int finest = max(int(settings.minLevel), 1); // below it one pixel decides
     flatShare = 0.0;
-    while (walk.level >= finest && walk.cells < stop && walk.share < endShare && !isOffScreen(walk.px, size)) {
-        CellCrossing crossing = crossCell(line, endShare, walk);
-        CellBounds bounds = unpackBounds(texelFetch(pyramid, pyramidOffset(size, walk.level) + crossing.cell, 0),
-                                         frame.constants.invSize.x);
+    while (walk.level >= finest && walk.cells < stop && walk.share < ray.end && !isOffScreen(walk.px, size)) {
+        CellCrossing crossing = crossCell(line, ray.end, walk);
+        CellBounds bounds = loadCell(crossing.cell, walk.level);
         bool mayBeFlat = walk.cells != walk.flatTested;
         ++walk.cells;
         bool descends = false;
         if (bounds.front > kEmptyCell) {
-            // How much nearer the ray is than the cell's plane: linear along the ray.
-            vec2 center = (vec2(crossing.cell) + 0.5) * float(1 << walk.level);
-            float above = start - bounds.front - dot(bounds.slope, line.startPX - center);
-            float climb = slope - dot(bounds.slope, line.deltaPX);
-            float invClimb = 1.0 / climb;
-            Way way = Way(walk.share, crossing.last, above, climb);
-            float first = above + climb * way.share;
-            float last = above + climb * way.end;
-            float rounding = kRounding * abs(start + slope * way.share);
+            Way way = wayThrough(ray, bounds, walk, crossing);
+            float first = way.above + way.climb * way.share;
+            float last = way.above + way.climb * way.end;
+            float rounding = kRounding * abs(ray.start + ray.slope * way.share);
             bool inFront = min(first, last) >= -rounding;
             // Starts a pixel earlier, as tests of single pixels do.
-            bool behind = max(above + climb * max(way.share - line.pixelShare, 0.0), last) < -bounds.slab;
+            bool behind = max(way.above + way.climb * max(way.share - line.pixelShare, 0.0), last) < -bounds.slab;
             if (behind && !inFront)
-                passBehind(way.share);
-            logCell(ray, way.share, crossing.cell, walk.level, start + slope * way.share - first, bounds.slab,
+                passBehind(march, way.share);
+            logCell(ray.screen, way.share, crossing.cell, walk.level, ray.start + ray.slope * way.share - first,
+                    bounds.slab,
                     inFront  ? kSampleFront
                     : behind ? kSampleBehind
                              : kSampleLookInto);
             if (!inFront && !behind) {
-                float fall = -climb * line.pixelShare; // a pixel
-                flatShare = clamp((-0.5 * bounds.depth - above) * invClimb, way.share, way.end);
+                float fall = -way.climb * line.pixelShare; // a pixel
+                flatShare = clamp((-0.5 * bounds.depth - way.above) * way.invClimb, way.share, way.end);
                 bool isFlat = first >= -rounding && last < -bounds.depth && bounds.depth <= kFlatEnough * fall;
                 if (isFlat && mayBeFlat && walk.cells + pixels > settings.selfCollisionSkip &&
                     onScreen(line.startPX + line.deltaPX * flatShare)) // cells exceed the border
                     return kAtFlatCell;
-                Quarter quarter =
-                    firstQuarter(line, bounds, crossing.cell, walk.level, walk.px, way, rounding, invClimb);
-                if (quarter.found) {
-                    --walk.level;
-                    walk.share = quarter.share;
-                    ivec2 low = (2 * crossing.cell + ivec2(quarter.which & 1, quarter.which >> 1)) << walk.level;
-                    ivec2 high = min(low + (1 << walk.level), size) - 1;
-                    walk.px = clamp(floorToInt(line.startPX + line.deltaPX * quarter.share), low, high);
-                    descends = true;
-                } else {
+                float passed;
+                Quarter quarter = firstQuarter(line, bounds, crossing.cell, walk, way, rounding, passed);
+                if (passed <= 1.0)
+                    passBehind(march, passed);
+                descends = quarter.found;
+                if (descends)
+                    descend(line, crossing, quarter, walk);
+                else
                     logCellDecision(kSamplePasses);
-                }
             }
         } else {
-            logCell(ray, walk.share, crossing.cell, walk.level, 0.0, 0.0, kSampleEmpty);
+            logCell(ray.screen, walk.share, crossing.cell, walk.level, 0.0, 0.0, kSampleEmpty);
         }
         if (!descends)
             leaveForNext(line, crossing, walk);
@@ -215,36 +233,117 @@ uint walkToPixel(ScreenRay ray, Line line, float start, float slope, float endSh
     return walk.level < finest ? kAtPixel : kWalked;
 }
 
-March march(Ray r) {
-    ScreenRay ray = r.screen;
-    March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
-    Line line = makeLine(ray);
-    ivec2 size = ivec2(frame.constants.size);
-    // The ray's nearness at a fraction of the line.
-    float start = rayNearness(frame.constants, ray, 0.0);
-    float slope = rayNearness(frame.constants, ray, 1.0) - start;
-    float endShare = isOn(kTraceClipToFrustum) ? ray.screenEnd : 1.0;
+/// The pixel that a walk has come to.
+struct PixelStep {
+    ivec2 px;
+    float walked; // share that the walk has come to,
+    float at;     // that of the pixel's sample,
+    float leave;  // and where the ray leaves the pixel's cell
+    bool inFlatCell;
+};
 
-    bool nearlyThickEnough = false;
-    uint pixels = 0u; // steps that were no cells
+/// `at`: for a flat cell, where the ray meets its surface. `pixels` counts the pixels that are steps of their own.
+PixelStep stepToPixel(Line line, CellWalk walk, CellCrossing crossing, bool inFlatCell, float at, inout uint pixels) {
+    PixelStep step = PixelStep(walk.px, walk.share, at, crossing.last, inFlatCell);
+    if (inFlatCell) {
+        step.px = min(floorToInt(line.startPX + line.deltaPX * at), ivec2(frame.constants.size) - 1);
+    } else if (settings.minLevel > 0u) { // the one pixel of a quarter, within the step of that quarter's cell
+        step.at = crossing.last;
+    } else {
+        ++pixels;
+        float nearest = dot(vec2(step.px) + 0.5 - line.startPX, line.deltaPX) / dot(line.deltaPX, line.deltaPX);
+        step.at = clamp(nearest, walk.share, crossing.last);
+    }
+    return step;
+}
+
+/// Tests a pixel that the walk has come to. True if the ray ends there. `counts`: it is no step that
+/// screen.selfCollisionSkip leaves out.
+bool endsAtPixel(Ray r, Line line, PixelStep step, bool counts, inout bool nearlyThickEnough, inout March march) {
+    Sample s = takeSample(r.screen, step.px, step.at, march.lookups);
+    float from = step.at - line.pixelShare;
+    bool tests = counts;
+    bool inFront = false;
+    if (step.inFlatCell) {
+        // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
+        from += 0.5 * line.pixelShare;
+        s.share += 0.5 * line.pixelShare;
+        s.rayZ = rayViewZ(r.screen, s.share);
+    } else {
+        if (settings.minLevel > 0u)
+            from = step.walked - 0.5 * line.pixelShare;
+        else
+            from = max(from, step.walked - kBeforePixel * line.pixelShare);
+        inFront = s.rayZ < s.sceneZ;
+        nearlyThickEnough = nearlyThickEnough && !inFront;
+        tests = tests && (!inFront || mayMeetBeforeLeaving(r, step.leave, s));
+    }
+    bool ends = false;
+    if (tests) {
+        uint met = meetSurface(r, max(from, 0.0), inFront, s, march);
+        ends = (met == kMeets || !step.inFlatCell) && endsMarch(met, s, march);
+        nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !step.inFlatCell);
+    }
+    return ends;
+}
+
+/// How a march ended that met no surface, and where.
+void endWalk(CellRay ray, CellWalk walk, bool nearlyThickEnough, inout March march) {
+    march.share = min(walk.share, ray.end);
+    if (march.share < ray.end) {
+        bool left = isOffScreen(walk.px, ivec2(frame.constants.size));
+        march.outcome = left ? kOutcomeOffScreen : kOutcomeOutOfSteps;
+    } else if (ray.end >= 1.0) { // the ray ends on screen
+        vec2 endPX = clamp(ray.line.startPX + ray.line.deltaPX, vec2(0.0), frame.constants.size - 0.5);
+        float sceneZ = loadSceneZ(floorToInt(endPX));
+        ++march.lookups;
+        float rayZ = rayViewZ(ray.screen, 1.0);
+        logSample(ray.screen, 1.0, endPX, rayZ, sceneZ);
+        march.outcome = endedOnScreen(ray.screen, sceneZ, rayZ >= sceneZ, nearlyThickEnough);
+    } else {
+        march.outcome = kOutcomeOffScreen;
+    }
+}
+
+CellRay cellRay(ScreenRay screen) {
+    CellRay ray;
+    ray.screen = screen;
+    ray.line = makeLine(screen);
+    ray.start = rayNearness(frame.constants, screen, 0.0);
+    ray.slope = rayNearness(frame.constants, screen, 1.0) - ray.start;
+    ray.end = isOn(kTraceClipToFrustum) ? screen.screenEnd : 1.0;
+    return ray;
+}
+
+/// The first pixel is the ray's own.
+CellWalk startWalk(Line line, ivec2 px) {
     CellWalk walk;
-    // The first pixel is the ray's own.
     bool overX;
-    walk.share = leaveCell(line, vec2(r.px), 1.0, overX);
-    walk.px = enterNext(line, r.px, 0, walk.share, overX);
+    walk.share = leaveCell(line, vec2(px), 1.0, overX);
+    walk.px = enterNext(line, px, 0, walk.share, overX);
     walk.level = clamp(kFirstLevel, int(settings.minLevel), int(settings.maxLevel));
     walk.cells = 0u;
     walk.flatTested = ~0u;
+    return walk;
+}
 
+March march(Ray r) {
+    March result = startMarch(r.screen);
+    CellRay ray = cellRay(r.screen);
+    Line line = ray.line;
+    ivec2 size = ivec2(frame.constants.size);
+    bool nearlyThickEnough = false;
+    uint pixels = 0u; // steps that were no cells
+    CellWalk walk = startWalk(line, r.px);
     while (true) {
         uint left = settings.maxSteps - walk.cells - pixels;
         uint stop = walk.cells + min(left, kCellsTogether);
-        float at;
-        uint found = walkToPixel(ray, line, start, slope, endShare, stop, pixels, walk, at);
+        float flatShare;
+        uint found = walkToPixel(ray, stop, pixels, walk, result, flatShare);
         bool inFlatCell = found == kAtFlatCell;
         if (!inFlatCell) {
             bool hasSteps = walk.cells + pixels < settings.maxSteps;
-            if (walk.share >= endShare || isOffScreen(walk.px, size) || !hasSteps)
+            if (walk.share >= ray.end || isOffScreen(walk.px, size) || !hasSteps)
                 break;
             // A walk that ends early without a pixel is over, also where a broken G-buffer makes `share` NaN.
             if (found == kWalked && walk.cells < stop)
@@ -252,64 +351,19 @@ March march(Ray r) {
             if (found == kWalked)
                 continue;
         }
-        CellCrossing crossing = crossCell(line, endShare, walk);
-        ivec2 px = walk.px;
-        if (inFlatCell) {
-            px = min(floorToInt(line.startPX + line.deltaPX * at), size - 1);
-        } else if (settings.minLevel > 0u) { // the one pixel of a quarter, within the step of that quarter's cell
-            at = crossing.last;
-        } else {
-            ++pixels;
-            float nearest = dot(vec2(px) + 0.5 - line.startPX, line.deltaPX) / dot(line.deltaPX, line.deltaPX);
-            at = clamp(nearest, walk.share, crossing.last);
-        }
-        Sample s = takeSample(ray, px, at, result.lookups);
-        float from = at - line.pixelShare;
-        bool tests = walk.cells + pixels > settings.selfCollisionSkip;
-        bool inFront = false;
-        if (inFlatCell) {
-            // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
-            from += 0.5 * line.pixelShare;
-            s.share += 0.5 * line.pixelShare;
-            s.rayZ = rayViewZ(ray, s.share);
-        } else {
-            if (settings.minLevel > 0u)
-                from = walk.share - 0.5 * line.pixelShare;
-            else
-                from = max(from, walk.share - kBeforePixel * line.pixelShare);
-            inFront = s.rayZ < s.sceneZ;
-            nearlyThickEnough = nearlyThickEnough && !inFront;
-            tests = tests && (!inFront || mayMeetBeforeLeaving(r, crossing.last, s));
-        }
-        if (tests) {
-            uint met = meetSurface(r, max(from, 0.0), inFront, s, result.lookups);
-            if ((met == kMeets || !inFlatCell) && endsMarch(met, s, result))
-                break;
-            nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !inFlatCell);
-        }
+        CellCrossing crossing = crossCell(line, ray.end, walk);
+        PixelStep step = stepToPixel(line, walk, crossing, inFlatCell, flatShare, pixels);
+        bool counts = walk.cells + pixels > settings.selfCollisionSkip;
+        if (endsAtPixel(r, line, step, counts, nearlyThickEnough, result))
+            break;
         if (inFlatCell)
             walk.flatTested = walk.cells;
         else
             leaveForNext(line, crossing, walk);
     }
-
     result.iterations = walk.cells + pixels;
     result.lookups += walk.cells;
-    if (result.outcome != kOutcomeNone)
-        return result;
-    result.share = min(walk.share, endShare);
-    if (result.share < endShare) {
-        result.outcome = isOffScreen(walk.px, size) ? kOutcomeOffScreen : kOutcomeOutOfSteps;
-        return result;
-    }
-    if (endShare >= 1.0) { // the ray ends on screen
-        vec2 endPX = clamp(ray.startPX + ray.deltaPX, vec2(0.0), frame.constants.size - 0.5);
-        float sceneZ = texelFetch(metViewZ, floorToInt(endPX), 0).r;
-        ++result.lookups;
-        logSample(ray, 1.0, endPX, rayViewZ(ray, 1.0), sceneZ);
-        result.outcome = endedOnScreen(ray, sceneZ, rayViewZ(ray, 1.0) >= sceneZ, nearlyThickEnough);
-    } else {
-        result.outcome = kOutcomeOffScreen;
-    }
+    if (result.outcome == kOutcomeNone)
+        endWalk(ray, walk, nearlyThickEnough, result);
     return result;
 }

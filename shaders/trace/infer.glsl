@@ -28,9 +28,6 @@ const float kInferNear = 8.0;
 /// How far off a plane what a pixel shows may lie to belong to it, as a fraction of its nearness.
 const float kInferSlack = 0.01;
 
-/// What the surface beside an inferred crossing tells about it, 0 to 1: a factor of the answer's weight.
-float inferredEvidence = 1.0;
-
 const uint kOccluder = 0u; // the pixel shows something in front of the plane, or a surface that meets it there
 const uint kSurface = 1u;  // the plane's surface
 const uint kBeyond = 2u;   // something behind the plane: the plane's surface is not there
@@ -52,7 +49,7 @@ uint compare(ShownPlane plane, vec2 px, float sceneZ) {
 uint lookBeside(Ray r, ShownPlane plane, Sample crossing, vec2 px, inout uint lookups) {
     if (!onScreen(px))
         return kOffScreen;
-    float sceneZ = texelFetch(metViewZ, floorToInt(px), 0).r;
+    float sceneZ = loadSceneZ(floorToInt(px));
     ++lookups;
     logBeside(r.screen, crossing.share, px, crossing.rayZ, sceneZ);
     return compare(plane, px, sceneZ);
@@ -81,8 +78,18 @@ struct Search {
 
 Search startSearch(vec2 direction, float reach, Beside known) {
     const float kFirst = 3.0;
-    known.shown = known.distance <= reach ? known.shown : kOccluder;
-    return Search(direction, reach, known, kOccluder, 0.0, 0.0, kFirst, 0, kFirst > reach);
+    Search search;
+    search.direction = direction;
+    search.reach = reach;
+    search.known = known;
+    search.known.shown = known.distance <= reach ? known.shown : kOccluder;
+    search.shown = kOccluder;
+    search.distance = 0.0;
+    search.inside = 0.0;
+    search.next = kFirst;
+    search.returns = 0;
+    search.ended = kFirst > reach;
+    return search;
 }
 
 /// A step of a search that has not ended.
@@ -131,7 +138,8 @@ const uint kHiddenSamples = kInferSamples + 1u;
 /// Samples of the ray's line: the one before it went behind something, and those from there on. Arrays are indexed
 /// by constants, and by pick and put, which leaves them in registers.
 struct HiddenLine {
-    float first; // share of the sample before
+    float first;  // share of the sample before,
+    float behind; // and of the one after
     float spacing;
     uint count;
     float sceneZ[kHiddenSamples];
@@ -152,7 +160,7 @@ void put(inout float values[kHiddenSamples], uint which, float value) {
 
 /// Where the line's sample `which` is, as a share.
 float shareOf(HiddenLine line, uint which) {
-    return which == 0u ? line.first : firstBehind + float(which - 1u) * line.spacing;
+    return which == 0u ? line.first : line.behind + float(which - 1u) * line.spacing;
 }
 
 /// The place of a sample there, as takeSample has it.
@@ -240,10 +248,11 @@ float crossingOf(Ray r, Sample s, float first, float last) {
 void inferCrossing(Ray r, inout March end) {
     float pixelShare = 1.0 / screenPixels(r.screen);
     float last = min(end.share, r.screen.screenEnd);
-    float first = max(firstBehind - pixelShare, 0.0);
-    float spacing = max(kInferSpacing * pixelShare, (last - firstBehind) / float(kInferSamples));
+    float first = max(end.firstBehind - pixelShare, 0.0);
+    float spacing = max(kInferSpacing * pixelShare, (last - end.firstBehind) / float(kInferSamples));
     HiddenLine line;
     line.first = first;
+    line.behind = end.firstBehind;
     line.spacing = spacing;
     line.count = 0u;
     for (uint i = 0u; i < kHiddenSamples; ++i) {
@@ -296,7 +305,7 @@ void inferCrossing(Ray r, inout March end) {
         end.outcome = kOutcomeInferred;
         end.hitPX = clamp(px, floor(px) + 0.01, floor(px) + 0.99); // the same pixel once stored
         end.share = crossing.share;
-        inferredEvidence = evidence;
+        end.evidence = evidence;
         return;
     }
 }

@@ -27,7 +27,7 @@ void inferBeyondBorder(Ray r, inout March end) {
     for (uint i = 0u; i < samples; ++i) {
         float share = mix(leave, far, float(i) / max(float(samples - 1u), 1.0));
         vec2 px = clamp(start + delta * share, vec2(0.5), frame.constants.size - 0.5);
-        Sample border = Sample(share, px, rayViewZ(r.screen, share), texelFetch(metViewZ, floorToInt(px), 0).r);
+        Sample border = Sample(share, px, rayViewZ(r.screen, share), loadSceneZ(floorToInt(px)));
         ++end.lookups;
         logBeside(r.screen, share, px, border.rayZ, border.sceneZ);
         if (border.sceneZ >= kBackgroundZ)

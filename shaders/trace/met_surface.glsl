@@ -5,14 +5,8 @@
 
 #include "frame/prepared.glsl"
 
-#ifdef GLINT_REFRACTION // rays of a layer meet the frame's surfaces alone
-#define metViewZ viewZ
-#define metSurface surface
-const bool kAmongTransparents = false;
-#else
 layout(constant_id = 1) const bool kAmongTransparents = false;
 layout(set = 0, binding = 43) uniform sampler2D metViewZ;    // as viewZ
 layout(set = 0, binding = 44) uniform usampler2D metSurface; // as surface
-#endif
 
 #endif

@@ -29,27 +29,30 @@ struct OpenSpace {
 };
 
 OpenSpace openSpace(ScreenRay ray) {
-    float start = rayNearness(frame.constants, ray, 0.0);
-    float slope = rayNearness(frame.constants, ray, 1.0) - start;
     float longer = max(frame.constants.size.x, frame.constants.size.y);
     int levels = max(findMSB(uint(longer) - 1u) + 1, 1); // of the pyramid
-    int coarsest = min(kCoarsestOpen, levels);
-    int finest = min(kFinestOpen + findMSB(settings.step), coarsest);
-    return OpenSpace(makeLine(ray), start, slope, finest, 0.0, 1.0, finest, coarsest);
+    OpenSpace space;
+    space.line = makeLine(ray);
+    space.start = rayNearness(frame.constants, ray, 0.0);
+    space.slope = rayNearness(frame.constants, ray, 1.0) - space.start;
+    space.coarsest = min(kCoarsestOpen, levels);
+    space.finest = min(kFinestOpen + findMSB(settings.step), space.coarsest);
+    space.level = space.finest;
+    space.from = 0.0;
+    space.waits = 1.0;
+    return space;
 }
 
 /// Share up to which a ray at `share`, which is on screen, is clearly in front; `share` itself where that is not known.
 /// `ahead`: as a share, how far beyond a sample its test looks. `lookups` grows by the cells that were read.
 float openUntil(ScreenRay ray, inout OpenSpace space, float share, float ahead, inout uint lookups) {
     float inside = 0.01 * space.line.pixelShare; // from a cell's border, for rounding
-    ivec2 size = ivec2(frame.constants.size);
     float until = share;
     for (int i = 0; i < kOpenTogether && share < ray.screenEnd; ++i) {
         ivec2 cell = floorToInt(ray.startPX + ray.deltaPX * share) >> space.level;
         bool overX;
         float leave = leaveCell(space.line, vec2(cell << space.level), float(1 << space.level), overX);
-        CellBounds bounds = unpackBounds(texelFetch(pyramid, pyramidOffset(size, space.level) + cell, 0),
-                                         frame.constants.invSize.x);
+        CellBounds bounds = loadCell(cell, space.level);
         ++lookups;
         bool open = true;
         if (bounds.front > kEmptyCell) {

@@ -1,47 +1,31 @@
-// What every marcher reads and writes, and its settings.
+// What the frame's rays march through, and their settings: the seam of trace/ray.glsl, for trace/trace_main.glsl.
 #ifndef GLINT_TRACE_RAY_INPUTS_GLSL
 #define GLINT_TRACE_RAY_INPUTS_GLSL
 
 #include "frame/prepared.glsl"
-#include "lib/screen_ray.glsl"
+#include "lib/back_face.glsl"
 #include "lib/surface.glsl"
-#include "shared/outcome.h"
 #include "shared/trace_constants.h"
 #include "trace/met_surface.glsl"
 
 layout(set = 0, binding = 11) uniform sampler2D backViewZ; // with kTraceBackInPlace the host's depth
-#ifdef GLINT_REFRACTION
-TraceConstants settings = frame.settings.layerTrace;
-#else
 TraceConstants settings = frame.settings.trace;
-#endif
 
-bool isOn(uint flag) {
-    return (settings.flags & flag) != 0u;
+#include "trace/ray.glsl"
+
+float loadSceneZ(ivec2 px) {
+    return texelFetch(metViewZ, px, 0).r;
 }
 
-bool onScreen(vec2 px) {
-    return all(greaterThanEqual(px, vec2(0.0))) && all(lessThan(px, frame.constants.size));
+vec3 loadSceneNormalVS(ivec2 px) {
+    return unpackSurface(texelFetch(metSurface, px, 0).xy).normalVS;
 }
 
-/// A ray to be marched.
-struct Ray {
-    ScreenRay screen;
-    vec3 originVS;
-    vec3 originNormalVS;
-    vec3 directionVS; // unit
-    ivec2 px;         // the pixel where it starts
-};
-
-/// How a march ended.
-struct March {
-    float share; // fraction of the ray's line on screen
-    vec2 hitPX;  // of a hit
-    uint iterations;
-    uint lookups; // reads of any depth image
-    uint outcome;
-};
-
-#include "trace/ray_log.glsl"
+float loadSceneBackZ(ivec2 px, float sceneZ) {
+    float backZ = texelFetch(backViewZ, px, 0).r;
+    if (!kAmongTransparents && isOn(kTraceBackInPlace))
+        backZ = storedViewZ(frame.constants, backViewZOf(frame.constants, backZ, sceneZ));
+    return backZ;
+}
 
 #endif

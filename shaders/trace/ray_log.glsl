@@ -1,6 +1,5 @@
 // Logs what a march samples and decides, for the inspector. The variants in trace/log define GLINT_RAY_LOG and march
-// one ray with the same code as the frame. Without GLINT_RAY_LOG every function here is empty. Include after `metViewZ`,
-// Ray and March.
+// one ray with the same code as the frame. Without GLINT_RAY_LOG every function here is empty. Part of trace/ray.glsl.
 #ifndef GLINT_TRACE_RAY_LOG_GLSL
 #define GLINT_TRACE_RAY_LOG_GLSL
 
@@ -123,7 +122,7 @@ void logRay(Ray ray, March end, vec2 endPX, RayRecord record, bool answered, vec
     logged.startZ = rayViewZ(ray.screen, 0.0);
     logged.endZ = rayViewZ(ray.screen, end.share);
     logged.endDistance = record.hitDistance;
-    logged.hitZ = onScreen(endPX) ? texelFetch(metViewZ, ivec2(endPX), 0).r : kBackgroundZ;
+    logged.hitZ = onScreen(endPX) ? loadSceneZ(ivec2(endPX)) : kBackgroundZ;
     logged.radiance = answer.rgb;
     logged.weight = answer.a;
     logged.lookups = end.lookups;

@@ -1,27 +1,11 @@
-// Traces one ray of the list: its start, the marcher's walk (`March march(Ray)`), and the weight of its end.
-#version 460
-#extension GL_EXT_scalar_block_layout : require
-#extension GL_GOOGLE_include_directive : require
-
-#if defined(GLINT_MARCH_ADAPTIVE)
-#include "trace/adaptive_march.glsl"
-#elif defined(GLINT_MARCH_HIZ)
-#include "trace/hiz_march.glsl"
-#elif defined(GLINT_MARCH_LINEAR)
-#include "trace/linear_march.glsl"
-#elif defined(GLINT_MARCH_PROXY)
-#include "trace/proxy_march.glsl"
-#else
-#error no marcher: one of GLINT_MARCH_*
-#endif
-
+// Traces one ray of the list: its start, the marcher's walk, and the weight of its end. A marcher is a file of
+// trace/march: it includes trace/ray_inputs.glsl, defines `March march(Ray)`, and includes this file at its end.
 #include "generate/sampled_ray.glsl"
 #include "lib/fades.glsl"
 #include "lib/noise.glsl"
 #include "lib/trace_pixel.glsl"
 #include "trace/hit_color.glsl"
 #include "trace/infer_border.glsl"
-#include "trace/ray_inputs.glsl"
 #define GLINT_READ_TRACED
 #include "trace/traced.glsl"
 
@@ -47,9 +31,9 @@ float hitWeight(March end, vec2 hitUV, float hitDistance, Ray ray, float percept
     if (isOn(kFadeFacingCamera))
         weight *= logFade(kLoggedFacingCamera, fadeFacingCamera(VoR));
     if (end.outcome == kOutcomeInferred)
-        weight *= logFade(kLoggedInferred, settings.inferredWeight * inferredEvidence);
+        weight *= logFade(kLoggedInferred, settings.inferredWeight * end.evidence);
     if (isOn(kFadeBackface)) {
-        vec3 hitNormalVS = unpackSurface(texelFetch(metSurface, ivec2(end.hitPX), 0).xy).normalVS;
+        vec3 hitNormalVS = loadSceneNormalVS(ivec2(end.hitPX));
         weight *= logFade(kLoggedBackface, fadeBackface(dot(hitNormalVS, -ray.directionVS)));
     }
     return weight;
@@ -86,7 +70,7 @@ void refineEnd(Ray ray, inout March end) {
         moveOverCrease(ray, end);
     if (kAmongTransparents || settings.inferredWeight <= 0.0)
         return;
-    if (!isAnswered(end.outcome) && firstBehind < end.share)
+    if (!isAnswered(end.outcome) && end.firstBehind < end.share)
         inferCrossing(ray, end);
     bool fadesAtBorder = isOn(kFadeBorderSmooth) || isOn(kFadeBorderLinear); // to nothing
     if (end.outcome == kOutcomeOffScreen && !fadesAtBorder)
@@ -126,7 +110,7 @@ void main() {
     record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
     record.hitDistance = rayDistance(ray.screen, end.share);
     record.outcome = end.outcome;
-    record.passedBehind = passedBehind;
+    record.passedBehind = end.passedBehind;
 
     vec4 answer = vec4(0.0);
     if (kAmongTransparents && !(hit && meetsFirst(tracePX, record, end, answer.rgb)))

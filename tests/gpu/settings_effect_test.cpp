@@ -35,9 +35,7 @@ protected:
     /// Number of iterations of each hit, from the fade by iterations; for settings with at most 1000 of them.
     static std::vector<uint32_t> iterations(Settings settings) {
         settings.fade.iterations = true;
-        const double most = settings.screen.march == March::Linear     ? settings.screen.maxSteps
-                            : settings.screen.march == March::Adaptive ? 128
-                                                                       : settings.hiz.maxIterations;
+        const double most = reflect::techniqueFor(settings.screen.march).maxSteps(settings);
         const Picture picture = show(settings);
         std::vector<uint32_t> counts;
         for (uint32_t i = 0; i < picture.pixels(); ++i)
@@ -99,15 +97,13 @@ TEST_F(SettingsEffectTest, iterationsAreNeverExceededAndTheLastOneCounts) {
         limitIterations(settings, 1000);
         const Picture enough = show(settings);
         const std::vector<uint32_t> needed = iterations(settings);
-        // A hit fetches its own pixel once more; a sample of linear may be preceded by a cell; a cell of hiz may fetch
-        // its plane's pixel besides.
-        const uint32_t lookupsEach = march == March::Linear ? 2 : 3;
         uint64_t last = 0;
         for (const uint32_t limit : march == March::Linear ? std::array{14u, 25u, 38u} : std::array{1u, 3u, 6u}) {
             limitIterations(settings, static_cast<int>(limit));
             const Picture picture = show(settings);
             for (uint32_t i = 0; i < picture.pixels(); ++i) {
-                ASSERT_LE(picture.lookups[i * 4], static_cast<float>(lookupsEach * limit + 1));
+                ASSERT_LE(picture.lookups[i * 4],
+                          static_cast<float>(reflect::techniqueFor(march).maxLookups(settings)));
                 if (!enough.hit(i))
                     continue;
                 ASSERT_EQ(picture.hit(i), needed[i] <= limit) << "needs " << needed[i] << " of " << limit;

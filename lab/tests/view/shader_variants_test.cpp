@@ -31,7 +31,10 @@ ShaderVariants readVariants() {
     ShaderVariants all;
     for (const std::string& folder : kFolders) {
         const auto text = readFile(folder + kShaderVariantsFile, 1 << 20);
-        auto variants = text ? parseShaderVariants(*text) : text.error();
+        std::vector<std::string> files;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            files.push_back(std::filesystem::relative(entry.path(), folder).generic_string());
+        auto variants = text ? parseShaderVariants(*text, files) : text.error();
         EXPECT_TRUE(variants) << variants.error().message;
         if (variants)
             all.merge(*variants);
@@ -54,6 +57,17 @@ TEST(ShaderVariants, ALineIsANameASourceAndMacros) {
     const auto twice = parseShaderVariants("a/b c\na/b d\n");
     ASSERT_FALSE(twice);
     EXPECT_THAT(twice.error().message, HasSubstr("variants.txt:2: a/b is stated twice"));
+}
+
+TEST(ShaderVariants, ALineWithAStarStandsForOneShaderOfEachFile) {
+    const std::vector<std::string> files = {"a/b/one.glsl", "a/b/two.glsl", "a/b/deep/three.glsl", "a/b/four.comp"};
+    const auto variants = parseShaderVariants("a/*  a/b/*.glsl\na/log/* a/b/*.glsl LOGS\n", files);
+    ASSERT_TRUE(variants);
+    ASSERT_EQ(variants->size(), 4u);
+    EXPECT_EQ(shaderSource(*variants, "a/one").file, "a/b/one.glsl");
+    EXPECT_THAT(shaderSource(*variants, "a/one").macros, ElementsAre());
+    EXPECT_EQ(shaderSource(*variants, "a/log/two").file, "a/b/two.glsl");
+    EXPECT_THAT(shaderSource(*variants, "a/log/two").macros, ElementsAre("LOGS"));
 }
 
 TEST(ShaderVariants, TheTableAndTheEmbeddedShadersAgree) {

@@ -151,12 +151,17 @@ void Inspector::record(gpu::Frame& frame, const InspectorInputs& inputs, uint32_
         .write("rayLog", log_)
         .push(constants)
         .dispatch(1);
-    const auto index = static_cast<size_t>(&technique - techniques().data());
-    const TraceInputs& trace = inputs.trace;
-    technique.record(frame, marchers_[index],
-                     {trace.frame, trace.prepared, trace.met, rays_, trace.pyramid, trace.previous, trace.probes,
-                      trace.conePicture, &log_},
-                     inputs.target);
+    const TraceInputs& frames = inputs.trace; // of all its rays
+    const TraceInputs one = {.frame = frames.frame,
+                             .prepared = frames.prepared,
+                             .met = frames.met,
+                             .rays = rays_,
+                             .pyramid = frames.pyramid,
+                             .previous = frames.previous,
+                             .probes = frames.probes,
+                             .conePicture = frames.conePicture,
+                             .log = &log_};
+    recordMarch(frame, technique, marchers_[indexOf(technique)], one, inputs.target);
     inputs.sources.combinePass(frame, combine_, inputs.hierarchy)
         .readWrite("rayLog", log_)
         .dispatch(stages_.extent.x, stages_.extent.y);

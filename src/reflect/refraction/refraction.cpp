@@ -55,12 +55,9 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     return constants;
 }
 
-Result<std::unique_ptr<Refraction>> Refraction::create(StageContext& stages) {
-    gpu::Context& context = stages.gpu;
-    const uint32_t width = stages.width();
-    const uint32_t height = stages.height();
-    const bool views = stages.desc.views; // which show what layers wrote
-    constexpr uint32_t kSampled = 21;     // in the largest pass
+Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, uint32_t width, uint32_t height,
+                                                       bool views) {
+    constexpr uint32_t kSampled = 19; // in the largest pass
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
     const VkPhysicalDeviceLimits& limits = properties.properties.limits;
@@ -135,7 +132,6 @@ void Refraction::record(gpu::Frame& frame, LayerImages& layer, const LayerInputs
     gpu::Pass pass = frame.pass(probes ? withProbes_ : alone_);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
-        .read("backViewZ", standIns.black) // layers' rays use no back faces
         .read("surface", inputs.prepared.surface)
         .read("pyramid", inputs.pyramid.cells)
         .read("layerDepth", layer.depth, kTexels)

@@ -23,7 +23,7 @@ Result<std::unique_ptr<ScreenTrace>> ScreenTrace::create(StageContext& stages) {
 }
 
 gpu::Pipeline& ScreenTrace::marcherOf(const Settings& settings) {
-    return marchers_[static_cast<size_t>(&techniqueFor(settings.screen.march) - techniques().data())];
+    return marchers_[indexOf(techniqueFor(settings.screen.march))];
 }
 
 Result<void> ScreenTrace::make() {
@@ -76,8 +76,8 @@ void ScreenTrace::begin(bool whole) {
 void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups) {
     classify(frame, inputs.frame, inputs.prepared);
     list(frame, backFaceGroups);
-    for (size_t i = 0; i < techniques().size(); ++i)
-        techniques()[i].record(frame, marchers_[i], inputs, target());
+    for (const Technique& technique : techniques())
+        recordMarch(frame, technique, marchers_[indexOf(technique)], inputs, target());
 }
 
 void ScreenTrace::beginClasses(gpu::Frame& frame) {
@@ -100,7 +100,7 @@ void ScreenTrace::list(gpu::Frame& frame, glm::uvec2 backFaceGroups) {
 
 Traced ScreenTrace::record(gpu::Frame& frame, const TraceInputs& inputs) {
     const Settings& settings = stages_.settings();
-    techniqueFor(settings.screen.march).record(frame, marcherOf(settings), inputs, target());
+    recordMarch(frame, techniqueFor(settings.screen.march), marcherOf(settings), inputs, target());
     return traced();
 }
 

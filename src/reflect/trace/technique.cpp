@@ -6,14 +6,114 @@
 #include "reflect/trace/cone_picture.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace glint::reflect {
+namespace {
+
+uint32_t unsignedOf(int setting) {
+    return static_cast<uint32_t>(setting);
+}
 
 /// As in compute_ssr: the longest rays have 2 * adaptive.steps, at most this many.
-static constexpr uint32_t kMostAdaptiveSteps = 128;
+constexpr uint32_t kMostAdaptiveSteps = 128;
+
+constexpr std::array kTechniques = {
+    // One depth lookup every few pixels along the ray's line, but in open space. docs/techniques/linear.md
+    Technique{.name = "linear",
+              .march = March::Linear,
+              .shader = "trace/linear",
+              .usesPyramid = true,
+              .canRunOut = true,
+              .maxSteps = [](const Settings& s) { return unsignedOf(s.screen.maxSteps); },
+              .maxLookups = // from 9 steps on it looks for open space: a cell before a sample
+              [](const Settings& s) { return unsignedOf(s.screen.maxSteps) * (s.screen.maxSteps < 9 ? 1 : 2) + 1; }},
+    // Equal steps on screen, then a binary search. docs/techniques/adaptive.md
+    Technique{.name = "adaptive",
+              .march = March::Adaptive,
+              .shader = "trace/adaptive",
+              .maxSteps = [](const Settings&) { return kMostAdaptiveSteps; },
+              .maxLookups = // three searches: more surfaces in front of a hit are rare
+              [](const Settings& s) {
+                  const uint32_t steps = std::min(2 * unsignedOf(s.adaptive.steps), kMostAdaptiveSteps);
+                  return steps + 3 * unsignedOf(s.adaptive.refinements) + 1;
+              }},
+    // Cell by cell through the depth pyramid. docs/techniques/hiz.md
+    Technique{.name = "hiz",
+              .march = March::Hiz,
+              .shader = "trace/hiz",
+              .usesPyramid = true,
+              .canRunOut = true,
+              .maxSteps = [](const Settings& s) { return unsignedOf(s.hiz.maxIterations); },
+              .maxLookups = // a cell, the pixel of its flat surface, and the neighbour where the ray intersects that
+              [](const Settings& s) { return 3 * unsignedOf(s.hiz.maxIterations) + 1; },
+              .depthBias = [](const Settings& s) { return s.hiz.depthBias; }},
+    // One lookup, at the hit that the pixel's probe volume predicts. docs/techniques/proxy.md
+    Technique{.name = "proxy",
+              .march = March::Proxy,
+              .shader = "trace/proxy",
+              .usesProbes = true,
+              .walks = false,
+              .maxSteps = [](const Settings&) { return 1u; },
+              .maxLookups = [](const Settings&) { return 1u; }},
+};
+
+/// Binds what shaders/probes/probe_lists.glsl declares. An empty grid does not read the other two buffers.
+gpu::Pass& bindLists(gpu::Pass& pass, TraceInputs& inputs) {
+    if (inputs.probes)
+        return inputs.probes->bindLists(pass);
+    gpu::Buffer& none = inputs.frame.standIns.noProbes;
+    return pass.read("probes", none).read("probeCells", none).read("probeLists", none);
+}
+
+void setThickness(const Settings& settings, shared::TraceConstants& constants) {
+    const bool relative = settings.screen.thicknessMode == ThicknessMode::Relative;
+    constants.thickness = relative ? 0 : settings.screen.thickness;
+    constants.thicknessRelative = relative ? settings.screen.thicknessRelative : 0;
+    constants.thicknessRelative += techniqueFor(settings.screen.march).depthBias(settings);
+}
+
+void setSteps(const Settings& settings, shared::TraceConstants& constants) {
+    constants.maxSteps = techniqueFor(settings.screen.march).maxSteps(settings);
+    constants.baseSteps = unsignedOf(settings.adaptive.steps);
+    constants.pixelSpacing = settings.adaptive.pixelSpacing;
+    constants.refinements = unsignedOf(settings.adaptive.refinements);
+    constants.step = unsignedOf(settings.screen.step);
+    constants.selfCollisionSkip = unsignedOf(settings.screen.selfCollisionSkip);
+    constants.minLevel = unsignedOf(settings.hiz.minLevel);
+    constants.maxLevel = unsignedOf(std::max(settings.hiz.minLevel, settings.hiz.maxLevel));
+}
+
+/// Reflectivity up to which no ray is traced.
+float thresholdOf(const Settings& settings) {
+    if (settings.reflect.strength <= 0)
+        return 2; // nothing is traced
+    // Half an 8-bit step more, so that a threshold of 0.04 rejects plain dielectrics in any format of F0.
+    const float threshold = settings.reflect.threshold + 1.0f / 510.0f;
+    const bool scaled = settings.reflect.thresholdOn == ThresholdOn::F0TimesStrength;
+    return scaled ? threshold / std::max(settings.reflect.strength, 1e-30f) : threshold;
+}
+
+uint32_t flagsOf(const Settings& settings, bool backFacesKnown) {
+    uint32_t flags = 0;
+    const auto flag = [&](bool on, uint32_t bit) { flags |= on ? bit : 0; };
+    flag(settings.screen.smooth, shared::kTraceSmooth);
+    flag(settings.screen.clipToFrustum, shared::kTraceClipToFrustum);
+    flag(settings.fade.border == FadeBorder::Smooth, shared::kFadeBorderSmooth);
+    flag(settings.fade.border == FadeBorder::Linear, shared::kFadeBorderLinear);
+    flag(settings.fade.distance, shared::kFadeDistance);
+    flag(settings.fade.iterations, shared::kFadeIterations);
+    flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
+    flag(settings.fade.backface, shared::kFadeBackface);
+    flag(denoises(settings), shared::kTraceLobe);
+    flag(ConePicture::wanted(settings), shared::kTraceCones);
+    flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
+    return flags;
+}
+
+} // namespace
 
 std::span<const Technique> techniques() {
-    static const Technique kTechniques[] = {kLinearTechnique, kAdaptiveTechnique, kHizTechnique, kProxyTechnique};
     return kTechniques;
 }
 
@@ -22,6 +122,10 @@ const Technique& techniqueFor(March march) {
     const auto found = std::ranges::find(all, march, &Technique::march);
     GLINT_ASSERT(found != all.end(), "march {}", static_cast<int>(march));
     return *found;
+}
+
+size_t indexOf(const Technique& technique) {
+    return static_cast<size_t>(&technique - kTechniques.data());
 }
 
 std::string logShader(const Technique& technique) {
@@ -48,7 +152,8 @@ gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out) {
         .write("rayRecord", out.rayRecord);
 }
 
-gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs& inputs, TraceTarget out) {
+void recordMarch(gpu::Frame& frame, const Technique& technique, const gpu::Pipeline& pipeline, TraceInputs inputs,
+                 TraceTarget out) {
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frame.constants)
         .read("rays", inputs.rays.list)
@@ -62,57 +167,26 @@ gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInput
     pass.readWrite("radianceWeight", out.radianceWeight) // the pass that classifies wrote the rest, if it is read
         .readWrite("radianceWeight8", out.radianceWeight8)
         .readWrite("rayRecord", out.rayRecord);
-    return pass;
+    if (technique.usesPyramid)
+        pass.read("pyramid", inputs.pyramid.cells);
+    if (technique.usesProbes)
+        bindLists(pass, inputs);
+    pass.dispatchIndirect(inputs.rays.list);
 }
 
 shared::TraceConstants traceConstants(const Settings& settings, bool backFacesKnown) {
     shared::TraceConstants constants = {};
+    setThickness(settings, constants);
+    setSteps(settings, constants);
     constants.maxDistance = settings.screen.maxDistance;
-    const bool hiz = settings.screen.march == March::Hiz;
-    constants.thickness = settings.screen.thicknessMode == ThicknessMode::Relative ? 0 : settings.screen.thickness;
-    constants.thicknessRelative =
-        settings.screen.thicknessMode == ThicknessMode::Relative ? settings.screen.thicknessRelative : 0;
-    if (hiz)
-        constants.thicknessRelative += settings.hiz.depthBias;
     // With a blur, roughness sets its width instead: jitter would only add noise.
     constants.roughnessFactor = settings.blur.strength > 0 || denoises(settings) ? 0 : settings.rough.factor;
-    switch (settings.screen.march) {
-    case March::Linear: constants.maxSteps = static_cast<uint32_t>(settings.screen.maxSteps); break;
-    case March::Adaptive: constants.maxSteps = kMostAdaptiveSteps; break;
-    case March::Hiz: constants.maxSteps = static_cast<uint32_t>(settings.hiz.maxIterations); break;
-    case March::Proxy: constants.maxSteps = 1; break;
-    }
-    constants.baseSteps = static_cast<uint32_t>(settings.adaptive.steps);
-    constants.pixelSpacing = settings.adaptive.pixelSpacing;
-    constants.refinements = static_cast<uint32_t>(settings.adaptive.refinements);
     constants.inferredWeight = settings.screen.inferred;
-    constants.step = static_cast<uint32_t>(settings.screen.step);
-    constants.selfCollisionSkip = static_cast<uint32_t>(settings.screen.selfCollisionSkip);
     constants.roughnessFadeStart = settings.reflect.roughnessFadeStart;
     constants.maxRoughness = settings.reflect.maxRoughness;
     constants.borderWidth = settings.fade.borderWidth;
-    constants.minLevel = static_cast<uint32_t>(settings.hiz.minLevel);
-    constants.maxLevel = static_cast<uint32_t>(std::max(settings.hiz.minLevel, settings.hiz.maxLevel));
-
-    // Half an 8-bit step more, so that a threshold of 0.04 rejects plain dielectrics in any format of F0.
-    constants.threshold = settings.reflect.threshold + 1.0f / 510.0f;
-    if (settings.reflect.thresholdOn == ThresholdOn::F0TimesStrength)
-        constants.threshold /= std::max(settings.reflect.strength, 1e-30f);
-    if (settings.reflect.strength <= 0)
-        constants.threshold = 2; // nothing is traced
-
-    const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
-    flag(settings.screen.smooth, shared::kTraceSmooth);
-    flag(settings.screen.clipToFrustum, shared::kTraceClipToFrustum);
-    flag(settings.fade.border == FadeBorder::Smooth, shared::kFadeBorderSmooth);
-    flag(settings.fade.border == FadeBorder::Linear, shared::kFadeBorderLinear);
-    flag(settings.fade.distance, shared::kFadeDistance);
-    flag(settings.fade.iterations, shared::kFadeIterations);
-    flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
-    flag(settings.fade.backface, shared::kFadeBackface);
-    flag(denoises(settings), shared::kTraceLobe);
-    flag(ConePicture::wanted(settings), shared::kTraceCones);
-    flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
+    constants.threshold = thresholdOf(settings);
+    constants.flags = flagsOf(settings, backFacesKnown);
     return constants;
 }
 

@@ -32,23 +32,34 @@ struct TraceTarget {
     gpu::Image& rayRecord;
 };
 
+/// What the library, its inspector and its tests know of a marcher.
 struct Technique {
     std::string_view name; ///< the value of `screen.march`
     March march;
     std::string_view shader;
-    std::string_view summary; ///< one line for lists
-    bool usesPyramid;
+    bool usesPyramid = false;
+    bool usesProbes = false; ///< the lists of the host's probes: shaders/probes/probe_lists.glsl
     /// True if the marcher samples depths along the whole ray. Otherwise it samples only the end that the host's probe
     /// volumes predict: the result is as accurate as those, and settings of the march (steps, thickness) have no
     /// effect.
-    bool walks;
-    void (*record)(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs inputs, TraceTarget out);
+    bool walks = true;
+    /// True if a ray may use up its steps before its end: outcome `outOfSteps`. Otherwise the steps span the whole ray.
+    bool canRunOut = false;
+    uint32_t (*maxSteps)(const Settings& settings);
+    /// Most depth lookups of a ray that finds its hit: those of its steps, and at the hit.
+    uint32_t (*maxLookups)(const Settings& settings);
+    /// Fraction of viewZ that the march adds to the thickness of surfaces.
+    float (*depthBias)(const Settings& settings) = [](const Settings&) { return 0.0f; };
 };
 
-/// All marchers. A new one is a line here, a shader and a file beside this one.
+/// All marchers: the table in technique.cpp. A new one is a row there, a value of `March`, and a shader in
+/// shaders/trace/march (docs/architecture.md).
 std::span<const Technique> techniques();
 
 const Technique& techniqueFor(March march);
+
+/// Its place in techniques().
+size_t indexOf(const Technique& technique);
 
 /// Returns the shader of the same marcher that logs its steps: shaders/trace/log.
 std::string logShader(const Technique& technique);
@@ -61,12 +72,8 @@ gpu::Pass& readHitColor(gpu::Pass& pass, const TraceInputs& inputs);
 /// Binds what shaders/trace/traced.glsl writes: all of the images.
 gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out);
 
-/// Begins the pass of any marcher over the listed rays, without the bindings that only one marcher reads.
-gpu::Pass tracePass(gpu::Frame& frame, const gpu::Pipeline& pipeline, TraceInputs& inputs, TraceTarget out);
-
-extern const Technique kLinearTechnique;
-extern const Technique kAdaptiveTechnique;
-extern const Technique kHizTechnique;
-extern const Technique kProxyTechnique;
+/// Marches the listed rays. `pipeline`: of the technique's shader, or of its logShader.
+void recordMarch(gpu::Frame& frame, const Technique& technique, const gpu::Pipeline& pipeline, TraceInputs inputs,
+                 TraceTarget out);
 
 } // namespace glint::reflect

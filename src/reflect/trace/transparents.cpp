@@ -29,7 +29,7 @@ bool TransparentTrace::wanted(const Settings& settings) {
 
 Result<void> TransparentTrace::make(const Settings& settings) {
     const Technique& technique = techniqueFor(settings.screen.march);
-    gpu::Pipeline& marcher = marchers_[static_cast<size_t>(&technique - techniques().data())];
+    gpu::Pipeline& marcher = marchers_[indexOf(technique)];
     if (technique.usesPyramid)
         GLINT_CHECK(pyramid_->make());
     if (marcher)
@@ -49,7 +49,6 @@ void TransparentTrace::record(gpu::Frame& frame, const StageInputs& stage) {
     if (!frame.rehearsing() && !(inputs.frame.host.transparentDepth && inputs.previous))
         return;
     const Technique& technique = techniqueFor(stages_.settings().screen.march);
-    const auto index = static_cast<size_t>(&technique - techniques().data());
     Inputs& host = inputs.frame.host;
     const Prepared& solid = inputs.prepared;
     const bool backFacesKnown = solid.backFacesKnown && stages_.settings().screen.backfaceTransparents;
@@ -79,15 +78,16 @@ void TransparentTrace::record(gpu::Frame& frame, const StageInputs& stage) {
             frame.clear(backViewZ_, {.float32 = {shared::kBackgroundZ}});
         if (technique.usesPyramid)
             pyramid_->record(frame, inputs.frame, seen, &inputs.rays);
-        technique.record(frame, marchers_[index],
-                         {inputs.frame,
-                          solid,
-                          {viewZ_, surface_, backViewZ_},
-                          inputs.rays,
-                          pyramid_->pyramid(),
-                          previous,
-                          inputs.probes},
-                         stage.target);
+        recordMarch(frame, technique, marchers_[indexOf(technique)],
+                    {.frame = inputs.frame,
+                     .prepared = solid,
+                     .met = {viewZ_, surface_, backViewZ_},
+                     .rays = inputs.rays,
+                     .pyramid = pyramid_->pyramid(),
+                     .previous = previous,
+                     .probes = inputs.probes,
+                     .conePicture = nullptr},
+                    out);
     };
     frame.scope("trace/transparents", [&] { frame.untimed(recordPasses); });
 }

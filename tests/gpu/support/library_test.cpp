@@ -68,10 +68,8 @@ Settings LibraryTest::plainSettings(March march) {
 }
 
 void LibraryTest::limitIterations(Settings& settings, int most) {
-    if (settings.screen.march == March::Linear)
-        settings.screen.maxSteps = most;
-    else if (settings.screen.march == March::Hiz)
-        settings.hiz.maxIterations = most;
+    settings.screen.maxSteps = most;
+    settings.hiz.maxIterations = most;
 }
 
 Reflections LibraryTest::reflections(uint32_t width, uint32_t height, const Settings& settings) {

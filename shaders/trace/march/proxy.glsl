@@ -2,7 +2,13 @@
 // pixel, and one depth sample is fetched where the frame shows the intersection. The result is as right as the volume.
 // The model is Unity HDRP's projection model "proxy"; docs/techniques/proxy.md says which hits the one sample may
 // reject.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
 #define GLINT_ONE_TEXEL_A_HIT // trace/hit_color.glsl
+#include "trace/ray_inputs.glsl"
+
 #include "trace/hit_test.glsl"
 
 #include "probes/probe_lists.glsl"
@@ -64,7 +70,8 @@ March march(Ray r) {
     Projection projection = projectionOf(r);
     logProjection(projection.probe, projection.shape, projection.distance);
     bool infinite = projection.distance >= kBackgroundZ;
-    March result = March(1.0, ray.startPX, 0u, 0u, kOutcomeNone);
+    March result = startMarch(ray);
+    result.share = 1.0;
     // A direction has no length for screen.maxDistance to cut, but it may lead back past the camera.
     if (infinite ? r.directionVS.z >= 0.0 : ray.clippedNear && projection.distance >= ray.lengthVS) {
         result.outcome = kOutcomeBehindCamera;
@@ -83,11 +90,13 @@ March march(Ray r) {
         result.outcome = kOutcomeOffScreen;
         return result;
     }
-    Sample s = Sample(result.share, endPX, rayViewZ(ray, result.share), texelFetch(metViewZ, ivec2(endPX), 0).r);
+    Sample s = Sample(result.share, endPX, rayViewZ(ray, result.share), loadSceneZ(ivec2(endPX)));
     result.lookups = 1u;
     logSample(ray, s.share, s.px, s.rayZ, s.sceneZ);
     result.hitPX = endPX;
     result.outcome = judge(r, s, infinite, projection.distance);
-    passedBehind = true; // the path was not tested: rays through the scene know better
+    result.passedBehind = true; // the path was not tested: rays through the scene know better
     return result;
 }
+
+#include "trace/trace_main.glsl"

@@ -1,5 +1,11 @@
 // The `adaptive` marcher: equal steps on screen, with more steps for rays that are long on screen, then a binary search
 // in the step that intersects. The settings follow compute_ssr: docs/techniques/adaptive.md.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "trace/ray_inputs.glsl"
+
 #include "trace/hit_test.glsl"
 
 /// Narrows the step between `front`, where the ray is in front of the depth buffer, and `behind`. Moves both.
@@ -26,7 +32,7 @@ void narrow(Ray r, inout float from, inout Sample s, inout uint lookups) {
 
 March march(Ray r) {
     ScreenRay ray = r.screen;
-    March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
+    March result = startMarch(ray);
     bool clip = isOn(kTraceClipToFrustum);
     float end = clip ? ray.screenEnd : 1.0;
     float pixels = screenPixels(ray) * end;
@@ -57,7 +63,7 @@ March march(Ray r) {
                 float from = before.share;
                 if (attempt == 0u)
                     narrow(r, from, hit, result.lookups);
-                met = meetSurface(r, from, hit, result.lookups);
+                met = meetSurface(r, from, hit, result);
                 // The ray intersects the plane far from the pixel that shows it: as far as the depth buffer tells, not
                 // its surface.
                 vec2 apart = abs(ray.startPX + ray.deltaPX * hit.share - hit.px);
@@ -79,3 +85,5 @@ March march(Ray r) {
         result.outcome = endedOnScreen(ray, before.sceneZ, !isInFront, nearlyThickEnough);
     return result;
 }
+
+#include "trace/trace_main.glsl"

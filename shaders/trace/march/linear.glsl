@@ -3,19 +3,25 @@
 // Depths are compared at the sample itself, so a plane never intersects itself however grazing the ray. McGuire and
 // Mara's half-pixel intervals do self-intersect, and need `selfCollisionSkip`. The settings follow Babylon.js'
 // SSRRenderingPipeline: docs/techniques/linear.md lists the differences.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "trace/ray_inputs.glsl"
+
 #include "trace/hit_test.glsl"
 #include "trace/open_space.glsl"
 
 /// Tests pixel by pixel between two coarse samples for the first hit. Moves `s` to the hit.
-uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, inout uint lookups) {
+uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, inout March march) {
     float pixelShare = 1.0 / pixels;
     float beforeShare = before.share;
     for (float share = beforeShare + pixelShare;; share += pixelShare) {
         bool isLast = share >= s.share;
         Sample fine = s;
         if (!isLast)
-            fine = takeSample(r.screen, share, lookups);
-        uint met = !isLast && fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, lookups);
+            fine = takeSample(r.screen, share, march.lookups);
+        uint met = !isLast && fine.rayZ < fine.sceneZ ? kPasses : meetSurface(r, beforeShare, fine, march);
         if (isLast || isEnd(met)) {
             s = fine;
             return met;
@@ -26,7 +32,7 @@ uint refineBySinglePixels(Ray r, Sample before, inout Sample s, float pixels, in
 
 March march(Ray r) {
     ScreenRay ray = r.screen;
-    March result = March(0.0, ray.startPX, 0u, 0u, kOutcomeNone);
+    March result = startMarch(ray);
     bool clip = isOn(kTraceClipToFrustum);
     float pixels = screenPixels(ray);
     float endShare = clip ? ray.screenEnd : 1.0;
@@ -70,10 +76,10 @@ March march(Ray r) {
         if (inFront)
             tests = tests && settings.step == 1u && mayMeetBeforeLeaving(r, s.share + 0.5 * stepShare, hit);
         if (tests) {
-            uint met = meetSurface(r, before.share, inFront, hit, result.lookups);
+            uint met = meetSurface(r, before.share, inFront, hit, result);
             if (settings.step > 1u && isOn(kTraceSmooth) && (isEnd(met) || met == kGrazes)) {
                 hit = s;
-                met = refineBySinglePixels(r, before, hit, pixels, result.lookups);
+                met = refineBySinglePixels(r, before, hit, pixels, result);
             }
             if (endsMarch(met, hit, result))
                 return result;
@@ -92,3 +98,5 @@ March march(Ray r) {
         result.outcome = endedOnScreen(ray, before.sceneZ, endsBehind, nearlyThickEnough);
     return result;
 }
+
+#include "trace/trace_main.glsl"
