@@ -1,10 +1,13 @@
 // The table of costs: its file, and what a measurement may change of it.
-#include "tune/cost_table.hpp"
+#include "lab/tune/cost_table.hpp"
 
 #include "base/file.hpp"
-#include "tune/cost_fit.hpp"
+#include "lab/tune/cost_fit.hpp"
+#include "tests/support/must.hpp"
 
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 namespace glint::tune {
 namespace {
@@ -31,6 +34,31 @@ TEST(TuneCostTable, OtherFilesAreRefused) {
     wrong = fileText();
     wrong.replace(wrong.find("\"floors\": "), 10, "\"floors\": -");
     EXPECT_NE(message(wrong).find("below 0"), std::string::npos);
+}
+
+/// The passes of docs/passes.md that frames of presets run (tests/gpu/pass_table_test.cpp).
+std::vector<std::string> passesOfPresets() {
+    const std::string page = test::must(readFile(GLINT_SOURCE_DIR "/docs/passes.md", 1 << 20));
+    std::vector<std::string> passes;
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| `") || !line.ends_with(" |"))
+            continue;
+        const std::string runs = line.substr(line.rfind("| ", line.size() - 3) + 2);
+        const bool preset = std::ranges::any_of(presetNames(), [&](std::string_view name) {
+            return runs.starts_with(name) || runs.starts_with("all presets");
+        });
+        if (preset)
+            passes.push_back(line.substr(3, line.find('`', 3) - 3));
+    }
+    return passes;
+}
+
+TEST(TuneCostTable, EveryPassOfAPresetHasARow) {
+    const std::vector<std::string> passes = passesOfPresets();
+    EXPECT_GT(passes.size(), 20u);
+    for (const std::string& pass : passes)
+        EXPECT_TRUE(costTable().hasRow(pass)) << pass << ": add a row to bench/costs.json";
 }
 
 class TuneCostFit : public testing::Test {
