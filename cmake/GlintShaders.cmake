@@ -113,3 +113,15 @@ function(glint_embed_presets target)
         COMMENT "Embedding presets" VERBATIM)
     target_sources(${target} PRIVATE ${embedded})
 endfunction()
+
+# A file of the tree as a part of the program: `function`, declared in `header`, returns its text.
+function(glint_embed_text target file header function)
+    get_filename_component(name ${file} NAME_WE)
+    set(embedded ${CMAKE_CURRENT_BINARY_DIR}/${target}_${name}.cpp)
+    add_custom_command(OUTPUT ${embedded}
+        COMMAND ${CMAKE_COMMAND} -DOUTPUT=${embedded} -DINPUT=${PROJECT_SOURCE_DIR}/${file} -DHEADER=${header}
+            -DFUNCTION=${function} -P ${PROJECT_SOURCE_DIR}/cmake/embed_text.cmake
+        DEPENDS ${PROJECT_SOURCE_DIR}/${file} ${PROJECT_SOURCE_DIR}/cmake/embed_text.cmake
+        COMMENT "Embedding ${file}" VERBATIM)
+    target_sources(${target} PRIVATE ${embedded})
+endfunction()

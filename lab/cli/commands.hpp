@@ -25,6 +25,7 @@ void addReportCommand(CLI::App& program, Command& chosen);
 void addTuneCommand(CLI::App& program, Command& chosen);
 void addSweepCommand(CLI::App& program, Command& chosen);
 void addSettingsCommand(CLI::App& program, Command& chosen);
+void addViewsCommand(CLI::App& program, Command& chosen);
 void addDevicesCommand(CLI::App& program, Command& chosen);
 
 } // namespace glint::cli

@@ -74,6 +74,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     addTuneCommand(program, chosen);
     addSweepCommand(program, chosen);
     addSettingsCommand(program, chosen);
+    addViewsCommand(program, chosen);
     addDevicesCommand(program, chosen);
     if (const std::string unknown = unknownCommand(program, argc, argv); !unknown.empty())
         return fail(kBadInput, unknown);

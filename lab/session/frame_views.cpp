@@ -4,18 +4,6 @@
 #include "lab/renderer/lending.hpp"
 
 namespace glint::render {
-namespace {
-
-/// A view that is an image of the host, as it is; null: another view.
-gpu::Image* hostImage(const std::string& name, HostFrame& host) {
-    if (name == "albedo")
-        return &host.gbuffer().albedo;
-    if (name == "fallbackSpecular")
-        return &host.gbuffer().fallbackSpecular;
-    return name == "motion" ? &host.gbuffer().motion : nullptr;
-}
-
-} // namespace
 
 Result<FrameViews> FrameViews::create(gpu::Context& context) {
     FrameViews views(context);
@@ -57,11 +45,12 @@ Result<void> FrameViews::show(const std::string& name, HostFrame& host, Reflecti
         gpu::Frame frame(*context_, commands);
         if (name == "composite" || name == "scene") {
             host.display(frame, name == "composite" ? composite_ : scene_, target);
-        } else if (gpu::Image* const drawn = hostImage(name, host)) {
+        } else if (info->drawn) {
+            gpu::Image& drawn = host.gbuffer().*info->drawn;
             if (info->kind == ViewKind::Radiance)
-                host.display(frame, *drawn, target);
+                host.display(frame, drawn, target);
             else
-                viewPass_.draw(frame, *drawn, info->kind, target);
+                viewPass_.draw(frame, drawn, info->kind, target);
         } else if (const auto recorded = reflections.recordView(commands, name); !recorded) {
             done = recorded.error();
             return;
@@ -97,11 +86,12 @@ Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, 
             GLINT_CHECK(displayInto(view, host, radiance));
         return view;
     }
-    if (gpu::Image* const drawn = hostImage(name, host)) {
-        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, *drawn));
+    if (info->drawn) {
+        gpu::Image& drawn = host.gbuffer().*info->drawn;
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, drawn));
         view.rgba = std::move(rgba);
         if (info->kind == ViewKind::Radiance && display)
-            GLINT_CHECK(displayInto(view, host, *drawn));
+            GLINT_CHECK(displayInto(view, host, drawn));
         return view;
     }
     Result<HostImage> recorded = HostImage{};

@@ -2,7 +2,9 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "lab/renderer/gbuffer.hpp"
 #include "shared/display.h"
+#include "shared/views.h"
 
 #include <glm/glm.hpp>
 
@@ -14,45 +16,27 @@
 namespace glint::render {
 namespace {
 
+#define GLINT_VIEW_ROW(name, kind, channels, meaning, value) ViewInfo{#name, ViewKind::kind, channels, meaning, #value},
+
 constexpr std::array kViews = {
     ViewInfo{"composite", ViewKind::Radiance, "RGBA", "the frame with its reflections; alpha: opacity"},
     ViewInfo{"scene", ViewKind::Radiance, "RGB", "the frame without them"},
-    ViewInfo{"reflection", ViewKind::Radiance, "RGB", "reflected radiance, all sources together"},
-    ViewInfo{"weight", ViewKind::Fraction, "Y", "weight of the screen-space answer"},
-    ViewInfo{"weights", ViewKind::Fraction, "RGBA", "weight of each source: screen, sky, rays, probes"},
-    ViewInfo{"source", ViewKind::Fraction, "RGB",
-             "which source answered most: green screen, orange rays, yellow planar, violet probes, blue sky"},
-    ViewInfo{"outcome", ViewKind::Fraction, "RGB", "how each ray ended, as colours"},
-    ViewInfo{"normal", ViewKind::Direction, "XYZ", "world-space normal"},
-    ViewInfo{"depth", ViewKind::Distance, "Z", "metres along the view axis"},
-    ViewInfo{"albedo", ViewKind::Fraction, "RGB", "base colour"},
-    ViewInfo{"fallbackSpecular", ViewKind::Radiance, "RGB", "the part of the scene that reflections replace"},
-    ViewInfo{"roughness", ViewKind::Fraction, "Y", "perceptual roughness"},
-    ViewInfo{"reflectivity", ViewKind::Fraction, "RGB", "F0"},
-    ViewInfo{"motion", ViewKind::Motion, "XYZ",
-             "motion of the surface: previous UV - current UV, and previous - current depth in metres; grey: none"},
-    ViewInfo{"hitUV", ViewKind::Fraction, "UV", "where on the screen the ray hit"},
-    ViewInfo{"hitDistance", ViewKind::Distance, "Z", "metres along the ray to its hit"},
-    ViewInfo{"lookups", ViewKind::Count, "Y", "depth reads of the ray"},
-    ViewInfo{"rayDirWS", ViewKind::Direction, "XYZ", "world-space direction of the mirror ray"},
-    ViewInfo{"color", ViewKind::Radiance, "RGB", "radiance that the screen source found"},
-    ViewInfo{"hitDepth", ViewKind::Distance, "Z", "metres along the view axis to the surface that the ray hit"},
-    ViewInfo{"hitSuccess", ViewKind::Fraction, "RGB",
-             "light green: hit, light blue: failed, yellow: a side or back, black: no ray"},
-    ViewInfo{"probes", ViewKind::Radiance, "RGB", "radiance that the probes answered with"},
-    ViewInfo{"weightRays", ViewKind::Fraction, "Y", "share of the rays"},
-    ViewInfo{"weightProbes", ViewKind::Fraction, "Y", "share of the probes"},
-    ViewInfo{"weightSky", ViewKind::Fraction, "Y", "share of the environment"},
-    ViewInfo{"planar", ViewKind::Radiance, "RGB", "radiance that the planar mirrors answered with"},
-    ViewInfo{"weightPlanar", ViewKind::Fraction, "Y", "share of the planar mirrors"},
-    ViewInfo{"refraction", ViewKind::Radiance, "RGB", "radiance that comes through the nearest transparent layer"},
-    ViewInfo{"refractionWeights", ViewKind::Fraction, "RGB", "where it is from: screen, probes, sky"},
-    ViewInfo{"historyFrames", ViewKind::Count, "Y", "frames that the denoised answer is a mean of"},
-    ViewInfo{"antilag", ViewKind::Fraction, "Y", "share of the last mean's frames given up because light changed"},
-    ViewInfo{"raySent", ViewKind::Fraction, "Y",
-             "white: a ray was sent from here and denoised, grey: its neighbours' rays are taken"},
-    ViewInfo{"ray", ViewKind::Fraction, "RGBA", "for programs: hitUV, number of the outcome, lookups"},
-};
+    ViewInfo{"albedo", ViewKind::Fraction, "RGB", "base colour", {}, &GBuffer::albedo},
+    ViewInfo{"fallbackSpecular",
+             ViewKind::Radiance,
+             "RGB",
+             "the part of the scene that reflections replace",
+             {},
+             &GBuffer::fallbackSpecular},
+    ViewInfo{"motion",
+             ViewKind::Motion,
+             "XYZ",
+             "motion of the surface: previous UV - current UV, and previous - current depth in metres; grey: none",
+             {},
+             &GBuffer::motion},
+    GLINT_VIEWS(GLINT_VIEW_ROW)};
+
+#undef GLINT_VIEW_ROW
 
 constexpr ViewInfo kPassImage = {"PASS:IMAGE", ViewKind::Radiance, "RGBA", "an image that a pass of the frame wrote"};
 
@@ -78,10 +62,44 @@ glm::vec3 displayColor(ViewKind kind, const glm::vec3& value) {
     return value;
 }
 
+/// displayColor in words.
+std::string_view colorsOf(ViewKind kind) {
+    switch (kind) {
+    case ViewKind::Radiance: return "exposed and tone-mapped";
+    case ViewKind::Fraction: return "unchanged";
+    case ViewKind::Direction: return "(x + 1) / 2";
+    case ViewKind::Distance: return "white is near, black is far or none";
+    case ViewKind::Count: return "blue to red by the logarithm, black is 0";
+    case ViewKind::Motion: return "grey is 0, darker and lighter by the root";
+    }
+    return {};
+}
+
 } // namespace
 
 std::span<const ViewInfo> viewList() {
     return kViews;
+}
+
+std::string viewsPage() {
+    std::string page = "# Debug views\n"
+                       "\n"
+                       "`scripts/glint views --markdown` writes this page. `glint render --view NAME,...` shows views, "
+                       "`glint view` lists\n"
+                       "them, and a host records those of the library with `Reflections::recordView`. An image that a "
+                       "pass wrote is a\n"
+                       "view, too: `--view PASS:IMAGE`.\n"
+                       "\n"
+                       "| view | shows | channels | as colours | value |\n"
+                       "|---|---|---|---|---|\n";
+    for (const ViewInfo& view : kViews)
+        page +=
+            fmt::format("| `{}` | {} | {} | {} | {} |\n", view.name, view.meaning, view.channels, colorsOf(view.kind),
+                        view.value.empty() ? "the image itself" : fmt::format("`{}`", view.value));
+    return page +
+           "\n"
+           "A view of the library is one row of [shared/views.h](../shaders/shared/views.h), its value an expression\n"
+           "in [view.comp](../shaders/composite/view.comp).\n";
 }
 
 Result<const ViewInfo*> findView(std::string_view name) {

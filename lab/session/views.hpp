@@ -5,10 +5,17 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+namespace glint::gpu {
+class Image;
+}
+
 namespace glint::render {
+
+struct GBuffer;
 
 /// The kind of a view's values, which determines how they are displayed.
 enum class ViewKind {
@@ -25,10 +32,15 @@ struct ViewInfo {
     ViewKind kind = ViewKind::Radiance;
     std::string_view channels; ///< the meaningful channels, named as in an EXR file: "RGBA", "XYZ", "Z"
     std::string_view meaning;
+    std::string_view value = {};          ///< of the library's views: the shader's expression (shared/views.h)
+    gpu::Image GBuffer::*drawn = nullptr; ///< the view is this image of our renderer
 };
 
-/// The first is "composite", the frame itself.
+/// The frame and our renderer's images, then the library's views. The first is "composite", the frame itself.
 std::span<const ViewInfo> viewList();
+
+/// Returns docs/views.md.
+std::string viewsPage();
 
 /// A name with a colon is an image that a pass wrote, "trace/hiz:radianceWeight"; the frame checks that it exists.
 /// Errors: InvalidArgument with the nearest name and all names.

@@ -35,8 +35,8 @@ struct FrameWork {
     double lights = 0;    ///< of the scene: each gets a shadow ray from what rays hit
 };
 
-/// Estimates the cost in floors (docs/truth.md): each pass by its pixels, rays, depth lookups and taps, with unit costs
-/// that were measured on the software driver. Deterministic; on another device only a rough guess.
+/// Estimates the cost in floors (docs/truth.md): each pass by its pixels, rays, depth lookups and taps, with the costs
+/// of cost_table.hpp, which were measured on the software driver. Deterministic; on another device only a rough guess.
 double countedFloors(const FrameWork& work);
 
 } // namespace glint::tune

@@ -1,5 +1,6 @@
 #include "lab/view/view_commands.hpp"
 
+#include "base/text.hpp"
 #include "lab/session/views.hpp"
 #include "lab/view/key_names.hpp"
 #include "lab/view/ssr_keys.hpp"
@@ -59,7 +60,7 @@ void toggleOpenPanel(ViewerState& state) {
 std::vector<ViewCommand> makeCommands() {
     std::vector<ViewCommand> list = {
         {"Command palette", "Ctrl+P", togglePalette, true},
-        {"Next view: composite, scene, reflection, normal, depth", "V",
+        {"Next view: " + listText(std::vector<std::string>(kCycledViews.begin(), kCycledViews.end()), ", "), "V",
          [](ViewerState& s) { s.view = nextView(s.view), s.say("view " + s.view); }},
         {"Help and times", "H", [](ViewerState& s) { s.showHelp = !s.showHelp; }},
         {"Settings panel", "Tab", [](ViewerState& s) { s.showSettings = !s.showSettings; }},

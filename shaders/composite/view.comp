@@ -1,4 +1,4 @@
-// Shows what the passes know as a picture: one view a number (kView*), unscaled values in full precision.
+// Shows what the passes know as an image: one view, a row of shared/views.h, unscaled values in full precision.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -16,6 +16,7 @@
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
 #include "shared/trace_constants.h"
+#include "shared/views.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -34,7 +35,7 @@ layout(set = 0, binding = 14) uniform sampler2D historyMeta;
 layout(set = 0, binding = 15) uniform sampler2D historyMetaBefore;
 layout(set = 0, binding = 16) uniform sampler2D changed; // of the previous frame's tiles: denoise/change.comp
 layout(push_constant, scalar) uniform PushBlock {
-    uint shownView; // kView*
+    uint shownView; // row of GLINT_VIEWS
     uint denoised;
 };
 
@@ -88,10 +89,36 @@ float raySent(ivec2 px) {
     return ray.sent ? 1.0 : ray.awaits ? kAwaits : 0.0;
 }
 
-void main() {
-    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(px, ivec2(frame.constants.size))))
-        return;
+vec3 foundRadiance(ivec2 px) {
+    vec4 answer = texelFetch(radianceWeight, px, 0);
+    return answer.a > 0.0 ? answer.rgb : vec3(0.0);
+}
+
+/// Radiance of a source that takes part in the pixel.
+vec3 answerOf(uint source, sampler2D answer, uvec2 shares, ivec2 px) {
+    return sourceWeight(shares, source) > 0.0 ? texelFetch(answer, px, 0).rgb : vec3(0.0);
+}
+
+/// Black without layers.
+vec3 texelOfLayer(sampler2D layer, ivec2 px) {
+    return all(lessThan(px, textureSize(layer, 0))) ? texelFetch(layer, px, 0).rgb : vec3(0.0);
+}
+
+vec4 rgba(float value) {
+    return vec4(vec3(value), 1.0);
+}
+vec4 rgba(vec2 value) {
+    return vec4(value, 0.0, 1.0);
+}
+vec4 rgba(vec3 value) {
+    return vec4(value, 1.0);
+}
+vec4 rgba(vec4 value) {
+    return value;
+}
+
+/// The names below are those that rows of GLINT_VIEWS use.
+vec4 viewValue(ivec2 px) {
     float z = texelFetch(viewZ, px, 0).r;
     bool background = z >= kBackgroundZ;
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
@@ -101,94 +128,16 @@ void main() {
     bool hit = isAnswered(ray.outcome);
     uvec2 shares = texelFetch(weights, px, 0).xy;
 
-    vec4 value = vec4(0.0, 0.0, 0.0, 1.0);
-    switch (shownView) {
-    case kViewReflection:
-        value.rgb = texelFetch(reflected, px, 0).rgb;
-        break;
-    case kViewWeight:
-        value.rgb = vec3(texelFetch(radianceWeight, px, 0).a);
-        break;
-    case kViewWeights:
-        value = vec4(sourceWeight(shares, kSourceScreen), sourceWeight(shares, kSourceSky),
-                     sourceWeight(shares, kSourceRays), sourceWeight(shares, kSourceProbes));
-        break;
-    case kViewSource:
-        value.rgb = sourceColor(shares);
-        break;
-    case kViewOutcome:
-        value.rgb = outcomeColor(ray, frame.settings.trace.maxSteps);
-        break;
-    case kViewNormal:
-        value.rgb = background ? vec3(0.0) : mat3(frame.constants.viewToWorld) * here.normalVS;
-        break;
-    case kViewDepth:
-        value.rgb = vec3(background ? 0.0 : z);
-        break;
-    case kViewRoughness:
-        value.rgb = vec3(background ? 0.0 : here.perceptualRoughness);
-        break;
-    case kViewReflectivity:
-        value.rgb = background ? vec3(0.0) : resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb;
-        break;
-    case kViewHitUv:
-        value.rg = hit ? ray.hitUV : vec2(0.0);
-        break;
-    case kViewHitDistance:
-        value.rgb = vec3(hit ? ray.hitDistance : 0.0);
-        break;
-    case kViewLookups:
-        value.rgb = vec3(float(ray.lookups));
-        break;
-    case kViewRayDirection:
-        value.rgb = background ? vec3(0.0) : rayDirectionWS(px, here, z);
-        break;
-    case kViewColor:
-        value.rgb = texelFetch(radianceWeight, px, 0).a > 0.0 ? texelFetch(radianceWeight, px, 0).rgb : vec3(0.0);
-        break;
-    case kViewHitDepth:
-        value.rgb = vec3(hit ? hitDepth(ray) : 0.0);
-        break;
-    case kViewHitSuccess:
-        value.rgb = successColor(ray.outcome);
-        break;
-    case kViewProbes:
-        value.rgb = sourceWeight(shares, kSourceProbes) > 0.0 ? texelFetch(probesAnswer, px, 0).rgb : vec3(0.0);
-        break;
-    case kViewWeightRays:
-        value.rgb = vec3(sourceWeight(shares, kSourceRays));
-        break;
-    case kViewWeightProbes:
-        value.rgb = vec3(sourceWeight(shares, kSourceProbes));
-        break;
-    case kViewWeightSky:
-        value.rgb = vec3(sourceWeight(shares, kSourceSky));
-        break;
-    case kViewPlanar:
-        value.rgb = sourceWeight(shares, kSourcePlanar) > 0.0 ? texelFetch(planarAnswer, px, 0).rgb : vec3(0.0);
-        break;
-    case kViewWeightPlanar:
-        value.rgb = vec3(sourceWeight(shares, kSourcePlanar));
-        break;
-    case kViewRefraction:
-        value.rgb = any(greaterThanEqual(px, textureSize(refracted, 0))) ? vec3(0.0) : texelFetch(refracted, px, 0).rgb;
-        break;
-    case kViewRefractionWeights:
-        if (all(lessThan(px, textureSize(refractionWeights, 0))))
-            value.rgb = texelFetch(refractionWeights, px, 0).rgb;
-        break;
-    case kViewHistoryFrames:
-        value.rgb = vec3(denoised != 0u ? texelFetch(historyMeta, px, 0).x : 0.0);
-        break;
-    case kViewAntilag:
-        value.rgb = vec3(denoised != 0u ? historyGivenUp(px) : 0.0);
-        break;
-    case kViewRaySent:
-        value.rgb = vec3(denoised != 0u ? raySent(px) : 0.0);
-        break;
-    case kViewRay:
-        value = vec4(ray.hitUV, float(ray.outcome), float(ray.lookups));
-        break;
-    }
-    imageStore(view, px, value);
+    uint row = 0u;
+#define RETURN_IF_SHOWN(name, kind, channels, meaning, value) \
+    if (shownView == row++)                                   \
+        return rgba(value);
+    GLINT_VIEWS(RETURN_IF_SHOWN)
+    return vec4(0.0, 0.0, 0.0, 1.0);
+}
+
+void main() {
+    ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+    if (all(lessThan(px, ivec2(frame.constants.size))))
+        imageStore(view, px, viewValue(px));
 }

@@ -93,37 +93,6 @@ struct CompositeConstants {
 GLINT_CONSTANT(uint, kDebugOutcome, 1);
 GLINT_CONSTANT(uint, kDebugClipped, 2); // rays end at the frustum
 
-// In the order of kViewNames in src/reflect/composite/view_names.hpp.
-GLINT_CONSTANT(uint, kViewReflection, 0);
-GLINT_CONSTANT(uint, kViewWeight, 1);
-GLINT_CONSTANT(uint, kViewWeights, 2);
-GLINT_CONSTANT(uint, kViewSource, 3);
-GLINT_CONSTANT(uint, kViewOutcome, 4);
-GLINT_CONSTANT(uint, kViewNormal, 5);
-GLINT_CONSTANT(uint, kViewDepth, 6);
-GLINT_CONSTANT(uint, kViewRoughness, 7);
-GLINT_CONSTANT(uint, kViewReflectivity, 8);
-GLINT_CONSTANT(uint, kViewHitUv, 9);
-GLINT_CONSTANT(uint, kViewHitDistance, 10);
-GLINT_CONSTANT(uint, kViewLookups, 11);
-GLINT_CONSTANT(uint, kViewRayDirection, 12);
-GLINT_CONSTANT(uint, kViewRay, 13); // for programs: hitUV, outcome, lookups
-GLINT_CONSTANT(uint, kViewColor, 14);
-GLINT_CONSTANT(uint, kViewHitDepth, 15);
-GLINT_CONSTANT(uint, kViewHitSuccess, 16);
-GLINT_CONSTANT(uint, kViewProbes, 17);
-GLINT_CONSTANT(uint, kViewWeightRays, 18);
-GLINT_CONSTANT(uint, kViewWeightProbes, 19);
-GLINT_CONSTANT(uint, kViewWeightSky, 20);
-GLINT_CONSTANT(uint, kViewPlanar, 21);
-GLINT_CONSTANT(uint, kViewWeightPlanar, 22);
-GLINT_CONSTANT(uint, kViewRefraction, 23);
-GLINT_CONSTANT(uint, kViewRefractionWeights, 24);
-GLINT_CONSTANT(uint, kViewHistoryFrames, 25);
-GLINT_CONSTANT(uint, kViewAntilag, 26);
-GLINT_CONSTANT(uint, kViewRaySent, 27);
-GLINT_CONSTANT(uint, kViewCount, 28);
-
 GLINT_SHARED_END
 
 #endif

@@ -2,6 +2,7 @@
 #include "gpu/pass.hpp"
 
 #include "base/assert.hpp"
+#include "gpu/pass_log.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -178,9 +179,13 @@ void Frame::beginScope(const char* name) {
     }
     if (timers_)
         timers_->begin(commands_, name);
+    if (PassLog* const log = PassLog::current())
+        log->open(name);
 }
 
 void Frame::endScope() {
+    if (PassLog* const log = PassLog::current())
+        log->close();
     if (timers_)
         timers_->end(commands_);
     if (context_.api().CmdEndDebugUtilsLabelEXT)

@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "base/text.hpp"
+#include "gpu/pass_log.hpp"
 
 #include <cstring>
 
@@ -44,6 +45,35 @@ bool filterable(VkFormat format) {
     case VK_FORMAT_R32G32B32A32_UINT: return false;
     default: return true;
     }
+}
+
+PassLog* logOf(const Frame& frame) {
+    return frame.rehearsing() ? nullptr : PassLog::current();
+}
+
+void logUse(const Frame& frame, const Pipeline& pipeline, const ShaderBinding& binding, const Image& image,
+            uint32_t firstMip, uint32_t mips) {
+    if (PassLog* const log = logOf(frame))
+        log->add({.pass = pipeline.name(),
+                  .binding = std::string(binding.name),
+                  .reads = binding.reads,
+                  .writes = binding.writes,
+                  .resource = image.desc().name,
+                  .image = image.desc(),
+                  .firstMip = firstMip,
+                  .mips = mips});
+}
+
+/// A buffer, or with 0 bytes an acceleration structure.
+void logUse(const Frame& frame, const Pipeline& pipeline, const ShaderBinding& binding, const std::string& resource,
+            size_t bytes) {
+    if (PassLog* const log = logOf(frame))
+        log->add({.pass = pipeline.name(),
+                  .binding = std::string(binding.name),
+                  .reads = binding.reads,
+                  .writes = binding.writes,
+                  .resource = resource,
+                  .bufferSize = bytes});
 }
 
 } // namespace
@@ -107,6 +137,7 @@ void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes)
     if (writes)
         access = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT | (binding.reads ? VK_ACCESS_2_SHADER_STORAGE_READ_BIT : 0);
     frame_.use(buffer, {shaderStages(pipeline_), access, VK_IMAGE_LAYOUT_UNDEFINED, writes});
+    logUse(frame_, pipeline_, binding, buffer.name(), buffer.size());
     bufferInfos_[bound_] = {buffer.handle(), 0, VK_WHOLE_SIZE};
     VkWriteDescriptorSet& write = writes_[bound_];
     write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
@@ -119,6 +150,7 @@ void Pass::bindBuffer(const ShaderBinding& binding, Buffer& buffer, bool writes)
 Pass& Pass::read(std::string_view name, Image& image, SamplerKind sampler) {
     if (const ShaderBinding* binding = find(name, true, false, ResourceKind::Image)) {
         const VkDescriptorImageInfo info = sampled(image, sampler);
+        logUse(frame_, pipeline_, *binding, image, 0, image.desc().mips);
         bindImage(*binding, info.imageView, info.imageLayout, info.sampler);
     }
     return *this;
@@ -133,8 +165,10 @@ Pass& Pass::read(std::string_view name, std::span<Image* const> images, SamplerK
                                pipeline_.name(), name, binding->count, images.size(), kMaxArrayImages));
         return *this;
     }
-    for (size_t i = 0; i < images.size(); ++i)
+    for (size_t i = 0; i < images.size(); ++i) {
         arrayInfos_[arrayImages_ + i] = sampled(*images[i], sampler);
+        logUse(frame_, pipeline_, *binding, *images[i], 0, images[i]->desc().mips);
+    }
     bindImage(*binding, VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED, VK_NULL_HANDLE);
     writes_[bound_ - 1].descriptorCount = binding->count;
     writes_[bound_ - 1].dstArrayElement = 0;
@@ -175,6 +209,7 @@ Pass& Pass::read(std::string_view name, VkAccelerationStructureKHR top) {
     if (!binding)
         return *this;
     scene_ = top;
+    logUse(frame_, pipeline_, *binding, "acceleration structure", 0);
     VkWriteDescriptorSet& write = writes_[bound_++];
     write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstBinding = binding->binding;
@@ -190,6 +225,7 @@ Pass& Pass::write(std::string_view name, Image& image, uint32_t mip, bool keep) 
             {shaderStages(pipeline_), VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT, VK_IMAGE_LAYOUT_GENERAL, true, !keep});
         bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
         frame_.noteWritten(pipeline_.name(), binding->name, image);
+        logUse(frame_, pipeline_, *binding, image, mip, 1);
     }
     return *this;
 }
@@ -207,6 +243,7 @@ Pass& Pass::readWrite(std::string_view name, Image& image, uint32_t mip) {
                     VK_IMAGE_LAYOUT_GENERAL, true});
         bindImage(*binding, image.mipView(mip), VK_IMAGE_LAYOUT_GENERAL, VK_NULL_HANDLE);
         frame_.noteWritten(pipeline_.name(), binding->name, image);
+        logUse(frame_, pipeline_, *binding, image, mip, 1);
     }
     return *this;
 }

@@ -3,6 +3,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "lab/cli/bench/bench_base.hpp"
+#include "lab/cli/bench/bench_costs.hpp"
 #include "lab/cli/bench/bench_output.hpp"
 #include "lab/cli/bench/create_bench_output.hpp"
 #include "lab/cli/bench/ray_bench_options.hpp"
@@ -33,6 +34,7 @@ struct BenchOptions {
     double budget = 20;
     std::string json;
     std::string check;
+    std::string costs;
     double tolerance = 50; ///< percent
     RayBenchOptions rays;
     bool create = false;
@@ -96,15 +98,16 @@ void showPoint(const std::string& point) {
         fmt::print(stderr, "measuring {}\n", printable(point));
 }
 
-Result<void> checkOutput(const BenchOptions& options) {
-    if (options.json.empty() || options.json == "-")
+Result<void> checkOutput(const BenchOptions& options, const char* option = "--json") {
+    const std::string& file = std::string_view(option) == "--costs" ? options.costs : options.json;
+    if (file.empty() || file == "-")
         return {};
-    GLINT_CHECK(checkFolder("--json", options.json));
+    GLINT_CHECK(checkFolder(option, file));
     std::vector<NamedFile> inputs = inputFiles(options.scene);
     for (const std::string& scene : options.scenes)
         inputs.push_back({"SCENE", scene});
     addConfigFiles(options.configs, inputs);
-    const NamedFile outputs[] = {{"--json", options.json}};
+    const NamedFile outputs[] = {{option, file}};
     return checkOutputs(inputs, outputs);
 }
 
@@ -150,14 +153,33 @@ Result<void> benchCreation(const BenchOptions& options) {
     return show(options, *context, createBenchText(result), createBenchJson(result));
 }
 
+Result<std::vector<measure::BenchScene>> makeScenes(const BenchOptions& options, bool shares) {
+    std::vector<measure::BenchScene> scenes;
+    for (const std::string& name : options.scenes.empty() ? std::vector<std::string>{"builtin:hall"} : options.scenes) {
+        GLINT_TRY(scene, makeScene(options, name, shares));
+        scenes.push_back(std::move(scene));
+    }
+    return scenes;
+}
+
+/// `options.configs`: several, as a pass's costs show in what differs between frames.
+Result<void> benchCosts(const BenchOptions& options) {
+    GLINT_TRY(plan, makePlan(options));
+    if (plan.sizes.size() > 1)
+        return invalidArgument("--costs measures at one size: give one to --sizes");
+    GLINT_TRY(scenes, makeScenes(options, false));
+    GLINT_CHECK(checkOutput(options, "--costs"));
+    GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    GLINT_TRY(result, measureCostTable(*context, scenes, plan, showProgress));
+    const std::string json = tune::costsText(result.table);
+    GLINT_CHECK(show(options, *context, options.costs == "-" ? json : costsBenchText(result), json));
+    return options.costs == "-" ? Result<void>() : writeFile(options.costs, json);
+}
+
 /// The device lives as long as the result is made; the result refers to nothing of it.
 Result<measure::BenchResult> measureAll(const BenchOptions& options, std::unique_ptr<gpu::Context>* used = nullptr) {
     GLINT_TRY(plan, makePlan(options));
-    std::vector<measure::BenchScene> scenes;
-    for (const std::string& name : options.scenes.empty() ? std::vector<std::string>{"builtin:hall"} : options.scenes) {
-        GLINT_TRY(scene, makeScene(options, name, !plan.shares.empty()));
-        scenes.push_back(std::move(scene));
-    }
+    GLINT_TRY(scenes, makeScenes(options, !plan.shares.empty()));
     GLINT_CHECK(checkOutput(options));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
     GLINT_TRY(result, measure::runBench(*context, scenes, plan, showPoint));
@@ -280,8 +302,21 @@ void addBenchCommand(CLI::App& program, Command& chosen) {
          {"SCENE", "--shares", "--frames", "--warm-up", "--budget", "--camera", "--env", "--materials", "--time",
           "--seed", "--probes", "--planar", "--check", "--tolerance", "--rays"})
         create->excludes(command->get_option(other));
-    command->callback([&chosen, options] {
+    CLI::Option* const costs =
+        command->add_option("--costs", options->costs,
+                            "Write the table of costs that `glint tune` counts by, as bench/costs.json, fitted to all "
+                            "presets or each --config, instead; - prints it");
+    for (const char* other :
+         {"--shares", "--warm-up", "--budget", "--json", "--check", "--tolerance", "--rays", "--create"})
+        costs->excludes(command->get_option(other));
+    command->callback([&chosen, options, configs, costs] {
+        if (costs->count() > 0 && configs->count() == 0) {
+            const std::vector<std::string_view> presets = presetNames();
+            options->configs.assign(presets.begin(), presets.end());
+        }
         chosen = [options] {
+            if (!options->costs.empty())
+                return benchCosts(*options);
             if (options->rays.asked)
                 return benchRays(*options);
             if (options->create)

@@ -429,7 +429,7 @@ TEST_F(CliTest, FailuresOfTheRendererHaveTheirExitCodes) {
 TEST_F(CliTest, HelpListsOnlyWhatIsThere) {
     const Ended with = run({"--help"});
     EXPECT_EQ(with.code, kDone);
-    for (const char* command : {"render", "inspect", "compare", "sequence", "bench", "settings", "devices"})
+    for (const char* command : {"render", "inspect", "compare", "sequence", "bench", "settings", "views", "devices"})
         EXPECT_NE(with.out.find(command), with.out.npos) << command;
     const char* argv[] = {"glint", "--help"};
     testing::internal::CaptureStdout();

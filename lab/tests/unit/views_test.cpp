@@ -1,6 +1,7 @@
 // Views: every one that the library offers has a way to be shown, and values become the colours that the kind promises.
 #include "lab/session/views.hpp"
 
+#include "base/file.hpp"
 #include "glint/reflections.hpp"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,12 @@ TEST(Views, EveryViewOfTheLibraryIsListed) {
     for (const std::string_view name : Reflections::viewNames())
         EXPECT_TRUE(findView(name).ok()) << name;
     EXPECT_EQ(viewList().front().name, "composite");
+}
+
+TEST(Views, TheCommittedPageIsTheGeneratedOne) {
+    const auto page = readFile(GLINT_SOURCE_DIR "/docs/views.md", 1 << 20);
+    ASSERT_TRUE(page.ok()) << page.error().message;
+    EXPECT_EQ(*page, viewsPage()) << "run: scripts/glint views --markdown > docs/views.md";
 }
 
 TEST(Views, UnknownNamesGetTheNearest) {
