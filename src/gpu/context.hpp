@@ -159,6 +159,11 @@ private:
     Result<void> chooseDevice(const ContextDesc& desc);
     Result<void> createDevice(const ContextDesc& desc);
     Result<void> finish();
+    Result<void> loadFunctions(); ///< the parts of finish(), in this order
+    Result<void> readQueueFamily();
+    void readLimits();
+    Result<void> createSamplers();
+    Result<void> createQueueObjects(); ///< created contexts only
     static VKAPI_ATTR VkBool32 VKAPI_CALL onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                                               VkDebugUtilsMessageTypeFlagsEXT,
                                                               const VkDebugUtilsMessengerCallbackDataEXT*, void*);
