@@ -125,7 +125,7 @@ public:
 
     /// Pipelines made so far, by what they were made from (gpu/pipeline.hpp), and layouts of texture tables, by their
     /// size (gpu/texture_table.hpp). They are kept as long as the context: making a pipeline takes up to seconds on
-    /// some drivers, and a host that makes a Reflections anew wants the same ones.
+    /// some drivers, and another Reflections of the host uses the same ones.
     std::map<std::string, std::shared_ptr<void>>& pipelines() { return pipelines_; }
     std::map<uint32_t, VkDescriptorSetLayout>& tableLayouts() { return tableLayouts_; }
     /// What the CompileBatches that live collect (gpu/pipeline.hpp).
