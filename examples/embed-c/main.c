@@ -6,7 +6,7 @@
 #include "host.h"
 #include "renderer.h"
 
-// ---------------------------------------------------------------- the host's display
+// ---------------------------------------------------------------- the host's display and queue
 
 static float fromHalf(uint16_t half) {
     const int exponent = half >> 10 & 31, fraction = half & 1023;
@@ -34,7 +34,64 @@ static void writePicture(const char* folder, const char* name, const Picture* pi
         fail("a picture cannot be written: is the disk full?");
 }
 
+// The host reads `buffer` after the commands are done.
+static void copyToBuffer(VkCommandBuffer commands, const GlintImage* image, VkBuffer buffer) {
+    const VkBufferImageCopy region = wholeImage(image);
+    changeLayout(commands, image, image->layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    vkCmdCopyImageToBuffer(commands, image->image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &region);
+    changeLayout(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image->layout);
+    VkMemoryBarrier2 toCpu = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    toCpu.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    toCpu.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    toCpu.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    toCpu.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &toCpu;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+static void submitAndWait(const Host* host) {
+    check(vkEndCommandBuffer(host->commands), "vkEndCommandBuffer");
+    VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &host->commands;
+    check(vkQueueSubmit(host->queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
+    check(vkQueueWaitIdle(host->queue), "vkQueueWaitIdle");
+}
+
 // ---------------------------------------------------------------- one frame
+
+// 3. The G-buffer, and in which of its conventions it is not like Glint's own.
+static void setGBuffer(GlintReflections* reflections, Host* host, const Picture* picture) {
+    const uint32_t width = picture->width, height = picture->height;
+    const size_t pixels = (size_t)width * height;
+    // A view of the depth aspect alone. Only queues that draw may copy into depth images: elsewhere a float image.
+    const GlintImage depth = upload(host, host->draws ? VK_FORMAT_D32_SFLOAT_S8_UINT : VK_FORMAT_R32_SFLOAT, width,
+                                    height, picture->depth, pixels * sizeof(float));
+    const GlintImage normal =
+        upload(host, VK_FORMAT_R16G16B16A16_UNORM, width, height, picture->normal, pixels * 4 * sizeof(uint16_t));
+    const GlintImage material = upload(host, VK_FORMAT_R8G8B8A8_UNORM, width, height, picture->material, pixels * 4);
+    const GlintImage lit =
+        upload(host, VK_FORMAT_R32G32B32A32_SFLOAT, width, height, picture->lit, pixels * 4 * sizeof(float));
+    const GlintImage skySpecular =
+        upload(host, VK_FORMAT_R32G32B32A32_SFLOAT, width, height, picture->skySpecular, pixels * 4 * sizeof(float));
+    GlintConventions conventions;
+    glint_conventions_init(&conventions, sizeof conventions);
+    conventions.clipYDown = VK_TRUE;
+    conventions.normalSpace = GLINT_NORMAL_SPACE_VIEW;
+    conventions.normalEncoding = GLINT_NORMAL_ENCODING_UNORM;
+    conventions.roughness = GLINT_ROUGHNESS_SMOOTHNESS; // in alpha, as by default
+    GlintGBuffer gbuffer;
+    glint_gbuffer_init(&gbuffer, sizeof gbuffer);
+    gbuffer.depth = &depth;
+    gbuffer.normal = &normal;
+    gbuffer.material = &material;
+    gbuffer.litRadiance = &lit;
+    gbuffer.fallbackSpecular = &skySpecular;
+    gbuffer.conventions = &conventions;
+    checkGlint(glint_reflections_set_inputs(reflections, &gbuffer, NULL));
+}
 
 int main(int argc, char** argv) {
     const char* folder = argc > 1 ? argv[1] : ".";
@@ -68,35 +125,7 @@ int main(int argc, char** argv) {
     GlintReflections* reflections = NULL;
     checkGlint(glint_reflections_create(context, &desc, &reflections));
     glint_settings_destroy(settings);
-
-    // 3. The G-buffer, and in which of its conventions it is not like Glint's own.
-    // A view of the depth aspect alone. Only queues that draw may copy into depth images: elsewhere a float image.
-    const GlintImage depth = upload(&host, host.draws ? VK_FORMAT_D32_SFLOAT_S8_UINT : VK_FORMAT_R32_SFLOAT,
-                                    picture.width, picture.height, picture.depth, pixels * sizeof(float));
-    const GlintImage normal = upload(&host, VK_FORMAT_R16G16B16A16_UNORM, picture.width, picture.height, picture.normal,
-                                     pixels * 4 * sizeof(uint16_t));
-    const GlintImage material =
-        upload(&host, VK_FORMAT_R8G8B8A8_UNORM, picture.width, picture.height, picture.material, pixels * 4);
-    const GlintImage lit = upload(&host, VK_FORMAT_R32G32B32A32_SFLOAT, picture.width, picture.height, picture.lit,
-                                  pixels * 4 * sizeof(float));
-    const GlintImage skySpecular = upload(&host, VK_FORMAT_R32G32B32A32_SFLOAT, picture.width, picture.height,
-                                          picture.skySpecular, pixels * 4 * sizeof(float));
-    GlintConventions conventions;
-    glint_conventions_init(&conventions, sizeof conventions);
-    conventions.clipYDown = VK_TRUE;
-    conventions.normalSpace = GLINT_NORMAL_SPACE_VIEW;
-    conventions.normalEncoding = GLINT_NORMAL_ENCODING_UNORM;
-    conventions.roughness = GLINT_ROUGHNESS_SMOOTHNESS; // in alpha, as by default
-    GlintGBuffer gbuffer;
-    glint_gbuffer_init(&gbuffer, sizeof gbuffer);
-    gbuffer.depth = &depth;
-    gbuffer.normal = &normal;
-    gbuffer.material = &material;
-    gbuffer.litRadiance = &lit;
-    gbuffer.fallbackSpecular = &skySpecular;
-    gbuffer.conventions = &conventions;
-    checkGlint(glint_reflections_set_inputs(reflections, &gbuffer, NULL));
-
+    setGBuffer(reflections, &host, &picture); // 3, above
     // 4. Each frame: Glint records its passes. What it returns is an image of its own, ready for sampling; here it is
     //    copied instead, for there is no screen.
     GlintView view;
@@ -110,26 +139,8 @@ int main(int argc, char** argv) {
     void* readback = NULL;
     const size_t size = pixels * 8; // RGBA16F
     const VkBuffer buffer = createBuffer(&host, size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &readback);
-    const VkBufferImageCopy region = wholeImage(&reflected);
-    changeLayout(host.commands, &reflected, reflected.layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-    vkCmdCopyImageToBuffer(host.commands, reflected.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &region);
-    changeLayout(host.commands, &reflected, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, reflected.layout);
-    VkMemoryBarrier2 toCpu = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    toCpu.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    toCpu.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    toCpu.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    toCpu.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.memoryBarrierCount = 1;
-    dependency.pMemoryBarriers = &toCpu;
-    vkCmdPipelineBarrier2(host.commands, &dependency);
-
-    check(vkEndCommandBuffer(host.commands), "vkEndCommandBuffer");
-    VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &host.commands;
-    check(vkQueueSubmit(host.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
-    check(vkQueueWaitIdle(host.queue), "vkQueueWaitIdle");
+    copyToBuffer(host.commands, &reflected, buffer);
+    submitAndWait(&host);
 
     // 5. Whenever the host likes: what Glint's passes cost on the GPU.
     printf("%s, on a queue that %s\n", glint_context_device_name(context), host.draws ? "draws" : "only computes");

@@ -16,7 +16,7 @@
 #include <fstream>
 #include <string>
 
-// ---------------------------------------------------------------- the host's display
+// ---------------------------------------------------------------- the host's display and queue
 
 float fromHalf(uint16_t half) {
     const int exponent = half >> 10 & 31, fraction = half & 1023;
@@ -39,6 +39,32 @@ void write(const std::string& path, const Picture& picture, const Pixels& pixels
     }
     if (!file.flush())
         fail(path + ": cannot be written");
+}
+
+/// The host reads `buffer` after the commands are done.
+void copyToBuffer(VkCommandBuffer commands, const glint::HostImage& image, VkBuffer buffer) {
+    const VkBufferImageCopy region = wholeImage(image);
+    changeLayout(commands, image, image.layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+    vkCmdCopyImageToBuffer(commands, image.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &region);
+    changeLayout(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, image.layout);
+    VkMemoryBarrier2 toCpu = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
+    toCpu.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    toCpu.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    toCpu.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
+    toCpu.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
+    VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
+    dependency.memoryBarrierCount = 1;
+    dependency.pMemoryBarriers = &toCpu;
+    vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void submitAndWait(const Host& host) {
+    check(vkEndCommandBuffer(host.commands), "vkEndCommandBuffer");
+    VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &host.commands;
+    check(vkQueueSubmit(host.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
+    check(vkQueueWaitIdle(host.queue), "vkQueueWaitIdle");
 }
 
 // ---------------------------------------------------------------- one frame
@@ -94,26 +120,8 @@ int main(int argc, char** argv) {
     void* readback = nullptr;
     const size_t size = size_t{8} * picture.width * picture.height; // RGBA16F
     const VkBuffer buffer = host.createBuffer(size, VK_BUFFER_USAGE_TRANSFER_DST_BIT, &readback);
-    const VkBufferImageCopy region = wholeImage(reflected);
-    changeLayout(host.commands, reflected, reflected.layout, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-    vkCmdCopyImageToBuffer(host.commands, reflected.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &region);
-    changeLayout(host.commands, reflected, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, reflected.layout);
-    VkMemoryBarrier2 toCpu = {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
-    toCpu.srcStageMask = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-    toCpu.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    toCpu.dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT;
-    toCpu.dstAccessMask = VK_ACCESS_2_HOST_READ_BIT;
-    VkDependencyInfo dependency = {VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.memoryBarrierCount = 1;
-    dependency.pMemoryBarriers = &toCpu;
-    vkCmdPipelineBarrier2(host.commands, &dependency);
-
-    check(vkEndCommandBuffer(host.commands), "vkEndCommandBuffer");
-    VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &host.commands;
-    check(vkQueueSubmit(host.queue, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
-    check(vkQueueWaitIdle(host.queue), "vkQueueWaitIdle");
+    copyToBuffer(host.commands, reflected, buffer);
+    submitAndWait(host);
 
     // 5. Whenever the host likes: what Glint's passes cost on the GPU.
     std::printf("%s, on a queue that %s\n", context->deviceName().c_str(), host.draws ? "draws" : "only computes");

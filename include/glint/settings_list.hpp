@@ -214,11 +214,11 @@
         "",                                                                                                            \
         "choice; if denoise.enabled=true; motion; cost +")                                                             \
     SETTING(bool, hitMotion, true, "", "",                                                                             \
-        "Follow things that move in reflections, by motion where the picture shows them and by the instances' transforms where rays meet them", \
+        "Follow objects that move in reflections: by GBuffer motion where the frame shows them, by the instances' transforms where rays hit them", \
         "",                                                                                                            \
         "switch; if denoise.enabled=true; motion")                                                                     \
     SETTING(Antilag, antilag, Antilag::Gradient, "", "",                                                               \
-        "What shortens the average where light changes: nothing, the difference between a short and the long average, or the last frame's rays followed again: through the RayScene or, without one, to places of the picture", \
+        "What shortens the average where light changes: nothing, the difference between a short and the long average, or the last frame's rays followed again: through the RayScene or, without one, to places of the frame", \
         "",                                                                                                            \
         "choice; if denoise.enabled=true; motion; cost +")                                                             \
     SETTING(int, fastFrames, 6, "[1, 30]", "",                                                                         \

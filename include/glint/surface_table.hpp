@@ -117,7 +117,9 @@ struct SurfaceMesh {
 struct SurfaceInstance {
     uint32_t mesh = 0;
     uint32_t material = 0;
-    Matrix4 localToWorld = kIdentity; ///< same as the RayInstance's
+    /// Same as the RayInstance's, which an adopted RayScene does not have. Emissive triangles and denoise.hitMotion use
+    /// it.
+    Matrix4 localToWorld = kIdentity;
 };
 
 enum class SurfaceLightKind : uint8_t { Directional, Point, Spot };

@@ -8,13 +8,13 @@ build() {
     mkdir -p "$folder"
     exec 8>"$folder/lock"
     flock 8
-    # Anew after an edit of the presets, and after the repository was moved: CMake keeps absolute paths.
+    # Again after an edit of the presets, and after the repository was moved: CMake keeps absolute paths.
     if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/build.ninja ]] ||
         ! grep -q -x -F "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
         (cd "$root" && cmake --fresh --preset "$preset" "${cmake_arguments[@]}") >&2 ||
             fail "configuring the preset $preset failed: CMake says why above"
     fi
-    # Sources are globbed anew by each call, so `ninja -n` never knows that there is nothing to do: what is said then is
+    # Every call globs the sources again, so `ninja -n` never knows that there is nothing to do: what is said then is
     # left out instead.
     ninja -C "$folder" "$target" 2>&1 | grep --line-buffered -v -x -E \
         "ninja: Entering directory .*|\[0/[0-9]+\] Re-checking globbed directories\.\.\.|ninja: no work to do\." >&2 ||

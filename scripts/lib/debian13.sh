@@ -4,21 +4,26 @@
 
 debian13_keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 
-# The archive this machine already takes Debian from (a mirror, perhaps), or else Debian's own name.
-debian_archive() {
-    local found
+# apt_archive NAME: the first archive in the system's apt sources whose address ends with NAME (debian, ubuntu), by the
+# custom of mirrors; nothing without one. The origin that archives state is known only after `apt-get update`.
+apt_archive() {
     # shellcheck disable=SC2016 # the dollar is apt's
-    found=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null |
-        awk '/\/debian\/?$/ && !found { found = 1; print }') || true
-    echo "${found:-http://deb.debian.org/debian}"
+    apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null |
+        awk -v name="$1" '$0 ~ "/" name "/?$" && !found { found = 1; print }' || true
 }
+
+# The archive that Debian 13's packages come from: GLINT_DEBIAN_MIRROR, or else that of the system's apt sources.
+debian_archive() { echo "${GLINT_DEBIAN_MIRROR:-$(apt_archive debian)}"; }
 
 # debian13_open DIR: an apt in DIR that knows nothing but Debian 13.
 debian13_open() {
-    local dir=$1
+    local dir=$1 archive
+    archive=$(debian_archive)
+    [[ -n $archive ]] || fail "this takes packages of Debian 13, and this machine's apt sources name no archive of Debian: \
+set GLINT_DEBIAN_MIRROR to the address of one (the part of an apt source before the suite)"
     mkdir -p "$dir"/{none,state/lists/partial,cache/archives/partial}
     : >"$dir/status" # no package counts as installed: a closure is everything, the C library included
-    echo "deb [signed-by=$debian13_keyring] $(debian_archive) trixie main" >"$dir/sources.list"
+    echo "deb [signed-by=$debian13_keyring] $archive trixie main" >"$dir/sources.list"
     debian13_apt=(apt-get -q -y
         -o "Dir::State=$dir/state" -o "Dir::State::status=$dir/status" -o "Dir::Cache=$dir/cache"
         -o "Dir::Etc::sourcelist=$dir/sources.list" -o "Dir::Etc::sourceparts=$dir/none"

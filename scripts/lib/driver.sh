@@ -3,7 +3,7 @@
 # written to .deps/driver, which run-with-driver reads: `system` (a GPU, or a new enough Mesa), or `unpacked` (Debian
 # 13's lavapipe in .deps/vulkan). GLINT_DRIVER=system or GLINT_DRIVER=unpacked overrides it.
 
-driver_recipe=1 # raise when unpack_driver changes: what an older recipe unpacked is then made anew
+driver_recipe=1 # raise when unpack_driver changes: what an older recipe unpacked is then replaced
 
 # What the decision depends on: when none of it changes, the decision stands. Cheap, since every start asks.
 driver_facts() {

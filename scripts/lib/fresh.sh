@@ -4,14 +4,10 @@
 
 fresh_folder=$root/build/fresh
 
-# fresh_archive SUITE: where its packages come from: an archive that this machine's apt uses already.
+# fresh_archive SUITE: where its packages come from: an archive in this machine's apt sources, or GLINT_DEBIAN_MIRROR.
 fresh_archive() {
     case $1 in
-    noble)
-        # shellcheck disable=SC2016 # the dollar is apt's
-        apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 2>/dev/null |
-            awk '/\/ubuntu\/?$/ && !found { found = 1; print }'
-        ;;
+    noble) apt_archive ubuntu ;;
     *) debian_archive ;;
     esac
 }
@@ -41,11 +37,11 @@ fresh_root() {
     local suite=$1 command=$2 log=$fresh_folder/$1.log archive status=0
     archive=$(fresh_archive "$suite")
     if [[ -z $archive || -n $(missing_packages "$(fresh_keyring "$suite")") ]]; then
-        echo "$suite: skipped, this machine's apt sources name no archive of it"
+        echo "$suite: skipped, this machine's apt sources name no archive of it$([[ $suite == noble ]] || echo ", nor does GLINT_DEBIAN_MIRROR")"
         return 77
     fi
     # Mounts and processes live in namespaces of their own: none outlives this line, whatever ends it.
-    nice unshare --mount --pid --fork --kill-child "$lib_dir/in-fresh-root" \
+    GLINT_DEBIAN_MIRROR=$(debian_archive) nice unshare --mount --pid --fork --kill-child "$lib_dir/in-fresh-root" \
         "$suite" "$archive" "$fresh_folder/$suite" "$command" >"$log" 2>&1 </dev/null || status=$?
     rm -rf --one-file-system "${fresh_folder:?}/$suite"
     if [[ $status == 0 ]]; then

@@ -55,7 +55,7 @@ setup() {
     mkdir -p "$deps"
     exec 9>"$deps/lock"
     flock 9 # two terminals may start at once
-    trap 'echo "glint: set-up failed ($doing): the lines above say why; mend that and start again" >&2' EXIT
+    trap 'echo "glint: set-up failed ($doing): the lines above say why; fix that and start again" >&2' EXIT
     install_packages "${build_packages[@]}" "$@"
     ensure_vma
     choose_driver

@@ -88,13 +88,14 @@ vec3 normalAt(vec2 px) {
     return loadSceneNormalVS(floorToInt(px));
 }
 
-const uint kPasses = 0u;      // far behind the surface
-const uint kMeets = 1u;       // its front
-const uint kMeetsSide = 2u;   // its slab, from beside
-const uint kMeetsBehind = 3u; // its slab, from behind
-const uint kGrazes = 4u;      // its slab, but it is the surface that the ray starts from
-const uint kNearlyMeets = 5u; // a slab twice as thick would have been met
-const uint kInFront = 6u;     // not behind the surface's plane, though behind the depth of the pixel's centre
+// The results of the hit test are the decisions that inspection logs.
+const uint kPasses = kSamplePasses;        // far behind the surface
+const uint kMeets = kSampleHit;            // its front
+const uint kMeetsSide = kSampleSide;       // its slab, from beside
+const uint kMeetsBehind = kSampleBackFace; // its slab, from behind
+const uint kGrazes = kSampleGrazes;        // its slab, but it is the surface that the ray starts from
+const uint kNearlyMeets = kSampleNearly;   // a slab twice as thick would have been met
+const uint kInFront = kSampleFront;        // in front of the surface's plane, behind the depth of the pixel's centre
 
 /// The ray meets at `share` the plane of the surface that pixel `px` shows, in that pixel or just beside it: the pixel
 /// there is taken if it shows the same surface, by plane and normal, so that positions are exact, else `px`, so that no
@@ -249,7 +250,7 @@ uint meetSurface(Ray r, float fromShare, bool inFront, inout Sample s, inout Mar
     } else if (met == kPasses || met == kNearlyMeets) {
         passBehind(march, s.share);
     }
-    logDecision(px, kSamplePasses + (met == kInFront ? kPasses : met)); // in the same order
+    logDecision(px, met == kInFront ? kPasses : met);
     return met;
 }
 

@@ -271,6 +271,18 @@ Result<void> Context::createDevice(const ContextDesc& desc) {
 }
 
 Result<void> Context::finish() {
+    GLINT_CHECK(loadFunctions());
+    GLINT_CHECK(readQueueFamily());
+    readLimits();
+    if (const VkResult result =
+            createAllocator(api_, instance_, physicalDevice_, device_, hasTables(), callbacks(), allocator_);
+        result != VK_SUCCESS)
+        return vulkanError("creating the memory allocator", result);
+    GLINT_CHECK(createSamplers());
+    return owned_ ? createQueueObjects() : Result<void>();
+}
+
+Result<void> Context::loadFunctions() {
     api_.loadDevice(device_);
     // The device returns these functions even if the extension is not enabled; the instance does not.
     if (!api_.GetInstanceProcAddr(instance_, "vkSetDebugUtilsObjectNameEXT")) {
@@ -288,9 +300,10 @@ Result<void> Context::finish() {
     if (const char* missing = api_.firstMissingForRays(); rayQuery_ && missing)
         return makeError(ErrorCode::Unsupported, "ray queries are not enabled on the device: it does not offer {}",
                          missing);
+    return {};
+}
 
-    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-    api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);
+Result<void> Context::readQueueFamily() {
     uint32_t count = 0;
     api_.GetPhysicalDeviceQueueFamilyProperties(physicalDevice_, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
@@ -300,28 +313,31 @@ Result<void> Context::finish() {
     queueFlags_ = families[queueFamily_].queueFlags;
     if ((queueFlags_ & VK_QUEUE_COMPUTE_BIT) == 0)
         return invalidArgument("queue family {} does not compute", queueFamily_);
-    if (families[queueFamily_].timestampValidBits > 0)
+    if (families[queueFamily_].timestampValidBits > 0) {
+        VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+        api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);
         timestampPeriodNs_ = static_cast<double>(properties.properties.limits.timestampPeriod);
+    }
+    return {};
+}
 
-    maxStorageBufferRange_ = properties.properties.limits.maxStorageBufferRange;
+void Context::readLimits() {
     VkPhysicalDeviceVulkan13Properties v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_PROPERTIES};
     VkPhysicalDeviceVulkan11Properties v11 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_PROPERTIES, &v13};
-    VkPhysicalDeviceProperties2 sizes = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &v11};
-    api_.GetPhysicalDeviceProperties2(physicalDevice_, &sizes);
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &v11};
+    api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);
+    maxStorageBufferRange_ = properties.properties.limits.maxStorageBufferRange;
     maxBufferSize_ = std::min(v13.maxBufferSize, v11.maxMemoryAllocationSize);
-    if (rayQuery_) {
-        VkPhysicalDeviceAccelerationStructurePropertiesKHR structures = {
-            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
-        VkPhysicalDeviceProperties2 asked = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &structures};
-        api_.GetPhysicalDeviceProperties2(physicalDevice_, &asked);
-        scratchAlignment_ = std::max(structures.minAccelerationStructureScratchOffsetAlignment, 1u);
-    }
+    if (!rayQuery_)
+        return;
+    VkPhysicalDeviceAccelerationStructurePropertiesKHR structures = {
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR};
+    properties.pNext = &structures;
+    api_.GetPhysicalDeviceProperties2(physicalDevice_, &properties);
+    scratchAlignment_ = std::max(structures.minAccelerationStructureScratchOffsetAlignment, 1u);
+}
 
-    if (const VkResult result =
-            createAllocator(api_, instance_, physicalDevice_, device_, hasTables(), callbacks(), allocator_);
-        result != VK_SUCCESS)
-        return vulkanError("creating the memory allocator", result);
-
+Result<void> Context::createSamplers() {
     for (size_t i = 0; i < static_cast<size_t>(SamplerKind::Count); ++i) {
         const auto kind = static_cast<SamplerKind>(i);
         VkSamplerCreateInfo info = {VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
@@ -339,9 +355,10 @@ Result<void> Context::finish() {
             result != VK_SUCCESS)
             return vulkanError("vkCreateSampler", result);
     }
-    if (!owned_)
-        return {};
+    return {};
+}
 
+Result<void> Context::createQueueObjects() {
     api_.GetDeviceQueue(device_, queueFamily_, 0, &queue_);
     const VkCommandPoolCreateInfo pool = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, 0, queueFamily_};
     const VkFenceCreateInfo fence = {VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};

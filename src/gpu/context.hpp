@@ -125,7 +125,7 @@ public:
 
     /// Pipelines made so far, by what they were made from (gpu/pipeline.hpp), and layouts of texture tables, by their
     /// size (gpu/texture_table.hpp). They are kept as long as the context: making a pipeline takes up to seconds on
-    /// some drivers, and a host that makes a Reflections anew wants the same ones.
+    /// some drivers, and another Reflections of the host uses the same ones.
     std::map<std::string, std::shared_ptr<void>>& pipelines() { return pipelines_; }
     std::map<uint32_t, VkDescriptorSetLayout>& tableLayouts() { return tableLayouts_; }
     /// What the CompileBatches that live collect (gpu/pipeline.hpp).
@@ -157,6 +157,11 @@ private:
     Result<void> chooseDevice(const ContextDesc& desc);
     Result<void> createDevice(const ContextDesc& desc);
     Result<void> finish();
+    Result<void> loadFunctions(); ///< the parts of finish(), in this order
+    Result<void> readQueueFamily();
+    void readLimits();
+    Result<void> createSamplers();
+    Result<void> createQueueObjects(); ///< created contexts only
     static VKAPI_ATTR VkBool32 VKAPI_CALL onValidationMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                                               VkDebugUtilsMessageTypeFlagsEXT,
                                                               const VkDebugUtilsMessengerCallbackDataEXT*, void*);

@@ -83,6 +83,68 @@ std::string keyOf(std::span<const EmbeddedShader* const> shaders, const RasterDe
                       reinterpret_cast<uint64_t>(desc.tableLayout), constantsKey(desc.constants));
 }
 
+/// The states of a graphics pipeline that follow from its description, and the array that one of them points to. Cull
+/// mode, front face and viewport are dynamic.
+struct RasterStates {
+    VkPipelineVertexInputStateCreateInfo vertexInput = {VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
+    VkPipelineInputAssemblyStateCreateInfo assembly = {VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+    VkPipelineViewportStateCreateInfo viewport = {VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
+    VkPipelineRasterizationStateCreateInfo raster = {VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
+    VkPipelineMultisampleStateCreateInfo multisample = {VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
+    VkPipelineDepthStencilStateCreateInfo depth = {VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
+    std::vector<VkPipelineColorBlendAttachmentState> attachments;
+    VkPipelineColorBlendStateCreateInfo blend = {VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+    VkPipelineDynamicStateCreateInfo dynamic = {VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
+    VkPipelineRenderingCreateInfo rendering = {VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
+
+    explicit RasterStates(const RasterDesc& desc) {
+        assembly.topology = desc.topology;
+        viewport.viewportCount = viewport.scissorCount = 1;
+        raster.polygonMode = VK_POLYGON_MODE_FILL;
+        raster.lineWidth = 1;
+        raster.depthBiasEnable = desc.depthBiasConstant != 0 || desc.depthBiasSlope != 0;
+        raster.depthBiasConstantFactor = desc.depthBiasConstant;
+        raster.depthBiasSlopeFactor = desc.depthBiasSlope;
+        multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples);
+        depth.depthTestEnable = desc.depthFormat != VK_FORMAT_UNDEFINED;
+        depth.depthWriteEnable = depth.depthTestEnable && desc.depthWrite;
+        depth.depthCompareOp = desc.depthCompare;
+        VkPipelineColorBlendAttachmentState attachment = {};
+        attachment.colorWriteMask = 0xf;
+        if (desc.blend == Blend::Premultiplied) {
+            attachment.blendEnable = VK_TRUE;
+            attachment.srcColorBlendFactor = attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+            attachment.dstColorBlendFactor = attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+        }
+        attachments.assign(desc.colorFormats.size(), attachment);
+        blend.attachmentCount = static_cast<uint32_t>(attachments.size());
+        blend.pAttachments = attachments.data();
+        static constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
+                                                      VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
+        dynamic.dynamicStateCount = static_cast<uint32_t>(std::size(kDynamic));
+        dynamic.pDynamicStates = kDynamic;
+        rendering.colorAttachmentCount = static_cast<uint32_t>(desc.colorFormats.size());
+        rendering.pColorAttachmentFormats = desc.colorFormats.data();
+        rendering.depthAttachmentFormat = desc.depthFormat;
+    }
+    RasterStates(const RasterStates&) = delete;
+    RasterStates& operator=(const RasterStates&) = delete;
+
+    /// Without shaders and layout. Valid as long as this object and the description.
+    VkGraphicsPipelineCreateInfo pipelineInfo() const {
+        VkGraphicsPipelineCreateInfo info = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+        info.pVertexInputState = &vertexInput;
+        info.pInputAssemblyState = &assembly;
+        info.pViewportState = &viewport;
+        info.pRasterizationState = &raster;
+        info.pMultisampleState = &multisample;
+        info.pDepthStencilState = &depth;
+        info.pColorBlendState = &blend;
+        info.pDynamicState = &dynamic;
+        return info;
+    }
+};
+
 } // namespace
 
 Result<void> Pipeline::Made::makeLayout(std::span<const EmbeddedShader* const> shaders, size_t wantedPushSize,
@@ -304,55 +366,10 @@ Result<Pipeline> Pipeline::raster(Context& context, const RasterDesc& desc) {
                           modules.back()->handle(), "main", &specialization.info});
     }
 
-    VkPipelineVertexInputStateCreateInfo vertexInput = {VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-    VkPipelineInputAssemblyStateCreateInfo assembly = {VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-    assembly.topology = desc.topology;
-    VkPipelineViewportStateCreateInfo viewport = {VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
-    viewport.viewportCount = viewport.scissorCount = 1;
-    VkPipelineRasterizationStateCreateInfo raster = {VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
-    raster.polygonMode = VK_POLYGON_MODE_FILL;
-    raster.lineWidth = 1;
-    raster.depthBiasEnable = desc.depthBiasConstant != 0 || desc.depthBiasSlope != 0;
-    raster.depthBiasConstantFactor = desc.depthBiasConstant;
-    raster.depthBiasSlopeFactor = desc.depthBiasSlope;
-    VkPipelineMultisampleStateCreateInfo multisample = {VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-    multisample.rasterizationSamples = static_cast<VkSampleCountFlagBits>(desc.samples);
-    VkPipelineDepthStencilStateCreateInfo depth = {VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-    depth.depthTestEnable = desc.depthFormat != VK_FORMAT_UNDEFINED;
-    depth.depthWriteEnable = depth.depthTestEnable && desc.depthWrite;
-    depth.depthCompareOp = desc.depthCompare;
-    VkPipelineColorBlendAttachmentState attachment = {};
-    attachment.colorWriteMask = 0xf;
-    if (desc.blend == Blend::Premultiplied) {
-        attachment.blendEnable = VK_TRUE;
-        attachment.srcColorBlendFactor = attachment.srcAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
-        attachment.dstColorBlendFactor = attachment.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-    }
-    const std::vector<VkPipelineColorBlendAttachmentState> attachments(desc.colorFormats.size(), attachment);
-    VkPipelineColorBlendStateCreateInfo blend = {VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
-    blend.attachmentCount = static_cast<uint32_t>(attachments.size());
-    blend.pAttachments = attachments.data();
-    constexpr VkDynamicState kDynamic[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
-                                           VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
-    VkPipelineDynamicStateCreateInfo dynamic = {VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};
-    dynamic.dynamicStateCount = static_cast<uint32_t>(std::size(kDynamic));
-    dynamic.pDynamicStates = kDynamic;
-    VkPipelineRenderingCreateInfo rendering = {VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO};
-    rendering.colorAttachmentCount = static_cast<uint32_t>(desc.colorFormats.size());
-    rendering.pColorAttachmentFormats = desc.colorFormats.data();
-    rendering.depthAttachmentFormat = desc.depthFormat;
-
-    VkGraphicsPipelineCreateInfo info = {VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO, &rendering};
+    const RasterStates states(desc);
+    VkGraphicsPipelineCreateInfo info = states.pipelineInfo();
     info.stageCount = static_cast<uint32_t>(stages.size());
     info.pStages = stages.data();
-    info.pVertexInputState = &vertexInput;
-    info.pInputAssemblyState = &assembly;
-    info.pViewportState = &viewport;
-    info.pRasterizationState = &raster;
-    info.pMultisampleState = &multisample;
-    info.pDepthStencilState = &depth;
-    info.pColorBlendState = &blend;
-    info.pDynamicState = &dynamic;
     info.layout = pipeline.layout;
     if (const VkResult result = context.api().CreateGraphicsPipelines(context.device(), context.pipelineCache(), 1,
                                                                       &info, context.callbacks(), &pipeline.pipeline);

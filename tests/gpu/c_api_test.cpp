@@ -9,6 +9,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 
 namespace glint::test {
 namespace c_api_test {
@@ -67,6 +68,32 @@ struct HostStructs {
     }
 };
 
+/// What every source answers with in C++, for EverySourceGivesTheBitsOfCpp.
+struct SourcesOfCpp {
+    SurfaceScene::World world;
+    Probe probe = {};
+    PlanarMirror mirror = {{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1}, 0};
+    PlanarPicture picture = {};
+    std::optional<Probes> probes = {};
+    std::optional<PlanarMirrors> mirrors = {};
+};
+
+/// The same in C.
+struct SourcesOfC {
+    GlintRayScene* rays = nullptr;
+    GlintSurfaceTable* table = nullptr;
+    GlintProbes* probes = nullptr;
+    GlintPlanarMirrors* mirrors = nullptr;
+
+    void destroy() {
+        glint_planar_mirrors_destroy(mirrors);
+        glint_probes_destroy(probes);
+        glint_surface_table_destroy(table);
+        glint_ray_scene_destroy(rays);
+        *this = {};
+    }
+};
+
 class CApiTest : public LibraryTest {
 protected:
     void SetUp() override {
@@ -91,6 +118,7 @@ protected:
     }
     void TearDown() override {
         glint_reflections_destroy(reflections_);
+        sources_.destroy();
         glint_settings_destroy(settings_);
         glint_context_destroy(context_);
         LibraryTest::TearDown();
@@ -143,132 +171,120 @@ protected:
         return download(gpu(), test::must(c_api::readStruct<HostImage>(&image)));
     }
 
-    GlintContextDesc device_ = {};
-    GlintContext* context_ = nullptr;
-    GlintSettings* settings_ = nullptr;
-    GlintReflections* reflections_ = nullptr;
-    bool inspection_ = false; ///< of `create`
-    bool inputCheck_ = false;
-    SurfaceScene scene_;
-    SyntheticCamera camera_ = {.position = {0, 1, 4}, .target = {0, 0.3, 0}};
-    TestEnvironment environment_;
-    SyntheticGBuffer gbuffer_;
-};
-
-TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
-    Settings settings;
-    settings.rays.enabled = true;
-    settings.rays.backend = RayBackend::Bvh;
-    settings.probes.enabled = true;
-    settings.planar.enabled = true;
-
-    // C++.
-    SurfaceScene::World world = scene_.build(gpu(), library(), RayBackend::Bvh);
-    Probe probe;
-    probe.cube = environment_.map.cube;
-    probe.influence.halfExtents = probe.proxyVolume.halfExtents = {3, 3, 3};
-    Probes probes = test::must(Probes::create(library(), {{&probe, 1}, 16}));
-    const PlanarMirror mirror = {{-1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1}, 0};
-    PlanarMirrors mirrors =
-        test::must(PlanarMirrors::create(library(), {.mirrors = {&mirror, 1}, .width = 32, .height = 20}));
-    PlanarPicture picture;
-    picture.radiance = gbuffer_.gbuffer.litRadiance; // what a mirror shows matters not here, but that both show it
-    picture.depth = gbuffer_.gbuffer.depth;
-    picture.view = mirroredView(view(1), mirror);
-    Reflections cpp = LibraryTest::reflections(kWidth, kHeight, settings);
-    test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));
-    test::must(cpp.setRays(world.rays, world.surfaces));
-    test::must(cpp.setProbes(probes));
-    test::must(cpp.setPlanar(mirrors));
-    run([&](VkCommandBuffer commands) {
-        world.rays.record(commands);
-        world.surfaces.record(commands);
-        probes.record(commands);
-        test::must(mirrors.record(commands, 0, picture));
-    });
-
-    // C. The streams of vertices are the same buffers.
-    std::vector<GlintRayMesh> rayMeshes;
-    std::vector<GlintSurfaceMesh> meshes;
-    std::vector<GlintSurfaceMaterial> materials;
-    std::vector<GlintRayInstance> rayInstances;
-    std::vector<GlintSurfaceInstance> instances;
-    auto buffer = world.buffers.begin();
-    for (const TestMesh& mesh : scene_.triangles.meshes) {
-        GlintRayMesh& rayMesh = rayMeshes.emplace_back(initialized(glint_ray_mesh_init));
-        rayMesh.positions = &mesh.positions.front().x;
-        rayMesh.vertexCount = static_cast<uint32_t>(mesh.positions.size());
-        rayMesh.indices = mesh.indices.data();
-        rayMesh.indexCount = static_cast<uint32_t>(mesh.indices.size());
-        GlintSurfaceMesh& surface = meshes.emplace_back(initialized(glint_surface_mesh_init));
-        surface.positions = {(buffer++)->address(), sizeof(glm::vec3), 0};
-        surface.indices = (buffer++)->address();
-        const auto i = static_cast<uint32_t>(instances.size());
-        rayInstances.push_back(toC(scene_.triangles.instances[i]));
-        materials.push_back(toC(scene_.materials[i]));
-        instances.push_back(toC(SurfaceInstance{i, i, kIdentity}));
+    Reflections reflectionsOfCpp(const Settings& settings, SourcesOfCpp& sources) {
+        sources.probe.cube = environment_.map.cube;
+        sources.probe.influence.halfExtents = sources.probe.proxyVolume.halfExtents = {3, 3, 3};
+        sources.probes = test::must(Probes::create(library(), {{&sources.probe, 1}, 16}));
+        sources.mirrors =
+            test::must(PlanarMirrors::create(library(), {.mirrors = {&sources.mirror, 1}, .width = 32, .height = 20}));
+        // Which radiance a mirror shows does not matter here, only that both show the same.
+        sources.picture.radiance = gbuffer_.gbuffer.litRadiance;
+        sources.picture.depth = gbuffer_.gbuffer.depth;
+        sources.picture.view = mirroredView(view(1), sources.mirror);
+        Reflections cpp = LibraryTest::reflections(kWidth, kHeight, settings);
+        test::must(cpp.setInputs(gbuffer_.gbuffer, environment_.map));
+        test::must(cpp.setRays(sources.world.rays, sources.world.surfaces));
+        test::must(cpp.setProbes(*sources.probes));
+        test::must(cpp.setPlanar(*sources.mirrors));
+        run([&](VkCommandBuffer commands) {
+            sources.world.rays.record(commands);
+            sources.world.surfaces.record(commands);
+            sources.probes->record(commands);
+            test::must(sources.mirrors->record(commands, 0, sources.picture));
+        });
+        return cpp;
     }
-    GlintRaySceneDesc rayDesc = initialized(glint_ray_scene_desc_init);
-    rayDesc.meshes = rayMeshes.data();
-    rayDesc.meshCount = static_cast<uint32_t>(rayMeshes.size());
-    rayDesc.instances = rayInstances.data();
-    rayDesc.instanceCount = static_cast<uint32_t>(rayInstances.size());
-    rayDesc.backend = GLINT_RAY_BACKEND_BVH;
-    GlintRayScene* rayScene = nullptr;
-    must(glint_ray_scene_create(context_, &rayDesc, &rayScene));
-    EXPECT_EQ(glint_ray_scene_backend(rayScene), GLINT_RAY_BACKEND_BVH);
-    GlintSurfaceTableDesc tableDesc = initialized(glint_surface_table_desc_init);
-    tableDesc.materials = materials.data();
-    tableDesc.materialCount = static_cast<uint32_t>(materials.size());
-    tableDesc.meshes = meshes.data();
-    tableDesc.meshCount = static_cast<uint32_t>(meshes.size());
-    tableDesc.instances = instances.data();
-    tableDesc.instanceCount = static_cast<uint32_t>(instances.size());
-    GlintSurfaceTable* table = nullptr;
-    must(glint_surface_table_create(context_, &tableDesc, &table));
-    must(glint_surface_table_update_instances(table, 1, &instances[1], 1));
-    must(glint_surface_table_update_materials(table, 1, &materials[1], 1));
-    EXPECT_EQ(glint_surface_table_update_instances(table, tableDesc.instanceCount, instances.data(), 1),
-              GLINT_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(glint_surface_table_update_materials(table, tableDesc.materialCount, materials.data(), 1),
-              GLINT_ERROR_INVALID_ARGUMENT);
-    HostStructs structs;
-    GlintProbe cProbe = toC(probe);
-    cProbe.cube = structs.image(probe.cube);
-    GlintProbesDesc probesDesc = initialized(glint_probes_desc_init);
-    probesDesc.probes = &cProbe;
-    probesDesc.probeCount = 1;
-    probesDesc.faceSize = 16;
-    GlintProbes* cProbes = nullptr;
-    must(glint_probes_create(context_, &probesDesc, &cProbes));
-    const GlintPlanarMirror cMirror = toC(mirror);
-    GlintPlanarMirrorsDesc mirrorsDesc = initialized(glint_planar_mirrors_desc_init);
-    mirrorsDesc.mirrors = &cMirror;
-    mirrorsDesc.mirrorCount = 1;
-    mirrorsDesc.width = 32;
-    mirrorsDesc.height = 20;
-    GlintPlanarMirrors* cMirrors = nullptr;
-    must(glint_planar_mirrors_create(context_, &mirrorsDesc, &cMirrors));
-    const GlintView camera = toC(view(1));
-    GlintView mirrored = initialized(glint_view_init);
-    must(glint_mirrored_view(&camera, &cMirror, &mirrored));
-    GlintPlanarPicture cPicture = initialized(glint_planar_picture_init);
-    cPicture.radiance = structs.image(picture.radiance);
-    cPicture.depth = structs.image(picture.depth);
-    cPicture.view = &mirrored;
-    create(settings);
-    setInputs(gbuffer_.gbuffer, environment_.map);
-    must(glint_reflections_set_rays(reflections_, rayScene, table));
-    must(glint_reflections_set_probes(reflections_, cProbes));
-    must(glint_reflections_set_planar(reflections_, cMirrors));
-    run([&](VkCommandBuffer commands) {
-        glint_ray_scene_record(rayScene, commands);
-        glint_surface_table_record(table, commands);
-        glint_probes_record(cProbes, commands);
-        must(glint_planar_mirrors_record(cMirrors, commands, 0, &cPicture));
-    });
 
-    for (uint32_t frame = 1; frame <= 2; ++frame) {
+    void createSourcesOfC(const SourcesOfCpp& cpp) {
+        createRaysOfC(cpp.world);
+        HostStructs structs;
+        GlintProbe probe = toC(cpp.probe);
+        probe.cube = structs.image(cpp.probe.cube);
+        GlintProbesDesc probesDesc = initialized(glint_probes_desc_init);
+        probesDesc.probes = &probe;
+        probesDesc.probeCount = 1;
+        probesDesc.faceSize = 16;
+        must(glint_probes_create(context_, &probesDesc, &sources_.probes));
+        const GlintPlanarMirror mirror = toC(cpp.mirror);
+        GlintPlanarMirrorsDesc mirrorsDesc = initialized(glint_planar_mirrors_desc_init);
+        mirrorsDesc.mirrors = &mirror;
+        mirrorsDesc.mirrorCount = 1;
+        mirrorsDesc.width = 32;
+        mirrorsDesc.height = 20;
+        must(glint_planar_mirrors_create(context_, &mirrorsDesc, &sources_.mirrors));
+    }
+
+    /// The streams of vertices are the buffers of `world`.
+    void createRaysOfC(const SurfaceScene::World& world) {
+        std::vector<GlintRayMesh> rayMeshes;
+        std::vector<GlintSurfaceMesh> meshes;
+        std::vector<GlintSurfaceMaterial> materials;
+        std::vector<GlintRayInstance> rayInstances;
+        std::vector<GlintSurfaceInstance> instances;
+        auto buffer = world.buffers.begin();
+        for (const TestMesh& mesh : scene_.triangles.meshes) {
+            GlintRayMesh& rayMesh = rayMeshes.emplace_back(initialized(glint_ray_mesh_init));
+            rayMesh.positions = &mesh.positions.front().x;
+            rayMesh.vertexCount = static_cast<uint32_t>(mesh.positions.size());
+            rayMesh.indices = mesh.indices.data();
+            rayMesh.indexCount = static_cast<uint32_t>(mesh.indices.size());
+            GlintSurfaceMesh& surface = meshes.emplace_back(initialized(glint_surface_mesh_init));
+            surface.positions = {(buffer++)->address(), sizeof(glm::vec3), 0};
+            surface.indices = (buffer++)->address();
+            const auto i = static_cast<uint32_t>(instances.size());
+            rayInstances.push_back(toC(scene_.triangles.instances[i]));
+            materials.push_back(toC(scene_.materials[i]));
+            instances.push_back(toC(SurfaceInstance{i, i, kIdentity}));
+        }
+        GlintRaySceneDesc rayDesc = initialized(glint_ray_scene_desc_init);
+        rayDesc.meshes = rayMeshes.data();
+        rayDesc.meshCount = static_cast<uint32_t>(rayMeshes.size());
+        rayDesc.instances = rayInstances.data();
+        rayDesc.instanceCount = static_cast<uint32_t>(rayInstances.size());
+        rayDesc.backend = GLINT_RAY_BACKEND_BVH;
+        must(glint_ray_scene_create(context_, &rayDesc, &sources_.rays));
+        EXPECT_EQ(glint_ray_scene_backend(sources_.rays), GLINT_RAY_BACKEND_BVH);
+        GlintSurfaceTableDesc tableDesc = initialized(glint_surface_table_desc_init);
+        tableDesc.materials = materials.data();
+        tableDesc.materialCount = static_cast<uint32_t>(materials.size());
+        tableDesc.meshes = meshes.data();
+        tableDesc.meshCount = static_cast<uint32_t>(meshes.size());
+        tableDesc.instances = instances.data();
+        tableDesc.instanceCount = static_cast<uint32_t>(instances.size());
+        must(glint_surface_table_create(context_, &tableDesc, &sources_.table));
+        expectUpdatesOfC(tableDesc);
+    }
+
+    /// Updates with the values that the table has, and beyond its end.
+    void expectUpdatesOfC(const GlintSurfaceTableDesc& desc) {
+        GlintSurfaceTable* const table = sources_.table;
+        must(glint_surface_table_update_instances(table, 1, desc.instances + 1, 1));
+        must(glint_surface_table_update_materials(table, 1, desc.materials + 1, 1));
+        EXPECT_EQ(glint_surface_table_update_instances(table, desc.instanceCount, desc.instances, 1),
+                  GLINT_ERROR_INVALID_ARGUMENT);
+        EXPECT_EQ(glint_surface_table_update_materials(table, desc.materialCount, desc.materials, 1),
+                  GLINT_ERROR_INVALID_ARGUMENT);
+    }
+
+    void recordSourcesOfC(const SourcesOfCpp& cpp) {
+        HostStructs structs;
+        const GlintView camera = toC(view(1));
+        const GlintPlanarMirror mirror = toC(cpp.mirror);
+        GlintView mirrored = initialized(glint_view_init);
+        must(glint_mirrored_view(&camera, &mirror, &mirrored));
+        GlintPlanarPicture picture = initialized(glint_planar_picture_init);
+        picture.radiance = structs.image(cpp.picture.radiance);
+        picture.depth = structs.image(cpp.picture.depth);
+        picture.view = &mirrored;
+        run([&](VkCommandBuffer commands) {
+            glint_ray_scene_record(sources_.rays, commands);
+            glint_surface_table_record(sources_.table, commands);
+            glint_probes_record(sources_.probes, commands);
+            must(glint_planar_mirrors_record(sources_.mirrors, commands, 0, &picture));
+        });
+    }
+
+    void expectFrameOfCpp(Reflections& cpp, uint32_t frame) {
         const Picture expected = trace(cpp, view(frame));
         EXPECT_EQ(frameOfC(frame), expected.composite) << frame;
         EXPECT_EQ(viewOfC("reflection"), expected.reflection);
@@ -287,7 +303,38 @@ TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
         for (uint32_t i = 0; i < expected.passTimes.size(); ++i)
             EXPECT_EQ(glint_reflections_pass_name(reflections_, i), expected.passTimes[i].name);
     }
-    // Each source took part: with one source fewer the picture is another.
+
+    GlintContextDesc device_ = {};
+    GlintContext* context_ = nullptr;
+    GlintSettings* settings_ = nullptr;
+    GlintReflections* reflections_ = nullptr;
+    SourcesOfC sources_;
+    bool inspection_ = false; ///< of `create`
+    bool inputCheck_ = false;
+    SurfaceScene scene_;
+    SyntheticCamera camera_ = {.position = {0, 1, 4}, .target = {0, 0.3, 0}};
+    TestEnvironment environment_;
+    SyntheticGBuffer gbuffer_;
+};
+
+TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
+    Settings settings;
+    settings.rays.enabled = true;
+    settings.rays.backend = RayBackend::Bvh;
+    settings.probes.enabled = true;
+    settings.planar.enabled = true;
+    SourcesOfCpp sources = {.world = scene_.build(gpu(), library(), RayBackend::Bvh)};
+    Reflections cpp = reflectionsOfCpp(settings, sources);
+    createSourcesOfC(sources);
+    create(settings);
+    setInputs(gbuffer_.gbuffer, environment_.map);
+    must(glint_reflections_set_rays(reflections_, sources_.rays, sources_.table));
+    must(glint_reflections_set_probes(reflections_, sources_.probes));
+    must(glint_reflections_set_planar(reflections_, sources_.mirrors));
+    recordSourcesOfC(sources);
+    for (uint32_t frame = 1; frame <= 2; ++frame)
+        expectFrameOfCpp(cpp, frame);
+    // Each source took part: with one source fewer the frame is another.
     const std::vector<float> all = frameOfC(3);
     for (const char* source : {"rays.enabled", "probes.enabled", "planar.enabled"}) {
         must(glint_settings_set(settings_, source, "false", nullptr));
@@ -298,18 +345,11 @@ TEST_F(CApiTest, EverySourceGivesTheBitsOfCpp) {
 
     GlintImage cube = initialized(glint_image_init);
     uint32_t mips = 0;
-    must(glint_probes_cube(cProbes, 0, &cube, &mips));
-    EXPECT_EQ(mips, probes.cubeMips(0));
+    must(glint_probes_cube(sources_.probes, 0, &cube, &mips));
+    EXPECT_EQ(mips, sources.probes->cubeMips(0));
     EXPECT_EQ(cube.width, 16u);
-    EXPECT_EQ(glint_probes_cube(cProbes, 1, &cube, &mips), GLINT_ERROR_INVALID_ARGUMENT);
-    EXPECT_EQ(glint_planar_mirrors_skip(cMirrors, 1), GLINT_ERROR_INVALID_ARGUMENT);
-
-    glint_reflections_destroy(reflections_);
-    reflections_ = nullptr;
-    glint_planar_mirrors_destroy(cMirrors);
-    glint_probes_destroy(cProbes);
-    glint_surface_table_destroy(table);
-    glint_ray_scene_destroy(rayScene);
+    EXPECT_EQ(glint_probes_cube(sources_.probes, 1, &cube, &mips), GLINT_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(glint_planar_mirrors_skip(sources_.mirrors, 1), GLINT_ERROR_INVALID_ARGUMENT);
 }
 
 TEST_F(CApiTest, AnInspectedPixelIsThatOfCpp) {

@@ -454,10 +454,16 @@ protected:
         std::vector<float> reflected;
         std::vector<Weights> weights;
     };
-    static Answer combine(std::vector<Pixel> pixels, TestEnvironment& environment, bool screen, bool sky,
-                          bool present = true, const std::vector<glm::vec4>& rays = {},
-                          const std::vector<glm::vec4>& probes = {}, const std::vector<glm::vec4>& planar = {},
-                          const Settings& settings = {}) {
+    /// Which sources answer; an empty list: that one does not.
+    struct Sources {
+        bool screen = true;
+        bool sky = true;
+        std::vector<glm::vec4> rays = {}, probes = {}, planar = {};
+    };
+    /// `present`: the environment is.
+    static Answer combine(std::vector<Pixel> pixels, TestEnvironment& environment, const Sources& sources,
+                          bool present = true, const Settings& settings = {}) {
+        const auto& [screen, sky, rays, probes, planar] = sources;
         std::vector<float> viewZ;
         std::vector<glm::vec4> answers;
         for (const Pixel& pixel : pixels) {
@@ -528,7 +534,7 @@ TEST_F(HierarchyPassTest, skyGetsExactlyWhatTheScreenLeft) {
         TestEnvironment::make(gpu(), 64, 1, [](const glm::dvec3& d, uint32_t) { return glm::vec3(ramp(d)); });
     environment.map.strength = 1.5f;
     const std::vector<Pixel> pixels = screenPixels(7);
-    const Answer answer = combine(pixels, environment, true, true);
+    const Answer answer = combine(pixels, environment, {});
     for (uint32_t i = 0; i < pixels.size(); ++i) {
         const double w = pixels[i].answer.a;
         const glm::dvec3 sky = ramp(reflectedDirection(pixels[i], i)) * 1.5;
@@ -556,8 +562,9 @@ TEST_F(HierarchyPassTest, eachSourceGetsWhatThoseBeforeItLeft) {
     const std::vector<glm::vec4> probes = answersOf(screenPixels(11), 0.5f);
     for (const bool hasRays : {true, false})
         for (const bool hasProbes : {true, false}) {
-            const Answer answer = combine(pixels, environment, true, true, true, hasRays ? rays : answersOf({}, 1),
-                                          hasProbes ? probes : answersOf({}, 1));
+            const Answer answer =
+                combine(pixels, environment,
+                        {.rays = hasRays ? rays : answersOf({}, 1), .probes = hasProbes ? probes : answersOf({}, 1)});
             for (uint32_t i = 0; i < pixels.size(); ++i) {
                 const double screen = pixels[i].answer.a;
                 const double traced = hasRays ? std::min(double(rays[i].a), 1 - screen) : 0;
@@ -593,8 +600,8 @@ TEST_F(HierarchyPassTest, theOrderIsTheUsers) {
     do {
         Settings settings;
         settings.order = {places[0], places[1], places[2], places[3], places[4]};
-        const Answer answer =
-            combine(pixels, environment, true, true, true, answers[1], answers[3], answers[2], settings);
+        const Answer answer = combine(pixels, environment,
+                                      {.rays = answers[1], .probes = answers[3], .planar = answers[2]}, true, settings);
         for (uint32_t i = 0; i < pixels.size(); ++i) {
             glm::dvec3 expected(0);
             double total = 0;
@@ -617,10 +624,10 @@ TEST_F(HierarchyPassTest, eachSourceCanBeAbsent) {
     TestEnvironment environment =
         TestEnvironment::make(gpu(), 8, 1, [](const glm::dvec3&, uint32_t) { return glm::vec3(1); });
     const std::vector<Pixel> pixels = screenPixels(8);
-    const Answer screenOnly = combine(pixels, environment, true, false);
-    const Answer skyOnly = combine(pixels, environment, false, true);
-    const Answer none = combine(pixels, environment, false, false);
-    const Answer noCube = combine(pixels, environment, true, true, false);
+    const Answer screenOnly = combine(pixels, environment, {.sky = false});
+    const Answer skyOnly = combine(pixels, environment, {.screen = false});
+    const Answer none = combine(pixels, environment, {.screen = false, .sky = false});
+    const Answer noCube = combine(pixels, environment, {}, false);
     for (uint32_t i = 0; i < pixels.size(); ++i) {
         ASSERT_NEAR(screenOnly.reflected[i * 4 + 3], pixels[i].answer.a, kHalf);
         ASSERT_NEAR(screenOnly.reflected[i * 4], pixels[i].answer.a * pixels[i].answer.r, kHalf);
@@ -641,7 +648,7 @@ TEST_F(HierarchyPassTest, weightsNeverExceedOneAndBackgroundGetsNone) {
         if (i % 4 == 0)
             pixels[i].viewZ = shared::kBackgroundZ;
     }
-    const Answer answer = combine(pixels, environment, true, true);
+    const Answer answer = combine(pixels, environment, {});
     for (uint32_t i = 0; i < pixels.size(); ++i) {
         ASSERT_LE(answer.reflected[i * 4 + 3], 1);
         ASSERT_LE(answer.weights[i][shared::kSourceScreen] + answer.weights[i][shared::kSourceSky], 1 + 1.001 / 1023)
@@ -666,7 +673,7 @@ TEST_F(HierarchyPassTest, environmentTurnsCounterClockwiseSeenFromAbove) {
     reflectInto(middle, glm::normalize(glm::dvec3(1, 0.01, -0.01)));
     reflectInto(middle + 1, glm::normalize(glm::dvec3(-1, 0.01, -0.01)));
     reflectInto(middle + 2, glm::normalize(glm::dvec3(0.01, 0.2, -1)));
-    const Answer answer = combine(pixels, environment, false, true);
+    const Answer answer = combine(pixels, environment, {.screen = false});
     EXPECT_EQ(answer.reflected[middle * 4], 0);
     EXPECT_EQ(answer.reflected[(middle + 1) * 4], 0);
     EXPECT_EQ(answer.reflected[(middle + 2) * 4], 1);
@@ -679,7 +686,7 @@ TEST_F(HierarchyPassTest, roughnessPicksTheMip) {
     std::vector<Pixel> pixels(kWidth * kHeight);
     for (uint32_t i = 0; i < pixels.size(); ++i)
         pixels[i].perceptualRoughness = static_cast<float>(i % kWidth) / (kWidth - 1.0f);
-    const Answer answer = combine(pixels, environment, false, true);
+    const Answer answer = combine(pixels, environment, {.screen = false});
     for (uint32_t i = 0; i < pixels.size(); ++i) // drivers blend mips in steps of 1/256 at least
         ASSERT_NEAR(answer.reflected[i * 4], pixels[i].perceptualRoughness * (kMips - 1), 8e-3);
 }
@@ -690,7 +697,7 @@ TEST_F(HierarchyPassTest, brokenEnvironmentStaysFinite) {
     });
     environment.map.strength = 1000;
     const std::vector<Pixel> pixels = screenPixels(10);
-    const Answer answer = combine(pixels, environment, true, true);
+    const Answer answer = combine(pixels, environment, {});
     for (size_t i = 0; i < answer.reflected.size(); ++i)
         ASSERT_TRUE(answer.reflected[i] >= 0 && answer.reflected[i] <= 65504) << i << ": " << answer.reflected[i];
 }

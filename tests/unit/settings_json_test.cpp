@@ -2,6 +2,7 @@
 #include "glint/settings.hpp"
 
 #include "base/settings/settings_target.hpp"
+#include "support/must.hpp"
 
 #include <gtest/gtest.h>
 
@@ -118,6 +119,36 @@ TEST(Presets, BalancedIsTheDefaults) {
     Settings settings;
     ASSERT_TRUE(applyPreset(settings, "balanced").ok());
     EXPECT_EQ(toJson(settings), toJson(Settings{}));
+}
+
+/// Settings none of which has its default.
+Settings withoutDefaults() {
+    Settings settings;
+    const SettingsTarget target{settingsTable(), &settings};
+    for (const SettingInfo& info : settingsTable()) {
+        double value = info.defaultValue == info.range.max ? info.range.min : info.range.max;
+        if (info.type == SettingType::Boolean)
+            value = 1 - info.defaultValue;
+        else if (info.type == SettingType::Enum)
+            value = info.defaultValue == 0 ? 1 : 0;
+        const auto done = setSetting({&target, 1}, info.key, settingText(info, value), {});
+        EXPECT_TRUE(done.ok()) << done.error().message;
+        EXPECT_NE(settingValue(info, &settings), info.defaultValue) << info.key;
+    }
+    return settings;
+}
+
+// A system's preset states the system's own parameters, so that it keeps their values when a default of Glint changes.
+TEST(Presets, NoneStatesADefaultButOfItsOwnSystemsParameters) {
+    for (const std::string_view name : presetNames()) {
+        Settings settings = withoutDefaults();
+        const auto done = fromJson(settings, test::must(presetJson(name)), name, name);
+        ASSERT_TRUE(done.ok()) << done.error().message;
+        for (const SettingInfo& info : settingsTable())
+            EXPECT_TRUE(settingValue(info, &settings) != info.defaultValue ||
+                        std::ranges::find(info.aliases, name, &SettingAlias::system) != info.aliases.end())
+                << "presets/" << name << ".json: remove " << info.key << ", which has this value by default";
+    }
 }
 
 TEST(Presets, AnUnknownNameListsThem) {

@@ -1,6 +1,6 @@
 #include "lab/measure/truth/ray_oracle.hpp"
 
-#include "lab/measure/truth/alpha_test.hpp"
+#include "lab/measure/truth/alpha_cutout.hpp"
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>

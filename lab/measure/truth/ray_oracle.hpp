@@ -25,7 +25,7 @@ struct OracleHit {
 };
 
 /// Contains triangles of opaque and masked surfaces; blended and transmissive surfaces, lines and points are left out.
-/// Rays pass through back faces of single-sided materials and the holes of masked ones (alpha_test.hpp), which the
+/// Rays pass through back faces of single-sided materials and the holes of masked ones (alpha_cutout.hpp), which the
 /// raster pass does not draw either.
 class RayOracle {
 public:

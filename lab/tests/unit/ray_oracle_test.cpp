@@ -2,7 +2,7 @@
 // blended.
 #include "lab/measure/truth/ray_oracle.hpp"
 
-#include "lab/measure/truth/alpha_test.hpp"
+#include "lab/measure/truth/alpha_cutout.hpp"
 #include "lab/scene/builtin/scene_builder.hpp"
 #include "lab/scene/builtin/shapes.hpp"
 
@@ -82,7 +82,7 @@ TEST(RayOracle, DoubleSidedSurfacesAreMetFromBehindAndBlendedOnesNever) {
     EXPECT_EQ(hit->geometricNormalWS, glm::dvec3(0, 0, -1)); // towards where the ray came from
 }
 
-TEST(AlphaTest, FiltersWrapsAndMultipliesAsTheRasterPassDoes) {
+TEST(AlphaCutout, FiltersWrapsAndMultipliesAsTheRasterPassDoes) {
     scene::Scene scene;
     scene.images = {checker()};
     scene.textures = {{0, {}}};

@@ -1,4 +1,4 @@
-#include "lab/measure/truth/alpha_test.hpp"
+#include "lab/measure/truth/alpha_cutout.hpp"
 
 #include <algorithm>
 #include <cmath>

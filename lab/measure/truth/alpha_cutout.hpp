@@ -1,4 +1,4 @@
-// The alpha test of masked surfaces on the CPU: determines which points of a triangle are holes.
+// The cutouts of masked materials on the CPU: determines which points of a triangle are holes.
 #pragma once
 
 #include "lab/scene/scene.hpp"
