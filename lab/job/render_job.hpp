@@ -27,6 +27,8 @@ struct RenderJob {
     uint32_t height = 0;
     double time = 0;                ///< seconds into the scene's animations
     uint32_t frames = 1;            ///< >= 1; the images are those of the last frame
+    /// Stops before `frames` once the picture has settled within this error (Settling); 0: never.
+    double settle = 0;
     uint32_t seed = 0;              ///< seed of the rays' noise: the same seed gives the same bits
     std::vector<std::string> views; ///< names of `viewList` (views.hpp), without repeats
     /// The session can show views that the library makes. Without them it does what a host's frame does, in less time;
@@ -64,9 +66,16 @@ struct RenderStats {
     MemoryReport memory;                                    ///< of the library, without the renderer
 };
 
+/// How a picture settled.
+struct Settled {
+    uint32_t frames = 0; ///< rendered
+    double error = 0;    ///< Settling::error; infinite after one frame
+};
+
 struct RenderResult {
     uint32_t width = 0;
     uint32_t height = 0;
+    std::optional<Settled> settled;  ///< with RenderJob::settle
     std::vector<RenderedView> views; ///< in the job's order
     RenderStats stats;
     std::optional<RayInspection> inspection; ///< with RenderJob::inspect

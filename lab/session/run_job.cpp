@@ -1,6 +1,7 @@
 #include "lab/session/run_job.hpp"
 
 #include "lab/session/scene_host.hpp"
+#include "lab/session/settling.hpp"
 
 namespace glint::render {
 
@@ -12,7 +13,8 @@ Result<ReflectionSession> openJob(gpu::Context& context, const RenderJob& job) {
 }
 
 SessionOptions sessionOptions(const RenderJob& job) {
-    return {job.settings, job.seed, job.statistics, job.libraryViews, job.inspect.has_value(), job.display};
+    return {job.settings, job.seed, job.statistics, job.libraryViews, job.inspect.has_value(),
+            job.display || job.settle > 0};
 }
 
 namespace {
@@ -38,8 +40,9 @@ Result<void> timeMore(ReflectionSession& session, uint32_t index, RenderResult& 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     GLINT_TRY(session, openJob(context, job));
     GLINT_TRY(result, renderFrames(session, job));
-    if (job.statistics && job.frames < kTimedFrames)
-        GLINT_CHECK(timeMore(session, job.frames, result));
+    const uint32_t frames = result.settled ? result.settled->frames : job.frames;
+    if (job.statistics && frames < kTimedFrames)
+        GLINT_CHECK(timeMore(session, frames, result));
     return result;
 }
 
@@ -51,6 +54,34 @@ bool readsBlended(const Settings& settings) {
     return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
 }
 
+/// Renders frame `i` of a job. `shown`: its picture counts.
+Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown) {
+    FramePlan plan;
+    plan.draw = i == 0 || shown || readsBlended(job.settings.reflections);
+    if (shown)
+        plan.inspect = job.inspect;
+    GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
+    if (job.progress)
+        job.progress(i + 1, job.frames);
+    return {};
+}
+
+/// A frame that is looked at is drawn as a last one is, so that the picture is that of as many frames without a look.
+Result<Settled> renderUntilSettled(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex) {
+    Settling settling(job.settle);
+    for (uint32_t i = 0; i < job.frames; ++i) {
+        const uint32_t frames = i + 1;
+        const bool look = frames < job.frames && Settling::looksAfter(frames);
+        GLINT_CHECK(renderOne(session, job, firstIndex, i, look || frames == job.frames));
+        if (!look)
+            continue;
+        GLINT_TRY(picture, session.readView("composite"));
+        if (settling.settled(frames, std::move(picture.rgb8)))
+            return Settled{frames, settling.error()};
+    }
+    return Settled{job.frames, settling.error()};
+}
+
 } // namespace
 
 Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex) {
@@ -58,17 +89,14 @@ Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& j
     if (job.inspect && ((*job.inspect)[0] >= inputs.width || (*job.inspect)[1] >= inputs.height))
         return invalidArgument("pixel {},{} lies outside the picture of {}x{}", (*job.inspect)[0], (*job.inspect)[1],
                                inputs.width, inputs.height);
-    for (uint32_t i = 0; i < job.frames; ++i) {
-        FramePlan plan;
-        const bool last = i + 1 == job.frames;
-        plan.draw = i == 0 || last || readsBlended(job.settings.reflections);
-        if (last)
-            plan.inspect = job.inspect;
-        GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
-        if (job.progress)
-            job.progress(i + 1, job.frames);
-    }
     RenderResult result;
+    if (job.settle > 0) {
+        GLINT_TRY(settled, renderUntilSettled(session, job, firstIndex));
+        result.settled = settled;
+    } else {
+        for (uint32_t i = 0; i < job.frames; ++i)
+            GLINT_CHECK(renderOne(session, job, firstIndex, i, i + 1 == job.frames));
+    }
     result.width = session.inputs().width;
     result.height = session.inputs().height;
     for (const std::string& name : job.views) {
