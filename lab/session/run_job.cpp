@@ -13,7 +13,11 @@ Result<ReflectionSession> openJob(gpu::Context& context, const RenderJob& job) {
 }
 
 SessionOptions sessionOptions(const RenderJob& job) {
-    return {job.settings, job.seed, job.statistics, job.libraryViews, job.inspect.has_value(),
+    return {job.settings,
+            job.seed,
+            job.statistics,
+            job.libraryViews,
+            job.inspect.has_value(),
             job.display || job.settle > 0};
 }
 

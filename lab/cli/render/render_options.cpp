@@ -194,7 +194,7 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     GLINT_TRY(settings, render::loadSettings(settingsRequest(options)));
     job.settings = std::move(settings);
     const Settings& reflections = job.settings.reflections;
-    job.frames = options.frames      ? static_cast<uint32_t>(*options.frames)
+    job.frames = options.frames       ? static_cast<uint32_t>(*options.frames)
                  : options.settle > 0 ? render::mostSettlingFrames(reflections)
                                       : render::settledFrames(reflections);
     if (!(options.settle >= 0 && options.settle <= 255))
