@@ -45,7 +45,7 @@ function gallerySplit(data, pictures) {
     select.dispatchEvent(new Event("change"));
   }}, choice.label)));
   shown(sides);
-  return [bar, view, buttons, about, hint];
+  return [bar, view, buttons, hint, about];
 }
 
 function galleryFigure(data, picture) {
