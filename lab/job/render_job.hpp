@@ -35,7 +35,8 @@ struct RenderJob {
     /// the last bits of pictures may differ.
     bool libraryViews = true;
     bool display = false;                           ///< also fill RenderedView::rgb8
-    bool statistics = false;                        ///< also count outcomes and depth fetches
+    bool statistics = false;                        ///< also count outcomes and depth fetches, and
+    bool passTimes = true;                          ///< draw as many frames as RenderStats::passes takes
     std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray again, in the last frame
     /// A file written by glint bake, or "auto": the file beside the scene, or baked now if there is none; empty: none.
     std::string probes;

@@ -26,6 +26,10 @@ namespace {
 /// The first frames hold what the driver compiles: of fewer frames than this, the times say little.
 constexpr uint32_t kTimedFrames = 3;
 
+bool timesPasses(const RenderJob& job) {
+    return job.statistics && job.passTimes;
+}
+
 /// Replaces the times by those of frames that follow the picture's.
 Result<void> timeMore(ReflectionSession& session, uint32_t index, RenderResult& result) {
     constexpr double kEnoughMs = 2000;
@@ -43,17 +47,21 @@ Result<void> timeMore(ReflectionSession& session, uint32_t index, RenderResult& 
 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     GLINT_TRY(session, openJob(context, job));
+    return runJob(session, job);
+}
+
+Result<RenderResult> runJob(ReflectionSession& session, const RenderJob& job) {
     GLINT_TRY(result, renderFrames(session, job));
     const uint32_t frames = result.settled ? result.settled->frames : job.frames;
-    if (job.statistics && frames < kTimedFrames)
+    if (timesPasses(job) && frames < kTimedFrames)
         GLINT_CHECK(timeMore(session, frames, result));
     return result;
 }
 
 namespace {
 
-/// True if a frame reads what was blended over the one before. Otherwise the host draws a still the same in every
-/// frame, and once is enough for all but the last, whose picture counts.
+/// True if a frame reads what was blended over the one before. Otherwise most hosts draw a still the same in every
+/// frame, and once is enough.
 bool readsBlended(const Settings& settings) {
     return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
 }
@@ -61,7 +69,10 @@ bool readsBlended(const Settings& settings) {
 /// Renders frame `i` of a job. `shown`: its picture counts.
 Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown) {
     FramePlan plan;
-    plan.draw = i == 0 || shown || readsBlended(job.settings.reflections);
+    // The host's passes have a time besides that of the first frame, in which the driver compiles.
+    const bool again = shown && (timesPasses(job) || !session.drawsAlike());
+    plan.draw = i == 0 || again || readsBlended(job.settings.reflections);
+    plan.blendAgain = shown;
     if (shown)
         plan.inspect = job.inspect;
     GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
@@ -123,10 +134,16 @@ Result<RenderResult> runJob(const RenderJob& job) {
 Result<RenderResult> onOwnDevice(const RenderJob& job, const std::function<Result<RenderResult>(gpu::Context&)>& work) {
     GLINT_TRY(context, gpu::Context::create({job.device, job.validate}));
     Result<RenderResult> result = work(*context);
-    if (result && !context->validationMessages().empty())
-        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
-                         context->validationMessages().size(), context->validationMessages().front());
+    if (result)
+        GLINT_CHECK(checkMessages(*context));
     return result;
+}
+
+Result<void> checkMessages(const gpu::Context& context) {
+    if (context.validationMessages().empty())
+        return {};
+    return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                     context.validationMessages().size(), context.validationMessages().front());
 }
 
 } // namespace glint::render

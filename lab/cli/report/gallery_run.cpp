@@ -6,9 +6,11 @@
 #include "lab/session/run_job.hpp"
 #include "lab/cli/render/render_output.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <thread>
+#include <tuple>
 
 namespace glint::cli {
 namespace {
@@ -25,19 +27,29 @@ std::string commandOf(const GalleryEntry& entry, const render::RenderJob& job) {
     return fmt::format("{} -o {}.png", text, entry.name);
 }
 
-/// As runJob, without the frames that it adds for their times.
-Result<render::RenderResult> withoutTimes(const render::RenderJob& job) {
-    auto result = render::onOwnDevice(job, [&](gpu::Context& context) -> Result<render::RenderResult> {
-        GLINT_TRY(session, render::openJob(context, job));
-        return render::renderFrames(session, job);
-    });
-    if (result)
-        result->stats.passes.clear();
-    return result;
+/// True if both show one scene in one way, but for their settings and views: a session serves both.
+bool sameScene(const render::RenderJob& a, const render::RenderJob& b) {
+    const auto key = [](const render::RenderJob& job) {
+        return std::tie(job.scene, job.camera, job.environment, job.materials, job.width, job.height, job.probes,
+                        job.planar);
+    };
+    return key(a) == key(b);
 }
 
-Result<RenderedPicture> renderPicture(const render::RenderJob& job, const std::string& file, bool timed) {
-    GLINT_TRY(result, timed ? render::runJob(job) : withoutTimes(job));
+/// The jobs of each session, by their index.
+std::vector<std::vector<size_t>> jobsOfSessions(const std::vector<render::RenderJob>& jobs) {
+    std::vector<std::vector<size_t>> sessions;
+    for (size_t i = 0; i < jobs.size(); ++i) {
+        const auto found = std::ranges::find_if(
+            sessions, [&](const std::vector<size_t>& session) { return sameScene(jobs[session.front()], jobs[i]); });
+        (found == sessions.end() ? sessions.emplace_back() : *found).push_back(i);
+    }
+    return sessions;
+}
+
+Result<RenderedPicture> renderPicture(render::ReflectionSession& session, const render::RenderJob& job,
+                                      const std::string& file) {
+    GLINT_TRY(result, render::runJob(session, job));
     for (const std::string& note : result.notes)
         log::warning("{}: {}", printable(file), note);
     GLINT_CHECK(writePictures(file, result));
@@ -47,6 +59,8 @@ Result<RenderedPicture> renderPicture(const render::RenderJob& job, const std::s
     if (result.settled)
         picture.frames = result.settled->frames;
     picture.stats = std::move(result.stats);
+    if (!job.passTimes)
+        picture.stats.passes.clear();
     return picture;
 }
 
@@ -54,22 +68,33 @@ Result<RenderedPicture> renderPicture(const render::RenderJob& job, const std::s
 class GalleryRun {
 public:
     GalleryRun(GalleryWork& work, const std::string& folder, const std::function<Result<void>(const Gallery&)>& show)
-        : work_(work), folder_(folder), show_(show) {}
+        : work_(work), folder_(folder), show_(show), sessions_(jobsOfSessions(work.jobs)) {}
 
-    void takeJobs() {
-        for (size_t i = next_++; i < work_.jobs.size() && !failed_; i = next_++)
-            if (Result<void> done = render(i); !done)
+    /// On a device of its own.
+    void takeSessions() {
+        for (size_t i = next_++; i < sessions_.size() && !failed_; i = next_++)
+            if (Result<void> done = render(sessions_[i]); !done)
                 fail(done);
     }
     Result<void> result() { return result_; }
 
 private:
-    Result<void> render(size_t index) {
-        const std::string file = fmt::format("{}/{}.png", folder_, work_.gallery.pictures[index].name);
-        GLINT_TRY(picture, renderPicture(work_.jobs[index], file, !work_.gallery.software));
-        const std::lock_guard lock(mutex_);
-        work_.gallery.pictures[index].rendered = std::move(picture);
-        return show_(work_.gallery);
+    Result<void> render(const std::vector<size_t>& indices) {
+        const render::RenderJob& first = work_.jobs[indices.front()];
+        GLINT_TRY(context, gpu::Context::create({first.device, first.validate}));
+        GLINT_TRY(session, render::openJob(*context, first));
+        for (const size_t index : indices) {
+            if (failed_)
+                return {};
+            if (index != indices.front())
+                GLINT_CHECK(session.setSettings(work_.jobs[index].settings));
+            const std::string file = fmt::format("{}/{}.png", folder_, work_.gallery.pictures[index].name);
+            GLINT_TRY(picture, renderPicture(session, work_.jobs[index], file));
+            const std::lock_guard lock(mutex_);
+            work_.gallery.pictures[index].rendered = std::move(picture);
+            GLINT_CHECK(show_(work_.gallery));
+        }
+        return render::checkMessages(*context);
     }
     void fail(const Result<void>& result) {
         const std::lock_guard lock(mutex_);
@@ -80,6 +105,7 @@ private:
     GalleryWork& work_;
     const std::string& folder_;
     const std::function<Result<void>(const Gallery&)>& show_;
+    const std::vector<std::vector<size_t>> sessions_;
     std::atomic<size_t> next_ = 0;
     std::atomic<bool> failed_ = false;
     std::mutex mutex_;
@@ -105,6 +131,7 @@ Result<GalleryWork> planGallery(const GalleryPlan& plan, const gpu::DeviceInfo& 
         if (!job)
             return makeError(job.error().code, "picture {}: {}", entry.name, job.error().message);
         job->statistics = true;
+        job->passTimes = !device.software; // two pictures are rendered at the same time there
         work.gallery.pictures.push_back({entry.name, entry.title, options.scene, commandOf(entry, *job), {}});
         work.jobs.push_back(std::move(*job));
     }
@@ -118,8 +145,8 @@ Result<void> renderGallery(GalleryWork& work, const std::string& folder,
     std::vector<std::thread> threads;
     if (work.gallery.software)
         for (size_t i = 1; i < kSoftwareThreads; ++i)
-            threads.emplace_back([&] { run.takeJobs(); });
-    run.takeJobs();
+            threads.emplace_back([&] { run.takeSessions(); });
+    run.takeSessions();
     for (std::thread& thread : threads)
         thread.join();
     return run.result();

@@ -20,10 +20,10 @@ struct GalleryWork {
 Result<GalleryWork> planGallery(const GalleryPlan& plan, const gpu::DeviceInfo& device, const std::string& size,
                                 const RenderOptions& common);
 
-/// Renders the jobs in order and writes each to FOLDER/NAME.png; `show` is called at the beginning and after each,
-/// never by two threads at once. On a device that runs on the CPU two are rendered at the same time: pipelines compile
-/// on one thread, frames are drawn on all. Then there are no times. Errors: those of the first job that fails, of
-/// writing and of `show`.
+/// Renders the jobs and writes each to FOLDER/NAME.png; `show` is called at the beginning and after each, never by two
+/// threads at once. Jobs of one scene share a session. On a device that runs on the CPU two sessions are rendered at
+/// the same time, since pipelines compile on one thread; then there are no times. Errors: those of the first job that
+/// fails, of writing and of `show`.
 Result<void> renderGallery(GalleryWork& work, const std::string& folder,
                            const std::function<Result<void>(const Gallery&)>& show);
 

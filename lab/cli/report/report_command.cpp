@@ -14,6 +14,7 @@
 #include "lab/cli/tune/curve_file.hpp"
 #include "lab/scene/images/webp_writer.hpp"
 #include "lab/cli/report/report_gallery.hpp"
+#include "lab/session/run_job.hpp"
 
 #include <unistd.h>
 
@@ -177,13 +178,6 @@ void showStep(const std::string& step) {
         fmt::print(stderr, "measuring {}\n", printable(step));
 }
 
-Result<void> checkMessages(const gpu::Context& context) {
-    if (context.validationMessages().empty())
-        return {};
-    return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
-                     context.validationMessages().size(), context.validationMessages().front());
-}
-
 /// Renders the moving pictures at half of the scene's size, unless a size was asked for, and keeps those to show.
 Result<void> addMotion(gpu::Context& context, const ReportOptions& options, measure::SequencePlan plan,
                        ReportScene& scene) {
@@ -288,7 +282,7 @@ Result<void> makeReport(const ReportOptions& options) {
         GLINT_TRY(scene, measureScene(*context, options, scenes[i], plans[i]));
         report.scenes.push_back(std::move(scene));
     }
-    GLINT_CHECK(checkMessages(*context));
+    GLINT_CHECK(render::checkMessages(*context));
     if (report.gallery)
         report.gallery->complete = true;
     if (earlier) {
