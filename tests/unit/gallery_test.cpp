@@ -1,6 +1,7 @@
 // The plan of a gallery, read with every value checked, and the page while its pictures are being rendered.
 #include "gallery_plan.hpp"
 #include "gallery_run.hpp"
+#include "plan_place.hpp"
 #include "report_json.hpp"
 #include "report_page.hpp"
 
@@ -8,7 +9,6 @@
 #include "support/must.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <functional>
 

@@ -44,7 +44,8 @@ struct Measured {
 nlohmann::ordered_json sceneRaysJson(const Statistics::SceneRays& scene);
 
 /// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames" (rendered),
-///  ["settleError": with RenderJob::settle], "time", "seed", "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays", "lookupsPerRay", "lookups95",
+///  ["settleError": with RenderJob::settle], "time", "seed", "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays",
+///  "lookupsPerRay", "lookups95",
 ///  ["sceneRays": sceneRaysJson], "outcomes": {name: pixels},
 ///  "exact": exactJson, "hits": hitReportJson, "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the
 ///  device has no timestamps.
