@@ -1,4 +1,4 @@
-#include "plan_place.hpp"
+#include "lab/cli/plan_place.hpp"
 
 #include "base/text.hpp"
 #include "lab/cli/config_option.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/result.hpp"
-#include "lab/session/program_settings.hpp"
+#include "lab/job/program_settings.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // The pictures that a page shows from files beside it, some of them still being rendered.
 #pragma once
 
-#include "lab/session/render_job.hpp"
+#include "lab/job/render_job.hpp"
 
 #include <nlohmann/json.hpp>
 

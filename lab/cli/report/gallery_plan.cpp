@@ -1,7 +1,7 @@
 #include "lab/cli/report/gallery_plan.hpp"
 
 #include "base/text.hpp"
-#include "plan_place.hpp"
+#include "lab/cli/plan_place.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,8 @@
 #include "base/log.hpp"
 #include "base/text.hpp"
 #include "lab/cli/command_text.hpp"
-#include "lab/session/run_job.hpp"
 #include "lab/cli/render/render_output.hpp"
+#include "lab/session/run_job.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,9 +1,9 @@
 // Renders the pictures of a gallery beside a page that is written again after each.
 #pragma once
 
+#include "gpu/context.hpp"
 #include "lab/cli/report/gallery.hpp"
 #include "lab/cli/report/gallery_plan.hpp"
-#include "gpu/context.hpp"
 
 #include <functional>
 

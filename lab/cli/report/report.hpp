@@ -1,10 +1,10 @@
 // The content of a report: what `glint report` has measured, before any of it is formatted.
 #pragma once
 
+#include "lab/cli/report/gallery.hpp"
 #include "lab/measure/figures/comparison_maps.hpp"
 #include "lab/measure/figures/figure_change.hpp"
 #include "lab/measure/motion/sequence.hpp"
-#include "lab/cli/report/gallery.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -8,12 +8,12 @@
 #include "lab/cli/config_option.hpp"
 #include "lab/cli/render/render_options.hpp"
 #include "lab/cli/report/report_figures.hpp"
+#include "lab/cli/report/report_gallery.hpp"
 #include "lab/cli/report/report_json.hpp"
 #include "lab/cli/report/report_page.hpp"
 #include "lab/cli/sequence/motion_option.hpp"
 #include "lab/cli/tune/curve_file.hpp"
 #include "lab/scene/images/webp_writer.hpp"
-#include "lab/cli/report/report_gallery.hpp"
 #include "lab/session/run_job.hpp"
 
 #include <unistd.h>

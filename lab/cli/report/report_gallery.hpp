@@ -1,8 +1,8 @@
 // `glint report --pictures`: a page that opens with its first picture and fills up.
 #pragma once
 
-#include "lab/cli/report/gallery_plan.hpp"
 #include "gpu/context.hpp"
+#include "lab/cli/report/gallery_plan.hpp"
 #include "lab/cli/report/report.hpp"
 
 #include <cstdio>

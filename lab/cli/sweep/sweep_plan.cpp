@@ -2,8 +2,7 @@
 
 #include "base/text.hpp"
 #include "lab/cli/config_option.hpp"
-#include <nlohmann/json.hpp>
-#include "plan_place.hpp"
+#include "lab/cli/plan_place.hpp"
 
 #include <algorithm>
 #include <array>

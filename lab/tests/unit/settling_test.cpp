@@ -1,5 +1,5 @@
 // When the mean over a still view's frames has stopped moving.
-#include "render/settling.hpp"
+#include "lab/session/settling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // The plan of a gallery, read with every value checked, and the page while its pictures are being rendered.
-#include "gallery_plan.hpp"
-#include "gallery_run.hpp"
-#include "plan_place.hpp"
-#include "report_json.hpp"
-#include "report_page.hpp"
+#include "lab/cli/plan_place.hpp"
+#include "lab/cli/report/gallery_plan.hpp"
+#include "lab/cli/report/gallery_run.hpp"
+#include "lab/cli/report/report_json.hpp"
+#include "lab/cli/report/report_page.hpp"
 
-#include "report_fixture.hpp"
-#include "support/must.hpp"
+#include "lab/tests/unit/report_fixture.hpp"
+#include "tests/support/must.hpp"
 
 #include <gtest/gtest.h>
 
