@@ -1,7 +1,6 @@
 #include "lab/cli/sweep/sweep_plan.hpp"
 
 #include "base/text.hpp"
-#include "lab/cli/config_option.hpp"
 #include "lab/cli/plan_place.hpp"
 
 #include <algorithm>
