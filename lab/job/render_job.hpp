@@ -25,15 +25,18 @@ struct RenderJob {
     std::string materials;
     uint32_t width = 0; ///< pixels, [1, 16384]; 0 with height 0: the camera's own size, or 1280 x 720
     uint32_t height = 0;
-    double time = 0;                ///< seconds into the scene's animations
-    uint32_t frames = 1;            ///< >= 1; the images are those of the last frame
+    double time = 0;     ///< seconds into the scene's animations
+    uint32_t frames = 1; ///< >= 1; the images are those of the last frame
+    /// Stops before `frames` once the picture has settled within this error (Settling); 0: never.
+    double settle = 0;
     uint32_t seed = 0;              ///< seed of the rays' noise: the same seed gives the same bits
     std::vector<std::string> views; ///< names of `viewList` (views.hpp), without repeats
     /// The session can show views that the library makes. Without them it does what a host's frame does, in less time;
     /// the last bits of pictures may differ.
     bool libraryViews = true;
     bool display = false;                           ///< also fill RenderedView::rgb8
-    bool statistics = false;                        ///< also count outcomes and depth fetches
+    bool statistics = false;                        ///< also count outcomes and depth fetches, and
+    bool passTimes = true;                          ///< draw as many frames as RenderStats::passes takes
     std::optional<std::array<uint32_t, 2>> inspect; ///< also trace this pixel's ray again, in the last frame
     /// A file written by glint bake, or "auto": the file beside the scene, or baked now if there is none; empty: none.
     std::string probes;
@@ -65,9 +68,16 @@ struct RenderStats {
     std::vector<FrameDecision> plan;                        ///< which passes the library's frames have
 };
 
+/// How a picture settled.
+struct Settled {
+    uint32_t frames = 0; ///< rendered
+    double error = 0;    ///< Settling::error; infinite after one frame
+};
+
 struct RenderResult {
     uint32_t width = 0;
     uint32_t height = 0;
+    std::optional<Settled> settled;  ///< with RenderJob::settle
     std::vector<RenderedView> views; ///< in the job's order
     RenderStats stats;
     std::optional<RayInspection> inspection; ///< with RenderJob::inspect

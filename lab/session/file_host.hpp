@@ -38,6 +38,7 @@ public:
     Result<std::unique_ptr<HostFrame>> remade(Context& library) override;
 
     Result<void> draw(gpu::Frame&, VkCommandBuffer, uint32_t) override { return {}; }
+    bool drawsAlike() const override { return true; }
     GBuffer& gbuffer() override { return gbuffer_; }
     glint::GBuffer lend(gpu::Frame& frame) override;
     EnvironmentMap lendEnvironment(gpu::Frame& frame) override;

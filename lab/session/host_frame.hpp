@@ -48,6 +48,8 @@ public:
     // Drawing a frame, in this order. All calls except `draw` may repeat for a frame that is already drawn.
     /// Draws the G-buffer, and before it the images that sources need. `frame` records into `commands`.
     virtual Result<void> draw(gpu::Frame& frame, VkCommandBuffer commands, uint32_t frameIndex) = 0;
+    /// True if `draw` gives the same bits in every frame of a still view, also after surfaces were blended over it.
+    virtual bool drawsAlike() const = 0;
     virtual GBuffer& gbuffer() = 0;
     /// The G-buffer and environment, as Reflections::setInputs requires them, in the host's conventions.
     virtual glint::GBuffer lend(gpu::Frame& frame) = 0;

@@ -140,7 +140,7 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FramePla
         HostImage lit = reflections.record(commands, libraryView(host.view(), index, options_.seed));
         if (plan.inspect) // before anything is blended over it
             GLINT_CHECK(reflections.recordInspection(commands, (*plan.inspect)[0], (*plan.inspect)[1]));
-        const bool blends = plan.draw && plan.blend;
+        const bool blends = plan.draw ? plan.blend : plan.blendAgain;
         if (blends) {
             GLINT_TRY(over, host.drawLayers(frame, commands, reflections, lit));
             lit = over;
@@ -148,7 +148,8 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FramePla
         views.setComposite(borrow(lit, "job/composite"));
         if (blends) {
             host.drawTransparent(frame, views.composite(), true);
-            host.drawTransparent(frame, views.scene(), false);
+            if (plan.draw)
+                host.drawTransparent(frame, views.scene(), false);
         }
         frame.hand(views.composite(), kSampled);
         return {};

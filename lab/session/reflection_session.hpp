@@ -20,6 +20,9 @@ struct FramePlan {
     bool draw = true;    ///< run the host's own passes; false: reuse the G-buffer of the previous frame
     bool reflect = true; ///< run the reflections
     bool blend = true;   ///< blend transparent surfaces over both images, if the frame is drawn
+    /// Blend them over the reflected image of a frame that is not drawn, too. The other image has them since it was
+    /// drawn. Requires drawsAlike.
+    bool blendAgain = false;
     std::optional<std::array<uint32_t, 2>> inspect;         ///< inspect this pixel; requires SessionOptions::inspect
     std::function<void(gpu::Frame&, GBuffer&)> afterOpaque; ///< additional passes before the reflections; may be empty
 };
@@ -95,6 +98,8 @@ public:
     /// Returns the bytes of device memory allocated in this session's context and in the library; other users of that
     /// context are counted too.
     size_t deviceBytes() const;
+    /// True if drawing the frames of a still view again changes nothing (HostFrame::drawsAlike).
+    bool drawsAlike() const { return objects_->host->drawsAlike(); }
     const JobInputs& inputs() const { return objects_->host->inputs(); }
     View view() const { return objects_->host->view(); }
     const ProgramSettings& settings() const { return options_.settings; }

@@ -1,6 +1,7 @@
 #include "lab/session/run_job.hpp"
 
 #include "lab/session/scene_host.hpp"
+#include "lab/session/settling.hpp"
 
 namespace glint::render {
 
@@ -12,13 +13,22 @@ Result<ReflectionSession> openJob(gpu::Context& context, const RenderJob& job) {
 }
 
 SessionOptions sessionOptions(const RenderJob& job) {
-    return {job.settings, job.seed, job.statistics, job.libraryViews, job.inspect.has_value(), job.display};
+    return {job.settings,
+            job.seed,
+            job.statistics,
+            job.libraryViews,
+            job.inspect.has_value(),
+            job.display || job.settle > 0};
 }
 
 namespace {
 
 /// The first frames hold what the driver compiles: of fewer frames than this, the times say little.
 constexpr uint32_t kTimedFrames = 3;
+
+bool timesPasses(const RenderJob& job) {
+    return job.statistics && job.passTimes;
+}
 
 /// Replaces the times by those of frames that follow the picture's.
 Result<void> timeMore(ReflectionSession& session, uint32_t index, RenderResult& result) {
@@ -37,18 +47,54 @@ Result<void> timeMore(ReflectionSession& session, uint32_t index, RenderResult& 
 
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job) {
     GLINT_TRY(session, openJob(context, job));
+    return runJob(session, job);
+}
+
+Result<RenderResult> runJob(ReflectionSession& session, const RenderJob& job) {
     GLINT_TRY(result, renderFrames(session, job));
-    if (job.statistics && job.frames < kTimedFrames)
-        GLINT_CHECK(timeMore(session, job.frames, result));
+    const uint32_t frames = result.settled ? result.settled->frames : job.frames;
+    if (timesPasses(job) && frames < kTimedFrames)
+        GLINT_CHECK(timeMore(session, frames, result));
     return result;
 }
 
 namespace {
 
-/// True if a frame reads what was blended over the one before. Otherwise the host draws a still the same in every
-/// frame, and once is enough for all but the last, whose picture counts.
+/// True if a frame reads what was blended over the one before. Otherwise most hosts draw a still the same in every
+/// frame, and once is enough.
 bool readsBlended(const Settings& settings) {
     return settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
+}
+
+/// Renders frame `i` of a job. `shown`: its picture counts.
+Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown) {
+    FramePlan plan;
+    // The host's passes have a time besides that of the first frame, in which the driver compiles.
+    const bool again = shown && (timesPasses(job) || !session.drawsAlike());
+    plan.draw = i == 0 || again || readsBlended(job.settings.reflections);
+    plan.blendAgain = shown;
+    if (shown)
+        plan.inspect = job.inspect;
+    GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
+    if (job.progress)
+        job.progress(i + 1, job.frames);
+    return {};
+}
+
+/// A frame that is looked at is drawn as a last one is, so that the picture is that of as many frames without a look.
+Result<Settled> renderUntilSettled(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex) {
+    Settling settling(job.settle);
+    for (uint32_t i = 0; i < job.frames; ++i) {
+        const uint32_t frames = i + 1;
+        const bool look = frames < job.frames && Settling::looksAfter(frames);
+        GLINT_CHECK(renderOne(session, job, firstIndex, i, look || frames == job.frames));
+        if (!look)
+            continue;
+        GLINT_TRY(picture, session.readView("composite"));
+        if (settling.settled(frames, std::move(picture.rgb8)))
+            return Settled{frames, settling.error()};
+    }
+    return Settled{job.frames, settling.error()};
 }
 
 } // namespace
@@ -58,17 +104,14 @@ Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& j
     if (job.inspect && ((*job.inspect)[0] >= inputs.width || (*job.inspect)[1] >= inputs.height))
         return invalidArgument("pixel {},{} lies outside the picture of {}x{}", (*job.inspect)[0], (*job.inspect)[1],
                                inputs.width, inputs.height);
-    for (uint32_t i = 0; i < job.frames; ++i) {
-        FramePlan plan;
-        const bool last = i + 1 == job.frames;
-        plan.draw = i == 0 || last || readsBlended(job.settings.reflections);
-        if (last)
-            plan.inspect = job.inspect;
-        GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
-        if (job.progress)
-            job.progress(i + 1, job.frames);
-    }
     RenderResult result;
+    if (job.settle > 0) {
+        GLINT_TRY(settled, renderUntilSettled(session, job, firstIndex));
+        result.settled = settled;
+    } else {
+        for (uint32_t i = 0; i < job.frames; ++i)
+            GLINT_CHECK(renderOne(session, job, firstIndex, i, i + 1 == job.frames));
+    }
     result.width = session.inputs().width;
     result.height = session.inputs().height;
     for (const std::string& name : job.views) {
@@ -91,10 +134,16 @@ Result<RenderResult> runJob(const RenderJob& job) {
 Result<RenderResult> onOwnDevice(const RenderJob& job, const std::function<Result<RenderResult>(gpu::Context&)>& work) {
     GLINT_TRY(context, gpu::Context::create({job.device, job.validate}));
     Result<RenderResult> result = work(*context);
-    if (result && !context->validationMessages().empty())
-        return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
-                         context->validationMessages().size(), context->validationMessages().front());
+    if (result)
+        GLINT_CHECK(checkMessages(*context));
     return result;
+}
+
+Result<void> checkMessages(const gpu::Context& context) {
+    if (context.validationMessages().empty())
+        return {};
+    return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
+                     context.validationMessages().size(), context.validationMessages().front());
 }
 
 } // namespace glint::render

@@ -19,6 +19,13 @@ Result<RenderResult> runJob(const RenderJob& job);
 /// Uses an existing device; the caller handles RenderJob::device and validate.
 Result<RenderResult> runJob(gpu::Context& context, const RenderJob& job);
 
+/// Uses a session whose scene, camera, sources, size, time and seed are the job's; the caller gives it the job's
+/// settings (ReflectionSession::setSettings).
+Result<RenderResult> runJob(ReflectionSession& session, const RenderJob& job);
+
+/// Errors: Unsupported with the first message of the validation layer, if there is one.
+Result<void> checkMessages(const gpu::Context& context);
+
 // Parts of runJob, for jobs whose G-buffer comes from elsewhere.
 SessionOptions sessionOptions(const RenderJob& job);
 /// Renders the job's frames, which are numbered from `firstIndex` on, and reads its views. Errors: those of the views;

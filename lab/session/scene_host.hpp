@@ -32,6 +32,7 @@ public:
     Result<std::unique_ptr<HostFrame>> remade(Context& library) override;
 
     Result<void> draw(gpu::Frame& frame, VkCommandBuffer commands, uint32_t frameIndex) override;
+    bool drawsAlike() const override { return !mirrorWorld_; } // the images of mirrors have noise of their own
     GBuffer& gbuffer() override { return renderer_->gbuffer(); }
     glint::GBuffer lend(gpu::Frame& frame) override;
     EnvironmentMap lendEnvironment(gpu::Frame& frame) override;

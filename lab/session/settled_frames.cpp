@@ -5,15 +5,26 @@
 
 namespace glint::render {
 
+namespace {
+
+bool accumulates(const Settings& settings) {
+    return settings.rays.enabled && settings.rays.accumulate;
+}
+
+} // namespace
+
 uint32_t settledFrames(const Settings& settings) {
     uint32_t frames = 1;
     const bool traces = settings.screen.enabled || settings.rays.enabled;
-    const bool accumulates = settings.rays.enabled && settings.rays.accumulate;
-    if (settings.denoise.enabled && traces && !accumulates)
+    if (settings.denoise.enabled && traces && !accumulates(settings))
         frames = static_cast<uint32_t>(std::ceil(settings.denoise.historySeconds * kFramesPerSecond));
     // The first frame has no previous one.
     const uint32_t least = settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous ? 2 : 1;
     return std::max(frames, least);
+}
+
+uint32_t mostSettlingFrames(const Settings& settings) {
+    return accumulates(settings) ? 1024 : settledFrames(settings);
 }
 
 } // namespace glint::render

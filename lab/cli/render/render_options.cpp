@@ -146,6 +146,9 @@ void addFrameOptions(CLI::App& command, RenderOptions& options) {
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
     addPictureOptions(command, options);
+    command.add_option("--settle", options.settle,
+                       "Stop before --frames once n frames differ from half as many by at most this: root mean square, "
+                       "in levels of 255 (0: render all)");
     addOutputOptions(command, options);
 }
 
@@ -190,8 +193,13 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
         return invalidArgument("--frames {}: expected 1 to {}", *options.frames, kMaxFrames);
     GLINT_TRY(settings, render::loadSettings(settingsRequest(options)));
     job.settings = std::move(settings);
-    job.frames =
-        options.frames ? static_cast<uint32_t>(*options.frames) : render::settledFrames(job.settings.reflections);
+    const Settings& reflections = job.settings.reflections;
+    job.frames = options.frames       ? static_cast<uint32_t>(*options.frames)
+                 : options.settle > 0 ? render::mostSettlingFrames(reflections)
+                                      : render::settledFrames(reflections);
+    if (!(options.settle >= 0 && options.settle <= 255))
+        return invalidArgument("--settle {}: expected 0 to 255 levels", options.settle);
+    job.settle = options.settle;
     return job;
 }
 

@@ -25,6 +25,7 @@ struct RenderOptions {
     std::string size;
     double time = 0;
     std::optional<int64_t> frames; ///< default: render::settledFrames
+    double settle = 0;             ///< RenderJob::settle
     uint32_t seed = 0;
     std::vector<std::string> views;
     std::string statsFile;

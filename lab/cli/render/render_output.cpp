@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace glint::cli {
@@ -109,7 +110,9 @@ std::string statsJson(const render::RenderJob& job, const render::RenderResult& 
     json["device"] = {{"name", stats.device}, {"driver", stats.driver}, {"software", stats.software}};
     json["width"] = result.width;
     json["height"] = result.height;
-    json["frames"] = job.frames;
+    json["frames"] = result.settled ? result.settled->frames : job.frames;
+    if (result.settled && std::isfinite(result.settled->error))
+        json["settleError"] = result.settled->error;
     json["time"] = job.time;
     json["seed"] = job.seed;
     double total = 0;

@@ -43,9 +43,10 @@ struct Measured {
 /// {"pixels", "rays", "fromScreen", "replaced", "reusedLight"}.
 nlohmann::ordered_json sceneRaysJson(const Statistics::SceneRays& scene);
 
-/// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames", "time", "seed",
-///  "gpuMs" (all passes), "passes": [{"name", "ms"}], "plan": {decision: bool}, "rays", "lookupsPerRay",
-///  "lookups95", ["sceneRays": sceneRaysJson], "outcomes": {name: pixels},
+/// {"scene", "device": {"name", "driver", "software"}, "width", "height", "frames" (rendered),
+///  ["settleError": with RenderJob::settle], "time", "seed", "gpuMs" (all passes), "passes": [{"name", "ms"}], "rays",
+///  "lookupsPerRay", "lookups95",
+///  ["sceneRays": sceneRaysJson], "outcomes": {name: pixels},
 ///  "exact": exactJson, "hits": hitReportJson, "notes": [...], "preset", "settings": {...}}; no "gpuMs" where the
 ///  device has no timestamps.
 std::string statsJson(const render::RenderJob& job, const render::RenderResult& result, const Measured& measured = {});

@@ -1,6 +1,7 @@
 // The content of a report: what `glint report` has measured, before any of it is formatted.
 #pragma once
 
+#include "lab/cli/report/gallery.hpp"
 #include "lab/measure/figures/comparison_maps.hpp"
 #include "lab/measure/figures/figure_change.hpp"
 #include "lab/measure/motion/sequence.hpp"
@@ -51,7 +52,8 @@ struct Report {
     /// What the figures depend on besides scenes and configs: the option's name and its value as the user wrote it,
     /// {"--reference": "reference", "--env": ""}. null: unknown.
     nlohmann::ordered_json options;
-    std::vector<ReportScene> scenes; ///< at least one
+    std::optional<Gallery> gallery;
+    std::vector<ReportScene> scenes; ///< at least one, unless the gallery is not complete
     nlohmann::ordered_json curve;    ///< readCurve; null: none
     std::optional<ReportChanges> changes;
 };

@@ -8,11 +8,13 @@
 #include "lab/cli/config_option.hpp"
 #include "lab/cli/render/render_options.hpp"
 #include "lab/cli/report/report_figures.hpp"
+#include "lab/cli/report/report_gallery.hpp"
 #include "lab/cli/report/report_json.hpp"
 #include "lab/cli/report/report_page.hpp"
 #include "lab/cli/sequence/motion_option.hpp"
 #include "lab/cli/tune/curve_file.hpp"
 #include "lab/scene/images/webp_writer.hpp"
+#include "lab/session/run_job.hpp"
 
 #include <unistd.h>
 
@@ -40,6 +42,8 @@ struct ReportOptions {
     int64_t motionFrames = 24;
     std::string motionSize;
     int64_t motionSamples = 16;
+    std::string pictures;
+    std::string picturesSize;
     std::string curve;
     std::string against;
     double threshold = 5;
@@ -75,6 +79,10 @@ Result<void> checkOptions(const ReportOptions& options) {
     if (!options.output.ends_with(".html"))
         return invalidArgument("-o {}: the name must end in .html", printable(options.output));
     GLINT_CHECK(checkFolder("-o", options.output));
+    if (!options.picturesSize.empty()) {
+        render::RenderJob job;
+        GLINT_CHECK(readSize("--pictures-size", options.picturesSize, job));
+    }
     if (!options.json.empty() && options.json != "-")
         GLINT_CHECK(checkFolder("--json", options.json));
     return {};
@@ -170,13 +178,6 @@ void showStep(const std::string& step) {
         fmt::print(stderr, "measuring {}\n", printable(step));
 }
 
-Result<void> checkMessages(const gpu::Context& context) {
-    if (context.validationMessages().empty())
-        return {};
-    return makeError(ErrorCode::Unsupported, "the validation layer has {} messages; the first: {}",
-                     context.validationMessages().size(), context.validationMessages().front());
-}
-
 /// Renders the moving pictures at half of the scene's size, unless a size was asked for, and keeps those to show.
 Result<void> addMotion(gpu::Context& context, const ReportOptions& options, measure::SequencePlan plan,
                        ReportScene& scene) {
@@ -262,6 +263,11 @@ Result<void> makeReport(const ReportOptions& options) {
         GLINT_TRY(curve, readCurve(options.curve));
         report.curve = std::move(curve);
     }
+    std::optional<GalleryPlan> gallery;
+    if (!options.pictures.empty()) {
+        GLINT_TRY(read, openGallery(options.pictures, options.output));
+        gallery = std::move(read);
+    }
     std::optional<EarlierReport> earlier;
     if (!options.against.empty()) {
         GLINT_TRY(read, readEarlierReport(options.against));
@@ -269,11 +275,16 @@ Result<void> makeReport(const ReportOptions& options) {
         earlier = std::move(read);
     }
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
+    if (gallery)
+        GLINT_CHECK(renderGalleryPage(*gallery, *context, options.scene, options.picturesSize, options.output,
+                                      options.json == "-" ? stderr : stdout, report));
     for (size_t i = 0; i < scenes.size(); ++i) {
         GLINT_TRY(scene, measureScene(*context, options, scenes[i], plans[i]));
         report.scenes.push_back(std::move(scene));
     }
-    GLINT_CHECK(checkMessages(*context));
+    GLINT_CHECK(render::checkMessages(*context));
+    if (report.gallery)
+        report.gallery->complete = true;
     if (earlier) {
         GLINT_TRY(changes, changesSince(*earlier, report.scenes));
         changes.threshold = options.threshold;
@@ -323,6 +334,10 @@ void addReportCommand(CLI::App& program, Command& chosen) {
         ->add_option("--motion-samples", options->motionSamples,
                      "Samples per pixel, frame and seed of their reference; 0: none")
         ->capture_default_str();
+    command->add_option("--pictures", options->pictures,
+                        "Plan of pictures (JSON) that are rendered first and shown on the page, which fills up "
+                        "meanwhile; they are PNG files beside it");
+    command->add_option("--pictures-size", options->picturesSize, "Their size, WIDTHxHEIGHT (default: the plan's)");
     command->add_option("--curve", options->curve,
                         "Curve of cost against error, to be drawn: the file of glint tune --json");
     command->add_option("--against", options->against,

@@ -48,6 +48,10 @@ PageJson sceneJson(const ReportScene& scene, size_t index) {
     return json;
 }
 
+PageJson deviceJson(const auto& of) {
+    return {{"name", of.device}, {"driver", of.driver}, {"software", of.software}};
+}
+
 } // namespace
 
 std::string scenePictureName(size_t scene, std::string_view picture) {
@@ -63,7 +67,6 @@ std::string framePictureName(size_t scene, size_t config, size_t frame) {
 }
 
 PageJson reportJson(const Report& report) {
-    const measure::Comparison& first = report.scenes.front().comparison;
     PageJson json;
     json["format"] = kReportFormat;
     json["glint"] = fmt::format("{}.{}.{}", GLINT_VERSION_MAJOR, GLINT_VERSION_MINOR, GLINT_VERSION_PATCH);
@@ -71,9 +74,11 @@ PageJson reportJson(const Report& report) {
     if (!report.options.is_null())
         json["options"] = report.options;
     json["machine"] = machineJson();
-    json["device"] = {{"name", first.device}, {"driver", first.driver}, {"software", first.software}};
-    json["clock"] = clockWords(first.software);
+    json["device"] = report.scenes.empty() ? deviceJson(*report.gallery) : deviceJson(report.scenes.front().comparison);
+    json["clock"] = clockWords(json["device"]["software"]);
     json["legends"] = legendsJson();
+    if (report.gallery)
+        json["gallery"] = galleryJson(*report.gallery);
     json["scenes"] = PageJson::array();
     for (size_t i = 0; i < report.scenes.size(); ++i)
         json["scenes"].push_back(sceneJson(report.scenes[i], i));

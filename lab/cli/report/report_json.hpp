@@ -9,12 +9,13 @@ constexpr std::string_view kReportFormat = "glint report 1";
 
 /// {"format", "glint", "command", "options": Report::options, "machine": machineJson, "device", "clock",
 ///  "legends": {"outcome", "source", "hits": [{"name", "color", "meaning"}]},
+///  "gallery": galleryJson,
 ///  "scenes": [comparisonJson and "title", "pictures": {name: picture}; in "configs" also "command", "seeds", "flip"
 ///  and
 ///             "pictures"; "motion": sequenceJson and "path", "strips": [{"frame", "pictures": [by config]}]}],
 ///  "curve": readCurve, "figures": figuresJson, "changes": changesJson}
-/// A picture's name is its key among the images of the page (ReportPictures); `motion`, `curve` and `changes` may be
-/// absent.
+/// A picture's name is its key among the images of the page (ReportPictures); `gallery`, `motion`, `curve` and
+/// `changes` may be absent.
 nlohmann::ordered_json reportJson(const Report& report);
 
 /// reportJson as the text of a file.

@@ -11,6 +11,8 @@ namespace glint::cli {
 namespace {
 
 std::string titleOf(const Report& report) {
+    if (report.gallery)
+        return "Glint: scenes without and with reflections";
     std::string title = "Glint report:";
     for (const ReportScene& scene : report.scenes)
         title += (&scene == &report.scenes.front() ? " " : ", ") + scene.title;

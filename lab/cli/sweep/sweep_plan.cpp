@@ -1,13 +1,10 @@
 #include "lab/cli/sweep/sweep_plan.hpp"
 
 #include "base/text.hpp"
-#include "lab/cli/config_option.hpp"
-
-#include <nlohmann/json.hpp>
+#include "lab/cli/plan_place.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <set>
 #include <span>
@@ -15,85 +12,9 @@
 namespace glint::cli {
 namespace {
 
-using PlanJson = nlohmann::ordered_json;
-
 constexpr int kDeepestPlanSettings = 4;
-constexpr size_t kMostEntries = 100000; ///< of a list
 constexpr uint32_t kMostPlanFrames = 100000;
 constexpr uint32_t kMostPlanSamples = 1 << 20;
-
-/// A value of the plan and its place, for messages: "plan.json: scenes[1].time".
-class PlanPlace {
-public:
-    PlanPlace(const PlanJson& json, std::string name) : json_(json), name_(std::move(name)) {}
-
-    const PlanJson& json() const { return json_; }
-    const std::string& name() const { return name_; }
-    Error wrong(std::string_view expected) const { return says(fmt::format("expected {}", expected)); }
-    /// "plan.json: scenes[1]: TEXT"
-    Error says(std::string_view text) const {
-        return invalidInput("{}{} {}", name_, name_.ends_with(':') ? "" : ":", text);
-    }
-
-    bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
-    /// Requires `has(key)`.
-    PlanPlace at(const char* key) const { return {json_.at(key), fmt::format("{}{}{}", name_, separator(), key)}; }
-    PlanPlace at(size_t index) const { return {json_[index], fmt::format("{}[{}]", name_, index)}; }
-
-    /// The value is an object with no other keys than these.
-    Result<void> checkKeys(std::span<const std::string_view> keys) const {
-        if (!json_.is_object())
-            return wrong("an object");
-        for (const auto& [key, value] : json_.items()) {
-            if (std::ranges::find(keys, key) != keys.end())
-                continue;
-            const std::string_view meant = likelyMeant(key, keys);
-            const std::vector<std::string> known(keys.begin(), keys.end());
-            return says(fmt::format("unknown key '{}'; {}", printable(key),
-                                    meant.empty() ? "there are " + listText(known, " and ")
-                                                  : fmt::format("did you mean '{}'?", meant)));
-        }
-        return {};
-    }
-    Result<std::string> text() const {
-        if (!json_.is_string() || json_.get_ref<const std::string&>().empty())
-            return wrong("a text");
-        return json_.get<std::string>();
-    }
-    Result<bool> flag() const { return json_.is_boolean() ? Result<bool>(json_.get<bool>()) : wrong("true or false"); }
-    Result<double> number(double least, double most) const {
-        if (!json_.is_number() || !(json_.get<double>() >= least && json_.get<double>() <= most))
-            return wrong(fmt::format("a number from {:g} to {:g}", least, most));
-        return json_.get<double>();
-    }
-    Result<uint32_t> count(uint32_t least, uint32_t most) const {
-        const bool whole = json_.is_number() && json_.get<double>() == std::floor(json_.get<double>());
-        if (!whole || !(json_.get<double>() >= least && json_.get<double>() <= most))
-            return wrong(fmt::format("a whole number from {} to {}", least, most));
-        return static_cast<uint32_t>(json_.get<double>());
-    }
-    /// The value is a list with at least one entry.
-    Result<size_t> list() const {
-        if (!json_.is_array() || json_.empty() || json_.size() > kMostEntries)
-            return wrong(fmt::format("a list of 1 to {} entries", kMostEntries));
-        return json_.size();
-    }
-    Result<std::vector<std::string>> texts() const {
-        GLINT_TRY(size, list());
-        std::vector<std::string> result;
-        for (size_t i = 0; i < size; ++i) {
-            GLINT_TRY(one, at(i).text());
-            result.push_back(std::move(one));
-        }
-        return result;
-    }
-
-private:
-    std::string_view separator() const { return name_.ends_with(':') ? " " : "."; }
-
-    const PlanJson& json_;
-    std::string name_;
-};
 
 /// {"screen": {"step": 4}} and {"screen.step": 4} become "screen.step=4".
 Result<void> addPlanSettings(const PlanPlace& place, const std::string& prefix, int depth,
@@ -155,19 +76,10 @@ Result<SweepScene> readScene(const PlanPlace& place) {
     return scene;
 }
 
-/// A text of `--config`. The error's own words name that option.
-Result<render::SettingsRequest> readConfigText(const PlanPlace& place) {
-    GLINT_TRY(text, place.text());
-    auto request = readConfig(text);
-    if (!request)
-        return place.says(request.error().message);
-    return request;
-}
-
 Result<SweepConfig> readSweepConfig(const PlanPlace& place) {
     SweepConfig config;
     if (place.json().is_string()) {
-        GLINT_TRY(request, readConfigText(place));
+        GLINT_TRY(request, place.config());
         config.settings = std::move(request);
         config.name = place.json().get<std::string>();
         return config;
@@ -179,7 +91,7 @@ Result<SweepConfig> readSweepConfig(const PlanPlace& place) {
     GLINT_TRY(name, place.at("name").text());
     config.name = std::move(name);
     if (place.has("config")) {
-        GLINT_TRY(request, readConfigText(place.at("config")));
+        GLINT_TRY(request, place.at("config").config());
         config.settings = std::move(request);
     }
     if (place.has("settings"))
@@ -308,9 +220,7 @@ Result<void> checkNames(const Entries& entries, const std::string& where, std::s
 Result<std::vector<std::string>> readSizes(const PlanPlace& place) {
     GLINT_TRY(sizes, place.texts());
     for (size_t i = 0; i < sizes.size(); ++i) {
-        render::RenderJob job;
-        if (auto read = readSize("", sizes[i], job); !read)
-            return invalidInput("{}:{}", place.at(i).name(), read.error().message);
+        GLINT_CHECK(place.at(i).size());
         if (std::ranges::find(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(i), sizes[i]) !=
             sizes.begin() + static_cast<std::ptrdiff_t>(i))
             return place.at(i).says(fmt::format("the size {} is there twice", printable(sizes[i])));

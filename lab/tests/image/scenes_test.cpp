@@ -49,6 +49,24 @@ glm::dvec3 rayThrough(const render::View& view, const glm::ivec2& px) {
     return glm::normalize(glm::dvec3(point) / point.w - glm::dvec3(view.positionWS()));
 }
 
+TEST_F(ScenesTest, aSettledPictureIsThatOfAsManyFrames) {
+    for (const char* scene : {"builtin:spheres", "builtin:glass"}) { // glass: blended surfaces, drawn over each look
+        render::RenderJob job = makeJob(scene, 160, 90, {"composite"}, {"denoise.enabled=true"});
+        job.statistics = false;
+        job.frames = 30;
+        job.settle = 1;
+        const render::RenderResult settled = run(job);
+        ASSERT_TRUE(settled.settled);
+        EXPECT_LE(settled.settled->error, 1) << scene;
+        EXPECT_LT(settled.settled->frames, 30u) << scene;
+        job.settle = 0;
+        job.frames = settled.settled->frames;
+        const render::RenderResult counted = run(job);
+        EXPECT_FALSE(counted.settled);
+        EXPECT_EQ(counted.views[0].rgba, settled.views[0].rgba) << scene;
+    }
+}
+
 TEST_F(ScenesTest, mirrorBoxesAreReflectedWithinOnePixel) {
     for (const glm::uvec2 size : {glm::uvec2(640, 360), glm::uvec2(1279, 717)}) {
         const render::RenderJob job =

@@ -68,7 +68,13 @@ def pictures(value) -> list[str]:
         name for key, inner in value.items() if key != "pictures" for name in pictures(inner)]
 
 
-def read_page(path: Path) -> dict:
+GALLERY = {"softwareSize": "64x36", "size": "64x36", "settle": 2, "pictures": [
+    {"name": "none", "scene": "builtin:exact", "title": HOSTILE, "config": "screen.enabled=false"},
+    {"name": "fast", "scene": "builtin:exact", "config": "fast"},
+    {"name": "hit", "scene": "builtin:mirror", "view": "outcome"}]}
+
+
+def page_data(path: Path) -> dict:
     text = path.read_text(encoding="utf-8")
     expect("the page is smaller than 15 MB", len(text.encode()) < 15e6, len(text))
     structure = Structure()
@@ -76,7 +82,11 @@ def read_page(path: Path) -> dict:
     structure.close()
     expect("all elements are closed", not structure.open, structure.open)
     expect("ids are unique", len(set(structure.ids)) == len(structure.ids), structure.ids)
-    data = json.loads(structure.data)
+    return json.loads(structure.data)
+
+
+def read_page(path: Path) -> dict:
+    data = page_data(path)
     names = pictures(data["scenes"])
     expect("the page names pictures", len(names) >= 7, names)
     for name in names:
@@ -92,15 +102,34 @@ def glint(run: str, program: str, folder: Path, *arguments: str) -> subprocess.C
     return subprocess.run([run, program, *arguments], cwd=folder, capture_output=True, text=True, timeout=280)
 
 
+def test_gallery(folder: Path, command: list[str]) -> None:
+    """The page is there with its first picture, and complete at the end."""
+    with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        named = process.stdout.readline().strip()
+        expect("the page is named", named == "report.html", named or process.stderr.read())
+        early = page_data(folder / named)["gallery"]
+        rendered = [picture["name"] for picture in early["pictures"] if "width" in picture]
+        expect("it has a picture, and places for all", rendered and len(early["pictures"]) == 3, early)
+        expect("it says that more will come", not early["complete"], early)
+        expect("that picture is there", (folder / f"{rendered[0]}.png").read_bytes()[:4] == b"\x89PNG")
+        errors = process.communicate(timeout=280)[1]
+    expect("a report is made", process.returncode == 0, errors)
+    gallery = page_data(folder / "report.html")["gallery"]
+    expect("all pictures are rendered", gallery["complete"] and all(picture["width"] == 64 for picture in gallery["pictures"]),
+           gallery)
+    for picture in gallery["pictures"]:
+        expect("and are files", (folder / f"{picture['name']}.png").is_file(), picture)
+
+
 def test_page(folder: Path, run: str, program: str) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     (folder / "curve.json").write_text(json.dumps(CURVE))
+    (folder / "pictures.json").write_text(json.dumps(GALLERY))
     report = ["report", "builtin:exact", "--size", "160x90", "--config", "fast", "--config", "babylon+screen.step=8",
               "--reference", "screen.march=linear", "--frames", "2", "--motion-frames", "4", "--motion-samples", "0",
               "--curve", "curve.json", "--validate"]
-    made = glint(run, program, folder, *report, "-o", "report.html", "--json", "report.json")
-    expect("a report is made", made.returncode == 0, made.stderr)
+    test_gallery(folder, [run, program, *report, "-o", "report.html", "--json", "report.json", "--pictures", "pictures.json"])
     data = read_page(folder / "report.html")
     values = json.loads((folder / "report.json").read_text())
     expect("the JSON has the page's figures", values["figures"] == data["figures"] and "images" not in values)
@@ -263,6 +292,19 @@ def test_choice(page: browser.Browser) -> None:
     expect("maps of other settings", "babylon" in page.value(maps), page.value(maps))
 
 
+def test_pictures(page: browser.Browser) -> None:
+    """The pictures beside the page: two under one line, the third below."""
+    broken = page.value("[...document.images].filter(i => !i.complete || !i.naturalWidth || !i.alt).map(i => i.src)")
+    expect("pictures beside the page are whole", broken == [], broken)
+    expect("controls have names", page.value(NAMELESS) == [], page.value(NAMELESS))
+    right = "document.querySelector('.split .layer img').src"
+    expect("the second is on the right", page.value(right).endswith("/fast.png"), page.value(right))
+    pressed = "[...document.querySelectorAll('button[aria-pressed=true]')].map(b => b.textContent)"
+    expect("its button says so", page.value(pressed) == ["fast"], page.value(pressed))
+    expect("the third is below", page.value("document.querySelector('.grid img').src").endswith("/hit.png"))
+    expect("a title stays text", page.value("window.hurt") is None)
+
+
 def test_browser(folder: Path) -> None:
     with browser.Browser(browser.find_or_skip()) as page:
         for width, height, dark in ((1280, 900, False), (400, 800, True)):
@@ -284,6 +326,10 @@ def test_browser(folder: Path) -> None:
         page.open(folder / "loose.html", 1280, 900)
         shown = page.value("document.querySelector('.detail h4').textContent")
         expect("a curve opens on the search's choice", shown.endswith(", chosen"), shown)
+        page.open(folder / "report.html", 400, 800)
+        scroll = page.value("document.documentElement.scrollWidth")
+        expect("nothing of the pictures is cut off", scroll <= 400, scroll)
+        test_pictures(page)
         page.open(folder / "compare.html", 1280, 900)
         expect("a comparison is a page, too", page.value("document.querySelectorAll('h2').length") >= 5)
         messages = page.messages()

@@ -155,18 +155,18 @@ def test_browser(folder: Path) -> None:
             expect("another error is chosen", "mirrors" in page.value(chart), page.value(chart))
             front = page.value("[...document.querySelectorAll('tbody tr')].map(row => row.children[2].textContent)")
             expect("the table says which settings are on the front", "yes" in front, front)
-        # Two at one place, a third beside them, and one far away.
-        placed = page.value("""(() => {
-            const row = (config, cost, error) => ({config, figures: {"cost.floors": {mean: cost}, "error.flip": {mean: error}}});
-            const chart = scatterChart([row("a", 10, 0.1), row("b", 10, 0.1), row("c", 10.05, 0.1), row("d", 90, 0.9)],
-                                       "cost.floors", "error.flip");
-            return [...chart.querySelectorAll("g")].map(g => [+g.querySelector("circle").getAttribute("cx"),
-                +g.querySelector("circle").getAttribute("cy"), g.getAttribute("aria-label"), g.querySelectorAll("line").length]); })()""")
-        near = [(a, b) for a in placed for b in placed if a[2] < b[2] and math.hypot(a[0] - b[0], a[1] - b[1]) < 15]
-        expect("no letter covers another", len(placed) == 4 and not near, placed)
-        expect("lines lead to the places of those moved", [mark[3] for mark in placed] == [0, 1, 1, 0], placed)
-        expect("marks say how many share a place", ["at the place of 1 more" in mark[2] for mark in placed]
-               == [True, True, False, False], placed)
+            # Two at one place, a third beside them, and one far away.
+            placed = page.value("""(() => {
+                const row = (config, cost, error) => ({config, figures: {"cost.floors": {mean: cost}, "error.flip": {mean: error}}});
+                const chart = scatterChart([row("a", 10, 0.1), row("b", 10, 0.1), row("c", 10.05, 0.1), row("d", 90, 0.9)],
+                                           "cost.floors", "error.flip");
+                return [...chart.querySelectorAll("g")].map(g => [+g.querySelector("circle").getAttribute("cx"),
+                    +g.querySelector("circle").getAttribute("cy"), g.getAttribute("aria-label"), g.querySelectorAll("line").length]); })()""")
+            near = [(a, b) for a in placed for b in placed if a[2] < b[2] and math.hypot(a[0] - b[0], a[1] - b[1]) < 15]
+            expect("no letter covers another", len(placed) == 4 and not near, placed)
+            expect("lines lead to the places of those moved", [mark[3] for mark in placed] == [0, 1, 1, 0], placed)
+            expect("marks say how many share a place", ["at the place of 1 more" in mark[2] for mark in placed]
+                   == [True, True, False, False], placed)
         expect("the console shows nothing", page.messages() == [], page.messages())
 
 

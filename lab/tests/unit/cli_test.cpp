@@ -197,6 +197,8 @@ TEST_F(CliTest, BadArgumentsEndWithTwoAndOneLine) {
         {{"--time", "soon"}, "--time"},
         {{"--frames", "0"}, "--frames 0: expected 1 to"},
         {{"--frames", "-1"}, "--frames -1: expected 1 to"},
+        {{"--settle", "-1"}, "--settle -1: expected 0 to 255"},
+        {{"--settle", "nan"}, "--settle nan: expected 0 to 255"},
         {{"--seed", "x"}, "--seed"},
         {{"--view", "outcomes"}, "did you mean 'outcome'?"},
         {{"--view", ""}, "--view"},
@@ -215,6 +217,22 @@ TEST_F(CliTest, BadArgumentsEndWithTwoAndOneLine) {
     }
     expectError(runRender({"-o", folder_ + "a.jpg"}), kBadInput, "must end in .png or .exr");
     expectError(runRender({"-o", folder_ + "none/a.png"}), kBadInput, "there is no folder");
+}
+
+TEST_F(CliTest, RenderSettlesWithinTheFramesOfTheHistory) {
+    const auto frames = [&](std::vector<std::string> more) {
+        more.insert(more.end(), {"-o", folder_ + "a.png"});
+        const Ended ended = runRender(more);
+        EXPECT_EQ(ended.code, kDone) << ended.error;
+        return job_->frames;
+    };
+    EXPECT_EQ(frames({}), 30u);
+    EXPECT_EQ(job_->settle, 0);
+    EXPECT_EQ(frames({"--settle", "0.5"}), 30u);
+    EXPECT_EQ(job_->settle, 0.5);
+    EXPECT_EQ(frames({"--settle", "0.5", "--frames", "12"}), 12u);
+    EXPECT_EQ(frames({"--settle", "0.5", "--preset", "reference"}), 1024u) << "a mean over frames without end";
+    EXPECT_EQ(frames({"--preset", "reference"}), 1u);
 }
 
 TEST_F(CliTest, InspectPrintsThePixelsRay) {
@@ -331,6 +349,8 @@ TEST_F(CliTest, ReportFindsBadArgumentsBeforeAnyWork) {
         {{"-o", page, "--time-threshold", "-1"}, "--time-threshold -1"},
         {{"-o", page, "--curve", folder_ + "none.json"}, "--curve"},
         {{"-o", page, "--against", folder_ + "none.json"}, "--against"},
+        {{"-o", page, "--pictures", folder_ + "none.json"}, "none.json"},
+        {{"-o", page, "--pictures-size", "0x0"}, "--pictures-size 0x0"},
         {{"-o", page, "--set", "screen.step=0"}, "out of range"},
     };
     for (auto [arguments, part] : cases) {

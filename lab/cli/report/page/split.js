@@ -18,10 +18,11 @@ function pictureSelect(pictures, chosen, change) {
   return select;
 }
 
-/** Two images and a line between them that can be dragged, or moved with the arrow keys. */
-function splitView(data, scene) {
-  const pictures = scenePictures(scene);
-  const sides = [pictures[0], pictures.find(picture => picture.name === scene.configs[0].pictures.composite)];
+/**
+ * Two images and a line between them that can be dragged, or moved with the arrow keys.
+ * `pictures`  [{group, label, name}];  `sides`  the two of them to begin with;  `shown(sides)` is called when they change
+ */
+function splitView(data, pictures, sides, shown = () => {}) {
   const images = sides.map(side => image(data, side.name, side.label));
   const tags = sides.map((side, i) => h("span", {class: i ? "tag at-right" : "tag at-left"}, side.label));
   const line = h("div", {class: "line", role: "slider", tabindex: 0, "aria-valuemin": 0, "aria-valuemax": 100,
@@ -44,6 +45,7 @@ function splitView(data, scene) {
     images[side].alt = picture.label;
     tags[side].textContent = picture.label;
     moveLine(at);
+    shown(sides);
   };
   const lineTo = event => moveLine(100 * (event.clientX - view.getBoundingClientRect().left) / view.clientWidth);
   onDrag(line, view, event => { event.stopPropagation(); return true; }, (dx, dy, event) => lineTo(event));

@@ -40,10 +40,14 @@ function scatterChart(rows, cost, error) {
   if (!across || !up) return h("p", {class: "dim"}, `${errors[error]}: no row has both a cost and an error above 0.`);
   const x = row => left + across.at(meanOf(row, cost)) * (right - left), y = row => bottom - up.at(meanOf(row, error)) * (bottom - top);
   const front = frontOf(shown, cost, error);
+  // Rows whose words say the same: a fact about the figures, at any width of the window.
+  const place = row => [cost, error].map(figure => digits(meanOf(row, figure))).join();
+  const atPlace = new Map();
+  for (const row of shown) atPlace.set(place(row), (atPlace.get(place(row)) || 0) + 1);
   const places = rows.length <= mostLetters ? apart(shown.map(row => [x(row), y(row)]), (left + right) / 2) : [];
   const marks = shown.map((row, i) => {
     const index = rows.indexOf(row);
-    const others = shown.filter(other => other !== row && Math.hypot(x(other) - x(row), y(other) - y(row)) < 1).length;
+    const others = atPlace.get(place(row)) - 1;
     const words = `${row.config}: ${costs[cost]} ${digits(meanOf(row, cost))}, ${errors[error]} ${digits(meanOf(row, error))}`
       + (front.includes(row) ? ", on the front" : "") + (others ? `, at the place of ${others} more` : "");
     if (rows.length <= mostLetters) {
