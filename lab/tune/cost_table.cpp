@@ -13,7 +13,7 @@
 namespace glint::tune {
 namespace {
 
-using Json = nlohmann::json;
+using CostJson = nlohmann::json;
 
 /// By blur.quality (src/reflect/denoise/denoise.cpp).
 constexpr std::array kBlurTaps = {9, 21, 41};
@@ -90,8 +90,8 @@ constexpr std::array kUnits = {
     CostUnit{"triangles", "triangles of the scene", [](const FrameWork& work) { return work.triangles / work.pixels; }},
 };
 
-/// Throws Json::exception for another form; empty for an unknown unit or a cost below 0.
-std::optional<CostRow> readRow(const Json& json) {
+/// Throws CostJson::exception for another form; empty for an unknown unit or a cost below 0.
+std::optional<CostRow> readRow(const CostJson& json) {
     const auto unit = std::ranges::find(kUnits, json.at("unit").get<std::string>(), &CostUnit::name);
     const double floors = json.at("floors").get<double>();
     if (unit == kUnits.end() || !(floors >= 0))
@@ -132,32 +132,32 @@ const CostTable& costTable() {
 Result<CostTable> readCosts(std::string_view text, std::string_view file) {
     CostTable table;
     try {
-        const Json json = Json::parse(text);
+        const CostJson json = CostJson::parse(text);
         table.measured = json.at("measured").get<std::string>();
         table.notCounted = json.at("notCounted").get<std::vector<std::string>>();
         table.otherPass = json.at("otherPass").get<double>();
-        for (const Json& each : json.at("rows")) {
+        for (const CostJson& each : json.at("rows")) {
             std::optional<CostRow> row = readRow(each);
             if (!row)
                 return invalidInput("{}: {}: no such unit, or a cost below 0", printable(file), printable(each.dump()));
             table.rows.push_back(*std::move(row));
         }
-    } catch (const Json::exception&) {
+    } catch (const CostJson::exception&) {
         return invalidInput("{}: no table of costs, as bench/costs.json is", printable(file));
     }
     return table;
 }
 
 std::string costsText(const CostTable& table) {
-    std::string text = fmt::format("{{\n \"measured\": {},\n \"notCounted\": [", Json(table.measured).dump());
+    std::string text = fmt::format("{{\n \"measured\": {},\n \"notCounted\": [", CostJson(table.measured).dump());
     for (size_t i = 0; i < table.notCounted.size(); ++i)
-        text += fmt::format("{}{}", i > 0 ? ", " : "", Json(table.notCounted[i]).dump());
+        text += fmt::format("{}{}", i > 0 ? ", " : "", CostJson(table.notCounted[i]).dump());
     text += fmt::format("],\n \"otherPass\": {},\n \"rows\": [\n", table.otherPass);
     for (size_t i = 0; i < table.rows.size(); ++i) {
         const CostRow& row = table.rows[i];
-        text += fmt::format("  {{\"pass\": {}, \"unit\": \"{}\", \"floors\": {}", Json(row.pass).dump(), row.unit->name,
-                            row.floors);
-        text += row.note.empty() ? "" : fmt::format(", \"note\": {}", Json(row.note).dump());
+        text += fmt::format("  {{\"pass\": {}, \"unit\": \"{}\", \"floors\": {}", CostJson(row.pass).dump(),
+                            row.unit->name, row.floors);
+        text += row.note.empty() ? "" : fmt::format(", \"note\": {}", CostJson(row.note).dump());
         text += i + 1 < table.rows.size() ? "},\n" : "}\n";
     }
     return text + " ]\n}\n";

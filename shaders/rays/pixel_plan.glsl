@@ -2,7 +2,7 @@
 #ifndef GLINT_RAYS_PIXEL_PLAN_GLSL
 #define GLINT_RAYS_PIXEL_PLAN_GLSL
 
-#include "denoise/lobe_history.glsl"
+#include "denoise/history.glsl"
 #include "lib/mirrored.glsl"
 #include "rays/after_screen.glsl"
 #include "rays/light_sampling.glsl"
@@ -23,7 +23,7 @@ bool startsOnScreen(bool mirror, RayRecord screen) {
 /// Frames in the mean that the denoiser will join this pixel's answer to: those of the mean that the previous frame left
 /// here. In motion the mean comes from some pixels away, where it is as long unless there is an edge between them.
 float framesBefore(PixelRays from) {
-    if (!hasLobeHistory())
+    if (!hasDenoiserHistory())
         return 0.0;
     float frames = texelFetch(metaBefore, ivec2(from.uv * frame.constants.prevSize), 0).x;
     if (frames <= 1.0 && isMirror(from.perceptualRoughness))

@@ -47,7 +47,7 @@ public:
     }
 
     /// Decides which stages frames have.
-    void plan(const PlanInputs& inputs) { wanted_ = {isWanted<Stages>(inputs)...}; }
+    void plan(const PlanInputs& inputs) { wanted_ = {wanted<Stages>(inputs)...}; }
 
     /// Creates the wanted stages that do not exist, and makes what the settings need. `made` is called with each; it
     /// returns a Result. Errors: those of the stages.
@@ -100,7 +100,7 @@ public:
 
 private:
     template <class Stage>
-    static bool isWanted(const PlanInputs& inputs) {
+    static bool wanted(const PlanInputs& inputs) {
         if constexpr (requires { Stage::wanted(inputs); })
             return Stage::wanted(inputs);
         else

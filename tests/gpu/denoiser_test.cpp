@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace glint::test {
-namespace lobe_denoise_test {
+namespace denoiser_test {
 
 constexpr uint32_t kWidth = 80;
 constexpr uint32_t kHeight = 48;
@@ -617,5 +617,5 @@ TEST_F(DenoiserTest, anAdaptiveRateFallsWhereThePictureHasSettled) {
     EXPECT_NEAR(rays(roughFloor(0.3f), 6, 0), 0.5, 0.2) << "with less noise, on lobes narrower than eight pixels";
 }
 
-} // namespace lobe_denoise_test
+} // namespace denoiser_test
 } // namespace glint::test

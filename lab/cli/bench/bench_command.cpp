@@ -170,7 +170,7 @@ Result<void> benchCosts(const BenchOptions& options) {
     GLINT_TRY(scenes, makeScenes(options, false));
     GLINT_CHECK(checkOutput(options, "--costs"));
     GLINT_TRY(context, gpu::Context::create({options.scene.device, options.scene.validate}));
-    GLINT_TRY(result, measureCostTable(*context, scenes, plan, showProgress));
+    GLINT_TRY(result, measureCostTable(*context, scenes, plan, showPoint));
     const std::string json = tune::costsText(result.table);
     GLINT_CHECK(show(options, *context, options.costs == "-" ? json : costsBenchText(result), json));
     return options.costs == "-" ? Result<void>() : writeFile(options.costs, json);

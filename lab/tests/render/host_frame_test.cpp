@@ -48,6 +48,7 @@ public:
     Result<bool> setMaterials(const scene::MaterialOverrides&, Reflections&) override { return fixed("materials"); }
     Result<std::unique_ptr<render::HostFrame>> remade(Context&) override { return fixed("device"); }
 
+    bool drawsAlike() const override { return true; }
     Result<void> draw(gpu::Frame&, VkCommandBuffer, uint32_t) override { return {}; }
     render::GBuffer& gbuffer() override { return gbuffer_; }
     GBuffer lend(gpu::Frame& frame) override { return render::lendGBuffer(frame, gbuffer_); }

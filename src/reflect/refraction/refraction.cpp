@@ -55,9 +55,12 @@ shared::RefractionConstants refractionConstants(const Settings& settings, bool p
     return constants;
 }
 
-Result<std::unique_ptr<Refraction>> Refraction::create(gpu::Context& context, uint32_t width, uint32_t height,
-                                                       bool views) {
-    constexpr uint32_t kSampled = 19; // in the largest pass
+Result<std::unique_ptr<Refraction>> Refraction::create(StageContext& stages) {
+    gpu::Context& context = stages.gpu;
+    const uint32_t width = stages.width();
+    const uint32_t height = stages.height();
+    const bool views = stages.desc.views; // which show what layers wrote
+    constexpr uint32_t kSampled = 19;     // in the largest pass
     VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
     context.api().GetPhysicalDeviceProperties2(context.physicalDevice(), &properties);
     const VkPhysicalDeviceLimits& limits = properties.properties.limits;

@@ -87,7 +87,7 @@ void TransparentTrace::record(gpu::Frame& frame, const StageInputs& stage) {
                      .previous = previous,
                      .probes = inputs.probes,
                      .conePicture = nullptr},
-                    out);
+                    stage.target);
     };
     frame.scope("trace/transparents", [&] { frame.untimed(recordPasses); });
 }
