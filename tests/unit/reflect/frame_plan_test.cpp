@@ -103,7 +103,7 @@ TEST(FramePlan, everyPresetHasItsPasses) {
     const Names hiz = {"pyramid", "backFaces", "backFacesInPlace"};
     const Names denoised = all(hiz, {"denoise", "keepsRecord", "findsChange"});
     const std::map<std::string_view, Names> expected = {
-        {"babylon", all(anyScreen, {"classifiesEarly", "blur", "keepsRecord"}, "sky")},
+        {"babylon", all(anyScreen, {"classifiesEarly", "blur", "keepsRecord", "pyramid"}, "sky")},
         {"balanced", all(anyScreen, all(denoised, {"followsPlaces", "ratesRays"}))},
         {"compute-ssr", all(anyScreen, {"keepsRecord", "upsample"}, "sky")},
         {"fast", all(anyScreen, {"keepsRecord", "upsample", "pyramid", "cones"})},
