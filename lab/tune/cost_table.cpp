@@ -15,7 +15,7 @@ namespace {
 
 using CostJson = nlohmann::json;
 
-/// By blur.quality (src/reflect/denoise/denoise.cpp).
+/// By blur.quality (src/reflect/resolve/screen_resolve.cpp).
 constexpr std::array kBlurTaps = {9, 21, 41};
 
 double square(double x) {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace glint::test {
-namespace denoise_test {
+namespace screen_resolve_test {
 
 constexpr uint32_t kWidth = 121;
 constexpr uint32_t kHeight = 67;
@@ -463,5 +463,5 @@ TEST_F(ScreenResolveTest, theFormatMayChangeBetweenFrames) {
     EXPECT_EQ(trace(made, view).composite, first.composite);
 }
 
-} // namespace denoise_test
+} // namespace screen_resolve_test
 } // namespace glint::test
