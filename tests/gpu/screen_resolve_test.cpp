@@ -348,7 +348,8 @@ TEST_F(ScreenResolveTest, noPassRunsWhereNoneIsAskedFor) {
         EXPECT_FALSE(pass.name.starts_with("resolve/") || pass.name.starts_with("denoise/")) << pass.name;
 }
 
-/// It reads and writes every pixel, those without a ray, too, and also where no view keeps the rays' answers.
+/// It reads and writes every pixel, those without a ray, too, and also where no view keeps the rays' answers. With
+/// views the reflections are rounded to halves before they replace the host's, without them not.
 TEST_F(ScreenResolveTest, itSeesEveryPixelWithoutViews) {
     const SyntheticCamera camera;
     const SyntheticGBuffer host = SyntheticGBuffer::render(gpu(), twoColours(0.25f), camera, kWidth, kHeight);
@@ -368,7 +369,9 @@ TEST_F(ScreenResolveTest, itSeesEveryPixelWithoutViews) {
     for (const Settings& settings : {blurred, coarse, smaller}) {
         const std::vector<float> shown = picture(settings, true);
         EXPECT_NE(shown, picture(plainSettings(), true));
-        EXPECT_EQ(picture(settings, false), shown);
+        const std::vector<float> shipped = picture(settings, false);
+        for (size_t i = 0; i < shown.size(); ++i)
+            ASSERT_NEAR(shipped[i], shown[i], 4e-3 * std::max(shown[i], 1.0f)) << i / 4;
         Settings none = settings;
         none.reflect.threshold = 1; // no pixel sends a ray
         EXPECT_EQ(picture(none, false), picture(none, true));
