@@ -73,7 +73,7 @@ TEST(Gallery, ErrorsSayWhere) {
               "plan.json: pictures[1].name: expected letters, digits, - and _, at most 60");
     EXPECT_EQ(errorOf([](PlanJson& json) { json["pictures"][1]["name"] = "none"; }),
               "plan.json: pictures[1]: the name 'none' is there twice");
-    EXPECT_NE(errorOf([](PlanJson& json) { json["pictures"][0]["sceen"] = "a"; }).find("did you mean 'scene'?"),
+    EXPECT_NE(errorOf([](PlanJson& json) { json["pictures"][0]["scen"] = "a"; }).find("did you mean 'scene'?"),
               std::string::npos);
     EXPECT_NE(errorOf([](PlanJson& json) { json["pictures"][0]["config"] = "slow"; }).find("pictures[0].config:"),
               std::string::npos);
