@@ -54,10 +54,10 @@ TEST_F(ScenesTest, aSettledPictureIsThatOfAsManyFrames) {
         render::RenderJob job = makeJob(scene, 160, 90, {"composite"}, {"denoise.enabled=true"});
         job.statistics = false;
         job.frames = 30;
-        job.settle = 1;
+        job.settle = 6; // few pixels with much noise have most of it
         const render::RenderResult settled = run(job);
         ASSERT_TRUE(settled.settled);
-        EXPECT_LE(settled.settled->error, 1) << scene;
+        EXPECT_LE(settled.settled->error, 6) << scene;
         EXPECT_LT(settled.settled->frames, 30u) << scene;
         job.settle = 0;
         job.frames = settled.settled->frames;
