@@ -11,7 +11,7 @@
 #include <map>
 
 namespace glint::test {
-namespace {
+namespace pass_table_test {
 
 constexpr std::array<glm::uvec2, 2> kSizes = {glm::uvec2(64, 64), glm::uvec2(128, 128)};
 constexpr const char* kPage = GLINT_SOURCE_DIR "/docs/passes.md";
@@ -233,5 +233,5 @@ TEST_F(PassTableTest, TheCommittedPageIsWhatFramesRecord) {
     EXPECT_EQ(must(readFile(kPage, 1 << 20)), table.page()) << "run: GLINT_UPDATE_PAGES=1 scripts/test -R '^PassTable'";
 }
 
-} // namespace
+} // namespace pass_table_test
 } // namespace glint::test

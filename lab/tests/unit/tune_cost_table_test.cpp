@@ -10,7 +10,7 @@
 #include <sstream>
 
 namespace glint::tune {
-namespace {
+namespace tune_cost_table_test {
 
 std::string fileText() {
     const auto text = readFile(GLINT_SOURCE_DIR "/bench/costs.json", 1 << 20);
@@ -112,5 +112,5 @@ TEST_F(TuneCostFit, FitsTheOthersWhereAUnitDidNotOccur) {
     EXPECT_NEAR(fitted[1].floors, 2, 0.01);
 }
 
-} // namespace
+} // namespace tune_cost_table_test
 } // namespace glint::tune
