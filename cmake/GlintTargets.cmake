@@ -4,6 +4,7 @@ add_library(glint_warnings INTERFACE)
 target_compile_options(glint_warnings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
     -Wno-missing-field-initializers # Vulkan structs are named by their type and filled in field by field
+    $<$<BOOL:${GLINT_UNITY}>:-Wno-subobject-linkage> # a source's own types, seen from the file that includes it
     $<$<BOOL:${GLINT_WERROR}>:-Werror>)
 target_compile_definitions(glint_warnings INTERFACE $<$<BOOL:${GLINT_ASSERTS}>:GLINT_ASSERTS=1>)
 

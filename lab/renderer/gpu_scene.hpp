@@ -1,10 +1,10 @@
 // A posed scene on the GPU: vertices, indices, materials, textures, and the draw list.
 #pragma once
 
-#include "gpu/resources.hpp"
 #include "gpu/pass.hpp"
-#include "lab/renderer/gpu_materials.hpp"
+#include "gpu/resources.hpp"
 #include "lab/renderer/body_shape.hpp"
+#include "lab/renderer/gpu_materials.hpp"
 #include "lab/scene/pose.hpp"
 #include "shared/gpu_scene.h"
 

@@ -1,5 +1,5 @@
-// The fields of a material that a user may override (lab/scene/material_overrides.hpp): one table for the file's reader and
-// writer and for the viewer's panel. docs/materials.md describes the same fields; a test compares the names.
+// The fields of a material that a user may override (lab/scene/material_overrides.hpp): one table for the file's reader
+// and writer and for the viewer's panel. docs/materials.md describes the same fields; a test compares the names.
 #pragma once
 
 #include "lab/scene/scene.hpp"

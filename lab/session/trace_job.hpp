@@ -23,7 +23,8 @@ struct TraceJob {
     RenderJob picture;
     std::string color;        ///< file of the lit picture; empty: the G-buffer's file
     bool asksForRays = false; ///< the user named rays, of which a note says that a G-buffer has none
-    std::string mapping;      ///< a preset or a file (lab/gbuffer_files/gbuffer_mapping.hpp); empty: the preset that fits the file
+    std::string
+        mapping; ///< a preset or a file (lab/gbuffer_files/gbuffer_mapping.hpp); empty: the preset that fits the file
 };
 
 /// What the files of a job contain, decoded.

@@ -14,8 +14,9 @@ void addViewCommand(CLI::App& program, cli::Command& chosen) {
     command->add_option("--screenshot", options->screenshot,
                         "Write the window as .png after --frames frames, then close it");
     command->add_option("--script", options->script, "A file of keys and clicks to do (docs/viewer.md)");
-    command->add_option("--shaders", options->shaders,
-                        "A folder of Glint's sources: what changes in its shaders is compiled and shown (for developers)");
+    command->add_option(
+        "--shaders", options->shaders,
+        "A folder of Glint's sources: what changes in its shaders is compiled and shown (for developers)");
     command->callback([&chosen, options] { chosen = [options] { return runViewer(*options); }; });
 }
 

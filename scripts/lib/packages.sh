@@ -11,6 +11,10 @@ build_packages=(
     libgtest-dev libgmock-dev libbenchmark-dev xvfb xdotool
 )
 
+# What some tests need, where the system has it: a browser for the pages of reports and sweeps, a job scheduler for
+# sweeps. Tests without theirs are skipped, and scripts/test says so at its end.
+test_packages=(chromium-headless-shell slurmctld slurmd slurm-client munge)
+
 # Prints those of the named packages that are not installed.
 missing_packages() {
     local installed name
@@ -22,6 +26,14 @@ has_candidate() { [[ $(LC_ALL=C apt-cache policy "$1") =~ Candidate:\ [^\(] ]]; 
 
 as_root() {
     if [[ $EUID == 0 ]]; then "$@"; else sudo -n "$@"; fi
+}
+
+# packaged NAMES...: prints those of the named packages that this machine's apt sources have, or that are installed.
+packaged() {
+    local name
+    for name in "$@"; do
+        [[ -n $(missing_packages "$name") ]] && ! has_candidate "$name" || echo "$name"
+    done
 }
 
 # install_packages NAMES...: installs what is missing of them, without a question.

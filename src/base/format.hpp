@@ -1,5 +1,5 @@
-// Text with values in it: fmt's format strings, checked by the compiler. fmt's code is compiled once, in format.cpp, so that
-// files that format a message do not each compile it, and a host of the static library needs no fmt.
+// Text with values in it: fmt's format strings, checked by the compiler. fmt's code is compiled once, in format.cpp, so
+// that files that format a message do not each compile it, and a host of the static library needs no fmt.
 #pragma once
 
 #include <fmt/core.h>

@@ -98,8 +98,6 @@ protected:
 };
 
 TEST_P(EdgeTest, creasesRunBetweenThePixels) {
-    if (!technique().walks)
-        GTEST_SKIP() << "one lookup for each ray";
     const SyntheticCamera camera;
     for (const bool ridge : {true, false}) {
         TwoFaces scene;
@@ -118,9 +116,10 @@ TEST_P(EdgeTest, creasesRunBetweenThePixels) {
     }
 }
 
-TEST_P(EdgeTest, raysMeetASurfaceUpToWhereTheyLeaveItsPixel) {
-    if (technique().march != March::Hiz && technique().march != March::Linear)
-        GTEST_SKIP() << "its steps are coarser than a pixel";
+/// For marchers whose steps are no coarser than a pixel.
+class FineEdgeTest : public EdgeTest {};
+
+TEST_P(FineEdgeTest, raysMeetASurfaceUpToWhereTheyLeaveItsPixel) {
     const SyntheticCamera camera;
     const Picture picture = trace(floorAndPlate, camera, kWidth, kHeight, plainSettings(technique().march));
     size_t ends = 0; // in the last pixel on the ray's way that shows the plate
@@ -143,7 +142,14 @@ TEST_P(EdgeTest, raysMeetASurfaceUpToWhereTheyLeaveItsPixel) {
     EXPECT_LE(missed * 10, ends) << missed << " of " << ends;
 }
 
-INSTANTIATE_TEST_SUITE_P(Registry, EdgeTest, testing::Range<size_t>(0, reflect::techniques().size()),
+INSTANTIATE_TEST_SUITE_P(Registry, EdgeTest, testing::ValuesIn(techniquesWith([](const reflect::Technique& technique) {
+                             return technique.walks;
+                         })),
+                         [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
+INSTANTIATE_TEST_SUITE_P(Registry, FineEdgeTest,
+                         testing::ValuesIn(techniquesWith([](const reflect::Technique& technique) {
+                             return technique.march == March::Hiz || technique.march == March::Linear;
+                         })),
                          [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
 
 } // namespace edge_test

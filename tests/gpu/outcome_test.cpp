@@ -84,6 +84,9 @@ protected:
     }
 };
 
+/// For marchers that sample depths along the whole ray.
+class WalkingOutcomeTest : public OutcomeTest {};
+
 TEST_P(OutcomeTest, hit) {
     const SyntheticCamera camera;
     const Stage scene = floorAndWall();
@@ -120,9 +123,7 @@ TEST_P(OutcomeTest, offScreen) {
     }
 }
 
-TEST_P(OutcomeTest, skyAndMaxDistance) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it ends at the volume, or not at all";
+TEST_P(WalkingOutcomeTest, skyAndMaxDistance) {
     Stage scene;
     scene.floorEndZ = -1;
     for (const float length : {0.8f, 1000.0f}) { // cut short, or so long that rays end at their vanishing points
@@ -169,9 +170,7 @@ std::optional<SyntheticSurface> ballOverFloor(const glm::dvec3& origin, const gl
     return toFloor < 50 ? std::optional(hit) : std::nullopt;
 }
 
-TEST_P(OutcomeTest, roundThingsEndAtTheirRim) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it compares no depths along the way";
+TEST_P(WalkingOutcomeTest, roundThingsEndAtTheirRim) {
     const SyntheticCamera camera;
     for (const auto& [thickness, lean] : {std::pair(0.0f, 0.0), std::pair(0.3f, 0.0), std::pair(0.3f, 0.3)}) {
         // The normals at the rim of coarse meshes, interpolated, lean away from the eye.
@@ -218,12 +217,10 @@ TEST_P(OutcomeTest, behindCamera) {
               100u);
 }
 
-TEST_P(OutcomeTest, outOfSteps) {
+TEST_P(WalkingOutcomeTest, outOfSteps) {
     const SyntheticCamera camera;
     const Stage scene = floorAndWall();
     Settings changed = settings();
-    if (!technique().walks)
-        GTEST_SKIP() << "it takes no steps";
     if (!technique().canRunOut) { // its steps are spread over the whole ray, however few there are
         changed.adaptive.steps = 1;
         changed.adaptive.pixelSpacing = 64;
@@ -246,9 +243,7 @@ TEST_P(OutcomeTest, outOfSteps) {
               500u);
 }
 
-TEST_P(OutcomeTest, hiddenAndTooThick) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it does not look at what is on the way";
+TEST_P(WalkingOutcomeTest, hiddenAndTooThick) {
     // A card floats before the rays' ends; the gap decides. Rays begin behind the card and never cross it.
     const SyntheticCamera camera;
     Settings changed = settings();
@@ -297,9 +292,7 @@ TEST_P(OutcomeTest, hiddenAndTooThick) {
     }
 }
 
-TEST_P(OutcomeTest, backFace) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it does not look at what is on the way";
+TEST_P(WalkingOutcomeTest, backFace) {
     // A card floats before a mirror: rays that return towards the camera enter its slab from behind. They come about
     // 0.2 metres nearer per pixel.
     SyntheticCamera camera;
@@ -341,9 +334,7 @@ std::optional<glm::dvec3> crossesUnseen(const Stage& scene, const SyntheticCamer
     return crossing;
 }
 
-TEST_P(OutcomeTest, aWallBehindAnOccluderIsInferred) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it does not look at what is on the way";
+TEST_P(WalkingOutcomeTest, aWallBehindAnOccluderIsInferred) {
     const SyntheticCamera camera;
     const Stage scene = wallBehindCard();
     for (const float weight : {1.0f, 0.25f, 0.0f}) {
@@ -379,9 +370,7 @@ TEST_P(OutcomeTest, aWallBehindAnOccluderIsInferred) {
     }
 }
 
-TEST_P(OutcomeTest, theSurfaceCrossedFirstIsInferred) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it does not look at what is on the way";
+TEST_P(WalkingOutcomeTest, theSurfaceCrossedFirstIsInferred) {
     // Behind the card the ray crosses a low wall, which shows under the card, and then a high one, which shows above
     // it.
     const SyntheticCamera camera;
@@ -432,9 +421,7 @@ TEST_P(OutcomeTest, nothingIsInferredWhereNoSurfaceShowsBesideTheOccluder) {
     EXPECT_EQ(show(scene, camera, changed).counted("inferred"), 0u) << "no pixel shows it";
 }
 
-TEST_P(OutcomeTest, aWallThatLeavesTheScreenIsInferredCloseBeyondTheBorder) {
-    if (!technique().walks)
-        GTEST_SKIP() << "it does not look at what is on the way";
+TEST_P(WalkingOutcomeTest, aWallThatLeavesTheScreenIsInferredCloseBeyondTheBorder) {
     const SyntheticCamera camera;
     const Stage scene = floorAndWall();
     for (const bool fades : {false, true}) {
@@ -671,6 +658,11 @@ TEST_F(LibraryTest, whereAWallMirrorMeetsTheFloorItShowsIt) {
     }
 }
 
+INSTANTIATE_TEST_SUITE_P(Registry, WalkingOutcomeTest,
+                         testing::ValuesIn(techniquesWith([](const reflect::Technique& technique) {
+                             return technique.walks;
+                         })),
+                         [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
 INSTANTIATE_TEST_SUITE_P(Registry, OutcomeTest, testing::Range<size_t>(0, reflect::techniques().size()),
                          [](const auto& test) { return std::string(reflect::techniques()[test.param].name); });
 

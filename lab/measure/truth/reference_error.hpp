@@ -24,7 +24,8 @@ struct ReferenceError {
     double relativeMse = 0; ///< of all pixels
     double relativeMseMirrors = 0;
     uint64_t mirrorPixels = 0;
-    ByBand<BandError> bands = {}; ///< reflective pixels; their limits are those of the hits (lab/measure/truth/ray_hits.hpp)
+    ByBand<BandError> bands =
+        {}; ///< reflective pixels; their limits are those of the hits (lab/measure/truth/ray_hits.hpp)
 };
 
 class ReferencePicture {

@@ -23,8 +23,8 @@ struct SpecularError {
     double energy = 0; ///< mean of the tested radiance over that of the reference
 };
 
-/// Reflective pixels by roughness band (lab/measure/truth/ray_hits.hpp), then all of them. `tested` has four floats per pixel,
-/// `reference` three; `roughness` and `reflectivity` are the views of these names.
+/// Reflective pixels by roughness band (lab/measure/truth/ray_hits.hpp), then all of them. `tested` has four floats per
+/// pixel, `reference` three; `roughness` and `reflectivity` are the views of these names.
 ByBand<SpecularError> specularError(std::span<const float> tested, std::span<const float> reference,
                                     std::span<const float> roughness, std::span<const float> reflectivity);
 

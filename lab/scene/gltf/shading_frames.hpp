@@ -13,8 +13,8 @@ void repairShadingFrames(Geometry& geometry);
 /// file are dropped, as the specification requires.
 void makeFlatNormals(Document& document, Primitive& primitive);
 
-/// Computes tangents (lab/scene/tangents.hpp) for texture coordinate set `texCoord` and splits the vertices whose triangles
-/// disagree, such as those along a mirrored seam. Does nothing for a primitive without that set.
+/// Computes tangents (lab/scene/tangents.hpp) for texture coordinate set `texCoord` and splits the vertices whose
+/// triangles disagree, such as those along a mirrored seam. Does nothing for a primitive without that set.
 void makeTangents(Document& document, Primitive& primitive, uint32_t texCoord);
 
 } // namespace glint::scene::gltf

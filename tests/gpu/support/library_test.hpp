@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/support/synthetic_gbuffer.hpp"
+#include "reflect/trace/technique.hpp"
 
 #include "reflect/trace/outcomes.hpp"
 
@@ -72,5 +73,15 @@ protected:
     static Picture traceWithin(const std::vector<Probe>& volumes, const SyntheticScene& scene,
                                const SyntheticCamera& camera, uint32_t width, uint32_t height, Settings settings);
 };
+
+/// The marchers, by their place in the registry, for which a property holds; the others are not tested for it.
+template <class Property>
+std::vector<size_t> techniquesWith(Property property) {
+    std::vector<size_t> found;
+    for (size_t i = 0; i < reflect::techniques().size(); ++i)
+        if (property(reflect::techniques()[i]))
+            found.push_back(i);
+    return found;
+}
 
 } // namespace glint::test
