@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "lab/renderer/gbuffer.hpp"
 
 #include <cstdint>
 #include <span>
@@ -14,8 +15,6 @@ class Image;
 }
 
 namespace glint::render {
-
-struct GBuffer;
 
 /// The kind of a view's values, which determines how they are displayed.
 enum class ViewKind {

@@ -16,7 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr size_t kLongestStore = size_t{1} << 28; // bytes: a hundred thousand evaluations of ten views
 constexpr const char* kFormat = "glint tune 1";
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 std::string keyOf(const Settings& start, const Settings& settings) {
     return joinText(differences(start, settings), "\n");

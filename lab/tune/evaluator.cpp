@@ -166,8 +166,7 @@ private:
             }
         }
         error /= static_cast<double>(references.size());
-        return std::optional(
-            Figures{costOf(counted, times), std::isnan(error) ? std::numeric_limits<double>::infinity() : error});
+        return std::optional(Figures{costOf(counted, times), std::isnan(error) ? kInfinite : error});
     }
 
     double errorOf(const render::RenderedView& reference, const render::RenderedView& picture) const {
@@ -231,8 +230,7 @@ Result<Evaluation> Evaluator::evaluate(const Settings& settings, ViewSet set, do
     for (Stage& stage : state_->stages) {
         GLINT_TRY(judged, stage.evaluate(settings, set, left, evaluation.views));
         if (!judged)
-            return Evaluation{
-                {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, {}, mostCost};
+            return Evaluation{{kInfinite, kInfinite}, {}, mostCost};
     }
     evaluation.figures = combine(evaluation.views);
     return evaluation;

@@ -27,7 +27,6 @@ std::vector<size_t> paretoFront(std::span<const Figures> points) {
 
 std::vector<size_t> paretoFrontThrough(std::span<const Figures> points, size_t chosen) {
     std::vector<Figures> others(points.begin(), points.end());
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < others.size(); ++i)
         if (i != chosen && (points[i] == points[chosen] || dominates(points[i], points[chosen])))
             others[i] = {kInfinite, kInfinite};

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace glint::tune {
+
+/// A cost or error that nothing is worse than: unknown, or not to be chosen.
+inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Smaller is better in both.
 struct Figures {

@@ -70,7 +70,7 @@ private:
     /// Brings the target to the unit of cost. Milliseconds and counted floors are only related by a measurement, which
     /// the state file keeps.
     Result<void> findTarget() {
-        GLINT_TRY(start, evaluate(plan_.search.start, ViewSet::Search, std::numeric_limits<double>::infinity()));
+        GLINT_TRY(start, evaluate(plan_.search.start, ViewSet::Search, kInfinite));
         start_ = start.figures;
         const TuneTarget& asked = plan_.target;
         if (asked.mostError) {
@@ -93,7 +93,7 @@ private:
     /// Goes down the curve from the best point for the target to the first that holds up on the views held back.
     Result<void> choose() {
         working("checking on views held back");
-        GLINT_TRY(heldStart, evaluate(plan_.search.start, ViewSet::Held, std::numeric_limits<double>::infinity()));
+        GLINT_TRY(heldStart, evaluate(plan_.search.start, ViewSet::Held, kInfinite));
         heldStart_ = heldStart.figures;
         const std::vector<Figures> figures = figuresOf(tried_);
         const std::vector<size_t> front = paretoFront(figures);
@@ -103,8 +103,7 @@ private:
         for (const size_t i : byPreference(onFront, result_.target)) {
             if (!meets(onFront[i], result_.target))
                 break;
-            GLINT_TRY(held,
-                      evaluate(tried_[front[i]].settings, ViewSet::Held, std::numeric_limits<double>::infinity()));
+            GLINT_TRY(held, evaluate(tried_[front[i]].settings, ViewSet::Held, kInfinite));
             if (!holdsUp(held.figures, heldStart_, result_.target))
                 continue;
             choice_ = tried_[front[i]].settings;
@@ -113,8 +112,7 @@ private:
         }
         // Nothing does both: what comes nearest to the target without being worse than the start anywhere.
         for (const size_t i : byPreference(onFront, result_.target)) {
-            GLINT_TRY(held,
-                      evaluate(tried_[front[i]].settings, ViewSet::Held, std::numeric_limits<double>::infinity()));
+            GLINT_TRY(held, evaluate(tried_[front[i]].settings, ViewSet::Held, kInfinite));
             if (dominates(heldStart_, held.figures) || dominates(start_, onFront[i]))
                 continue;
             choice_ = tried_[front[i]].settings;
@@ -129,8 +127,8 @@ private:
     /// Gives back the start's value to every setting of the choice that gains nothing, on either kind of views.
     Result<void> simplify() {
         working("leaving out what gains nothing");
-        GLINT_TRY(search, evaluate(choice_, ViewSet::Search, std::numeric_limits<double>::infinity()));
-        GLINT_TRY(held, evaluate(choice_, ViewSet::Held, std::numeric_limits<double>::infinity()));
+        GLINT_TRY(search, evaluate(choice_, ViewSet::Search, kInfinite));
+        GLINT_TRY(held, evaluate(choice_, ViewSet::Held, kInfinite));
         // Again after each change: a setting may gain nothing only once another one is back.
         for (bool simplified = true; simplified;) {
             simplified = false;
@@ -141,7 +139,7 @@ private:
                 GLINT_TRY(without, tryOne(simpler));
                 if (!gainsNothing(search.figures, without.figures) || isBeaten(without.figures))
                     continue;
-                GLINT_TRY(heldWithout, evaluate(simpler, ViewSet::Held, std::numeric_limits<double>::infinity()));
+                GLINT_TRY(heldWithout, evaluate(simpler, ViewSet::Held, kInfinite));
                 if (!gainsNothing(held.figures, heldWithout.figures) ||
                     (result_.met && !meets(without.figures, result_.target)) ||
                     (result_.held && !holdsUp(heldWithout.figures, heldStart_, result_.target)))
@@ -166,7 +164,7 @@ private:
 
     Result<void> explain() {
         working("asking which settings matter");
-        GLINT_TRY(search, evaluate(choice_, ViewSet::Search, std::numeric_limits<double>::infinity()));
+        GLINT_TRY(search, evaluate(choice_, ViewSet::Search, kInfinite));
         for (const SettingInfo* info : changed(choice_)) {
             GLINT_TRY(without, tryOne(reverted(choice_, *info)));
             result_.sensitivities.push_back(
@@ -210,8 +208,8 @@ private:
     Result<TunePoint> makePoint(const Settings& settings) {
         TunePoint point;
         point.settings = settings;
-        GLINT_TRY(search, evaluate(settings, ViewSet::Search, std::numeric_limits<double>::infinity()));
-        GLINT_TRY(held, evaluate(settings, ViewSet::Held, std::numeric_limits<double>::infinity()));
+        GLINT_TRY(search, evaluate(settings, ViewSet::Search, kInfinite));
+        GLINT_TRY(held, evaluate(settings, ViewSet::Held, kInfinite));
         GLINT_TRY(timing, time(settings));
         point.search = std::move(search);
         point.held = std::move(held);
@@ -275,7 +273,7 @@ private:
 
     /// As a candidate of the search: it may belong to the curve.
     Result<Evaluation> tryOne(const Settings& settings) {
-        GLINT_TRY(evaluation, evaluate(settings, ViewSet::Search, std::numeric_limits<double>::infinity()));
+        GLINT_TRY(evaluation, evaluate(settings, ViewSet::Search, kInfinite));
         tried_.push_back({settings, evaluation});
         return evaluation;
     }
