@@ -186,7 +186,7 @@ Result<gpu::ReflectedShader> ShaderReload::compileOne(const std::string& name, c
     for (const std::string& macro : source.macros)
         command.push_back("-D" + macro);
     for (const char* root : kRoots) {
-        command.push_back("-I");
+        command.emplace_back("-I");
         command.push_back((fs::path(folder_) / root).string());
     }
     for (const std::string& last : {std::string("-o"), std::string("-"), (fs::path(folder_) / source.file).string()})
