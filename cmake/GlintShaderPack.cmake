@@ -2,7 +2,7 @@
 # machine makes it in a project of its own (cmake/shader_pack) with this machine's compiler.
 find_package(fmt REQUIRED)
 
-# SPIR-V is reflected at build time, and in the viewer where it compiles shaders anew; never in the library. Debian ships
+# SPIR-V is reflected at build time, and in the viewer where it recompiles shaders; never in the library. Debian ships
 # SPIRV-Cross as one library with a C interface, vcpkg as static libraries with a CMake package each.
 find_library(SPIRV_CROSS_C spirv-cross-c-shared)
 if(NOT SPIRV_CROSS_C)
