@@ -15,12 +15,16 @@ Matrix4 toMatrix4(const glm::mat4& matrix) {
 
 } // namespace
 
-Result<Context> adoptDevice(gpu::Context& context) {
+Result<std::shared_ptr<Context>> adoptDevice(gpu::Context& context) {
+    if (context.companion().use_count() == 1)
+        return std::static_pointer_cast<Context>(context.companion());
     const gpu::AdoptedDevice handles = context.handles();
     GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
                                        handles.getInstanceProcAddr, handles.rayQuery}));
     library.gpu().replaceShaders(context.replacedShaders());
-    return library;
+    auto adopted = std::make_shared<Context>(std::move(library));
+    context.companion() = adopted;
+    return adopted;
 }
 
 HostImage lend(gpu::Frame& frame, gpu::Image& image) {

@@ -21,7 +21,7 @@ Result<std::unique_ptr<ReflectionSession::Objects>> ReflectionSession::makeObjec
     GLINT_TRY(views, FrameViews::create(*context_));
     auto objects = std::make_unique<Objects>(std::move(views));
     GLINT_TRY(library, adoptDevice(*context_));
-    objects->library = std::make_unique<Context>(std::move(library));
+    objects->library = std::move(library);
     GLINT_TRY(host, makeHost(*objects->library));
     objects->host = std::move(host);
     GLINT_TRY(timers, gpu::Timers::create(*context_));
@@ -118,7 +118,7 @@ std::vector<std::string> ReflectionSession::notes() const {
 }
 
 /// A host's frame: its opaque image, the reflections, then the surfaces blended over both.
-Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FramePlan& plan) {
+Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameRequest& plan) {
     GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
     HostFrame& host = *objects_->host;
     Reflections& reflections = *objects_->reflections;

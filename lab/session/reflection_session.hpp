@@ -16,7 +16,7 @@
 namespace glint::render {
 
 /// The work of a session in one frame.
-struct FramePlan {
+struct FrameRequest {
     bool draw = true;    ///< run the host's own passes; false: reuse the G-buffer of the previous frame
     bool reflect = true; ///< run the reflections
     bool blend = true;   ///< blend transparent surfaces over both images, if the frame is drawn
@@ -30,7 +30,7 @@ struct FramePlan {
 /// Times in milliseconds.
 struct FrameTimes {
     double wallMs = 0;                                        ///< recording, submitting and waiting for the whole frame
-    std::vector<std::pair<std::string, double>> hostPasses;   ///< GPU time, including FramePlan::afterOpaque
+    std::vector<std::pair<std::string, double>> hostPasses;   ///< GPU time, including FrameRequest::afterOpaque
     std::vector<std::pair<std::string, double>> effectPasses; ///< GPU time of the reflections
 };
 
@@ -77,7 +77,7 @@ public:
     Result<void> setTime(double seconds);
 
     /// The first frame, and the first frame after a change of settings or size, must be drawn.
-    Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan = {});
+    Result<FrameTimes> renderFrame(uint32_t index, const FrameRequest& plan = {});
 
     // Results of the last frame.
     /// As FrameViews::show, without read-back: for windows.
@@ -108,7 +108,7 @@ private:
     /// The device objects. They have stable addresses, as they refer to each other.
     struct Objects {
         explicit Objects(FrameViews&& made) : views(std::move(made)) {}
-        std::unique_ptr<Context> library;
+        std::shared_ptr<Context> library;
         std::unique_ptr<HostFrame> host;
         std::unique_ptr<Reflections> reflections;
         std::unique_ptr<gpu::Timers> timers;

@@ -68,7 +68,7 @@ bool readsBlended(const Settings& settings) {
 
 /// Renders frame `i` of a job. `shown`: its picture counts.
 Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown) {
-    FramePlan plan;
+    FrameRequest plan;
     // The host's passes have a time besides that of the first frame, in which the driver compiles.
     const bool again = shown && (timesPasses(job) || !session.drawsAlike());
     plan.draw = i == 0 || again || readsBlended(job.settings.reflections);

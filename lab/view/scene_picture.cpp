@@ -40,9 +40,11 @@ Result<void> ScenePicture::makeImages() {
 }
 
 uint32_t ScenePicture::wanted() const {
+    if (job_.stillFrames > 0)
+        return job_.stillFrames;
     const Settings& settings = job_.settings.reflections;
     if (settings.rays.enabled && settings.rays.accumulate)
-        return job_.frames > 1 ? job_.frames : kAccumulatedFrames;
+        return kAccumulatedFrames;
     return render::settledFrames(settings);
 }
 

@@ -197,6 +197,7 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     job.frames = options.frames       ? static_cast<uint32_t>(*options.frames)
                  : options.settle > 0 ? render::mostSettlingFrames(reflections)
                                       : render::settledFrames(reflections);
+    job.stillFrames = static_cast<uint32_t>(options.frames.value_or(0));
     if (!(options.settle >= 0 && options.settle <= 255))
         return invalidArgument("--settle {}: expected 0 to 255 levels", options.settle);
     job.settle = options.settle;

@@ -1,8 +1,8 @@
 #include "lab/measure/truth/ray_hits.hpp"
 
 #include "base/assert.hpp"
-#include "lab/measure/figures/parallel.hpp"
 #include "lab/measure/truth/pixel_camera.hpp"
+#include "lab/scene/for_each_row.hpp"
 
 #include <algorithm>
 
@@ -134,7 +134,7 @@ HitReport judgeHits(const render::View& view, const GBufferPicture& gbuffer, std
                  truths.size(), rays.size(), pixels);
     const PixelCamera camera(view);
     std::vector<Verdict> verdicts(pixels);
-    forEachRow(view.height, [&](uint32_t y) {
+    scene::forEachRow(view.height, [&](uint32_t y) {
         for (size_t i = size_t(y) * view.width; i < (size_t(y) + 1) * view.width; ++i)
             verdicts[i] = judge(camera, gbuffer, truths[i], reportedRay(rays, i));
     });

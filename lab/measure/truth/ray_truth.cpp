@@ -1,8 +1,8 @@
 #include "lab/measure/truth/ray_truth.hpp"
 
 #include "base/assert.hpp"
-#include "lab/measure/figures/parallel.hpp"
 #include "lab/measure/truth/pixel_camera.hpp"
+#include "lab/scene/for_each_row.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +91,7 @@ std::vector<RayTruth> traceTruth(const RayOracle& oracle, const render::View& vi
                  "{} floats of depth for {} pixels", gbuffer.viewZ.size(), pixels);
     const Tracer tracer = {oracle, PixelCamera(view), gbuffer};
     std::vector<RayTruth> truths(pixels);
-    forEachRow(view.height, [&](uint32_t y) {
+    scene::forEachRow(view.height, [&](uint32_t y) {
         for (uint32_t x = 0; x < view.width; ++x)
             truths[size_t(y) * view.width + x] = tracer.trace(x, y);
     });
