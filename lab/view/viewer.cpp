@@ -202,6 +202,10 @@ std::vector<InputEvent> Viewer::input() {
         [this](uint32_t width, uint32_t height) { window_->resize(width, height); },
         [this] { window_->minimize(); },
         [this] { window_->restore(); },
+        [this] {
+            if (!state_.messageIsError)
+                state_.message.clear();
+        },
         [this](const ScriptStep& step) {
             state_.ask(step.kind == ScriptStep::Kind::Screenshot ? Request::Kind::Screenshot
                        : step.kind == ScriptStep::Kind::Picture  ? Request::Kind::Picture
