@@ -28,6 +28,8 @@ struct RenderJob {
     double time = 0;          ///< seconds into the scene's animations
     uint32_t frames = 1;      ///< >= 1; the images are those of the last frame
     uint32_t stillFrames = 0; ///< frames that the viewer draws of a still view; 0: as many as the settings take
+    /// A picture to look at: display.antialias auto means accumulate.
+    bool smoothStill = false;
     /// Stops before `frames` once the picture has settled within this error (Settling); 0: never.
     double settle = 0;
     uint32_t seed = 0;              ///< seed of the rays' noise: the same seed gives the same bits

@@ -123,6 +123,12 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameReq
     HostFrame& host = *objects_->host;
     Reflections& reflections = *objects_->reflections;
     FrameViews& views = objects_->views;
+    if (plan.draw)
+        host.setShift(plan.mean.shiftPX);
+    if (plan.mean.adds)
+        GLINT_CHECK(views.prepareMean(plan.mean.restarts));
+    else
+        views.endMean();
     const auto record = [&](VkCommandBuffer commands) -> Result<void> {
         gpu::Frame frame(*context_, commands, objects_->timers.get());
         if (plan.draw)
@@ -151,6 +157,8 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameReq
             if (plan.draw)
                 host.drawTransparent(frame, views.scene(), false);
         }
+        if (plan.mean.adds)
+            views.addToMean(frame, host);
         frame.hand(views.composite(), kSampled);
         return {};
     };

@@ -23,6 +23,7 @@ struct FrameRequest {
     /// Blend them over the reflected image of a frame that is not drawn, too. The other image has them since it was
     /// drawn. Requires drawsAlike.
     bool blendAgain = false;
+    MeanStep mean; ///< the views show the mean of frames that add to it; another frame ends it
     std::optional<std::array<uint32_t, 2>> inspect;         ///< inspect this pixel; requires SessionOptions::inspect
     std::function<void(gpu::Frame&, GBuffer&)> afterOpaque; ///< additional passes before the reflections; may be empty
 };

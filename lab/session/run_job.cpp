@@ -1,5 +1,6 @@
 #include "lab/session/run_job.hpp"
 
+#include "lab/session/frame_mean.hpp"
 #include "lab/session/scene_host.hpp"
 #include "lab/session/settling.hpp"
 
@@ -73,6 +74,10 @@ Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_
     const bool again = shown && (timesPasses(job) || !session.drawsAlike());
     plan.draw = i == 0 || again || readsBlended(job.settings.reflections);
     plan.blendAgain = shown;
+    if (accumulates(job)) {
+        plan.mean = meanStep(job, i, job.frames);
+        plan.draw |= plan.mean.adds;
+    }
     if (shown)
         plan.inspect = job.inspect;
     GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
@@ -91,7 +96,7 @@ Result<Settled> renderUntilSettled(ReflectionSession& session, const RenderJob& 
         if (!look)
             continue;
         GLINT_TRY(picture, session.readView("composite"));
-        if (settling.settled(frames, std::move(picture.rgb8)))
+        if (settling.settled(frames, std::move(picture.rgb8)) && (!accumulates(job) || frames >= kSmoothFrames))
             return Settled{frames, settling.error()};
     }
     return Settled{job.frames, settling.error()};

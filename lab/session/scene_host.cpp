@@ -85,6 +85,15 @@ Result<void> SceneHost::setCamera(const scene::Camera& camera) {
     return {};
 }
 
+void SceneHost::setShift(glm::vec2 shiftPX) {
+    if (shiftPX == parameters_.jitterPX)
+        return;
+    if (!parameters_.prevCamera) // at rest, which is the frame before with its own shift
+        parameters_.prevCamera = parameters_.camera;
+    parameters_.prevJitterPX = parameters_.jitterPX;
+    parameters_.jitterPX = shiftPX;
+}
+
 Result<bool> SceneHost::setTime(double seconds, Reflections& reflections) {
     GLINT_TRY(pose, scene::pose(*inputs_->scene, seconds));
     inputs_->pose = std::move(pose);

@@ -633,7 +633,7 @@ Result<void> runViewer(const ViewOptions& options) {
         if (ending(checked.screenshot) != ".png")
             return invalidArgument("--screenshot {}: the name must end in .png", printable(checked.screenshot));
     }
-    job.display = job.statistics = true;
+    job.display = job.statistics = job.smoothStill = true;
     job.inspect = std::array<uint32_t, 2>{};
     Viewer viewer(checked, SettingsModel(cli::settingsRequest(checked.scene), job.settings), job);
     GLINT_CHECK(viewer.open());
