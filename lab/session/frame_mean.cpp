@@ -4,7 +4,6 @@
 #include "shared/display.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace glint::render {
 namespace {
@@ -28,16 +27,19 @@ bool accumulates(const RenderJob& job) {
 
 MeanStep meanStep(const RenderJob& job, uint32_t frame, uint32_t frames) {
     const bool hasHistory = settledFrames(job.settings.reflections) > 1;
-    const bool endsAnywhere = job.settle > 0;
-    const uint32_t first = hasHistory && !endsAnywhere ? frames - std::min(frames, kSmoothFrames) : 0;
+    const uint32_t first = hasHistory ? frames - std::min(frames, kSmoothFrames) : 0;
     MeanStep step;
     if (frame < first)
         return step;
     step.adds = true;
-    step.restarts = frame == first || (hasHistory && endsAnywhere && std::has_single_bit(frame));
+    step.restarts = frame == first;
     if (frame > first && frame + 1 < frames)
         step.shiftPX = glm::vec2(radicalInverse(frame - first, 2), radicalInverse(frame - first, 3)) - 0.5f;
     return step;
+}
+
+uint32_t smoothFramesAfter(uint32_t frames) {
+    return std::clamp(frames, 4u, kSmoothFrames);
 }
 
 Result<FrameMean> FrameMean::create(gpu::Context& context) {

@@ -9,8 +9,7 @@
 
 namespace glint::render {
 
-/// Frames of a still that is antialiased, if its settings take fewer to settle. With RenderJob::settle, too, which counts
-/// errors of edges little: few pixels have them.
+/// Frames of a still that is antialiased, if its settings take fewer to settle.
 constexpr uint32_t kSmoothFrames = 16;
 
 /// True if the job's image is a mean (display.antialias accumulate, or auto for a RenderJob::smoothStill).
@@ -24,11 +23,14 @@ struct MeanStep {
 };
 
 /// Of frame `frame` of `frames`. The mean is that of the last kSmoothFrames frames, or of all without a history, whose
-/// first frames have noise that later ones have not. With RenderJob::settle any frame may be the last one: the mean
-/// then leaves out the first half, rounded to a power of two. Shifts are Halton's points in bases 2 and 3 (Halton
-/// 1960). The first frame, which a viewer in motion shows alone, has none, nor has the last one: its other images are
-/// those of the camera itself.
+/// first frames have noise that later ones have not. Shifts are Halton's points in bases 2 and 3 (Halton 1960). The first
+/// frame of the mean, which a viewer in motion shows alone, has none, nor has the last one: its other images are those
+/// of the camera itself.
 MeanStep meanStep(const RenderJob& job, uint32_t frame, uint32_t frames);
+
+/// How many frames are added to a mean after a picture has settled in `frames` (RenderJob::settle): as many again, from
+/// 4 to kSmoothFrames.
+uint32_t smoothFramesAfter(uint32_t frames);
 
 class FrameMean {
 public:
