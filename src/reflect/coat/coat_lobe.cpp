@@ -218,9 +218,11 @@ Prepared CoatLobe::prepared() {
             below.backViewZ, below.backFacesKnown, below.backFacesInPlace, below.surface};
 }
 
+/// Rays meet the coats rather than what is below: normals of bumpy paint say less about where a surface is.
 TraceInputs CoatLobe::traceInputs() {
     const TraceInputs& below = given_->below;
-    TraceInputs trace = {inputs(),      prepared(),   below.met,    trace_->rays(),
+    const Met met = {below.met.viewZ, below.prepared.otherLobe, below.met.backViewZ};
+    TraceInputs trace = {inputs(),      prepared(),   met,          trace_->rays(),
                          below.pyramid, std::nullopt, below.probes, below.conePicture};
     if (below.previous)
         trace.previous.emplace(*below.previous);
