@@ -56,6 +56,15 @@ glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g) {
     inputs.material = lend(frame, g.material);
     inputs.litRadiance = lend(frame, g.litRadiance);
     inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
+    if (g.lobes) {
+        const HostImage lobes = lend(frame, g.lobes);
+        inputs.f90 = {lobes, 0};
+        if (g.coat) {
+            inputs.coat = {lobes, 1};
+            inputs.coatRoughness = {lobes, 2};
+            inputs.coatNormal = lend(frame, g.coatNormal);
+        }
+    }
     if (g.backDepth)
         inputs.backDepth = lend(frame, g.backDepth);
     inputs.motion = lend(frame, g.motion);

@@ -44,7 +44,7 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOpti
         return {};
     GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height, options));
     if (!target_.gbuffer.litRadiance || options.mode != gbufferOptions_.mode ||
-        options.samples != gbufferOptions_.samples)
+        options.samples != gbufferOptions_.samples || options.lobes != gbufferOptions_.lobes)
         GLINT_CHECK(makePasses(options));
     GLINT_TRY(behind, TransparentPass::makeBehind(*context_, scene_, width, height));
     GLINT_CHECK(display_.resize(*context_, width, height, settings_.display));

@@ -2,6 +2,7 @@
 
 #include "lab/job/job_environment.hpp"
 #include "lab/renderer/lending.hpp"
+#include "lab/renderer/lobes.hpp"
 
 #include <algorithm>
 
@@ -72,8 +73,8 @@ Result<void> SceneHost::resize(uint32_t width, uint32_t height) {
 }
 
 Result<void> SceneHost::resizeGBuffer() {
-    GLINT_CHECK(renderer_->resize(inputs_->width, inputs_->height,
-                                  gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias)));
+    const GBufferOptions options = gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias);
+    GLINT_CHECK(renderer_->resize(inputs_->width, inputs_->height, withLobes(options, *inputs_->scene)));
     const int most = job_.settings.render.transparent.layers;
     return renderer_->makeLayers(hasLayers() ? static_cast<uint32_t>(most) : 0);
 }
@@ -116,7 +117,10 @@ Result<bool> SceneHost::setMaterials(const scene::MaterialOverrides& overrides, 
         GLINT_CHECK(rayWorld_->setMaterials(renderer_->scene(), *inputs_->scene, inputs_->pose));
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
     }
-    return moveMirrors();
+    const bool hadLobes = bool(renderer_->gbuffer().lobes);
+    GLINT_CHECK(resizeGBuffer()); // the first clear coat needs images of its own
+    GLINT_TRY(mirrorsFit, moveMirrors());
+    return mirrorsFit && hadLobes == bool(renderer_->gbuffer().lobes);
 }
 
 /// Keeps the renderer's address, which mirrors refer to until giveSources replaces them.

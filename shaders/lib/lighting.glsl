@@ -143,7 +143,7 @@ Lighting lightSurface(MaterialSample m, SurfacePoint point, vec3 V) {
     float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
     sum.diffuse = sum.directSpecular = sum.environmentSpecular = sum.coatSpecular = vec3(0.0);
     sum.emission = m.emission * (1.0 - coat);
-    if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 == 0.0)
+    if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 + m.clearcoat == 0.0)
         return sum; // unlit or black: no lobe to light
     vec2 dfg = loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness);
     vec3 compensation = energyCompensation(m.f0, dfg);

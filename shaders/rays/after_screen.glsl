@@ -9,6 +9,7 @@
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
+#include "frame/lobe_surfaces.glsl"
 #include "rays/shown_pixel.glsl"
 #include "shared/hierarchy.h"
 
@@ -57,7 +58,7 @@ bool metReflector(RayRecord ray) {
     const float kPlain = 0.08;
     if (!isAnswered(ray.outcome) || settings.bounces < 2u || hasHistory(frame.constants))
         return false;
-    Surface met = unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy);
+    Surface met = shownAt(hitPixel(ray));
     return met.reflectivity > max(settings.threshold, kPlain) && met.perceptualRoughness <= settings.maxRoughness;
 }
 
@@ -65,7 +66,7 @@ bool metReflector(RayRecord ray) {
 /// that looks alike from everywhere.
 bool isCertain(RayRecord ray) {
     return ray.outcome == kOutcomeHit && !ray.passedBehind && !isAtEdge(ray.hitUV * frame.constants.size) &&
-           looksAlike(unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy));
+           looksAlike(shownAt(hitPixel(ray)));
 }
 
 /// True if the screen's answer does not count for this pixel, because rays know it better.

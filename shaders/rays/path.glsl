@@ -7,6 +7,7 @@
 #include "rays/hit_lighting.glsl"
 #include "rays/light_sampling.glsl"
 #include "rays/lit_surface.glsl"
+#include "rays/met_coat.glsl"
 #include "rays/pixel_rays.glsl"
 #include "rays/regularization.glsl"
 #include "rays/transparents.glsl"
@@ -109,7 +110,7 @@ LitSurface litSurface(HitSurface met, MaterialSample m, float ownRoughness, Ligh
     lit.perceptualRoughness = ownRoughness;
     lit.lobeRoughness = m.perceptualRoughness;
     lit.bend = met.bend;
-    lit.own = lighting.diffuse + lighting.directSpecular + lighting.coatSpecular + emissionWeight * lighting.emission;
+    lit.own = lighting.diffuse + lighting.directSpecular + emissionWeight * lighting.emission;
     float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
     lit.response =
         specularResponse(m.f0, m.f90, loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness)) * (1.0 - coat);
@@ -117,8 +118,24 @@ LitSurface litSurface(HitSurface met, MaterialSample m, float ownRoughness, Ligh
     return lit;
 }
 
-/// True if the frame shows the hit and its light there may be taken: `shown`. `spread`: of regularized().
-bool isShown(Hit hit, HitSurface met, float spread, inout Path path, out LitSurface shown) {
+/// Draws the lobe from which a path goes on where it meets a clear coat.
+float coatNoise(ivec2 px, uint sampleIndex, uint bounce) {
+    return laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed ^ 0x51ed270bu).x;
+}
+
+/// The same surface with its clear coat, if it has one: one lobe of the two. `ownRoughness`: the coat's, before
+/// regularization.
+LitSurface coatedSurface(LitSurface lit, MaterialSample m, float ownRoughness, Lighting lighting, vec3 V, float noise) {
+    if (m.clearcoat <= 0.0)
+        return lit;
+    MetCoat coat = MetCoat(m.clearcoatNormalWS, ownRoughness, m.clearcoatPerceptualRoughness, coatReflectance(m, V),
+                           lighting.coatSpecular);
+    return oneLobe(lit, coat, !isOn(kRaysMirror), noise);
+}
+
+/// True if the frame shows the hit and its light there may be taken: `shown`. `spread`: of regularized(). `noise`: for
+/// clear coats.
+bool isShown(Hit hit, HitSurface met, float spread, float noise, inout Path path, out LitSurface shown) {
 #ifndef GLINT_RAYS_TABLE_LIGHT
     if (isOn(kRaysReuseLight) && !isSampledEmitter(hit.instance, path.density)) {
         ivec2 px = pixelThatShows(met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.cone.width);
@@ -127,6 +144,7 @@ bool isShown(Hit hit, HitSurface met, float spread, inout Path path, out LitSurf
             shown = shownSurface(px, met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.regularization,
                                  spread);
             shown.bend = met.bend;
+            shown = shownCoated(shown, px, path.ray.directionWS, path.regularization, spread, noise);
             return true;
         }
     }
@@ -284,10 +302,12 @@ bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIn
     HitSurface met =
         hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, directionWS, path.cone.width);
     float spread = halfVectorSpread(path.spread, met.bend);
-    if (!transparent && isShown(hit, met, spread, path, lit))
+    float lobeNoise = coatNoise(px, sampleIndex, bounce);
+    if (!transparent && isShown(hit, met, spread, lobeNoise, path, lit))
         return false;
     MaterialSample m = sampleMaterial(met.material, met.point);
     float ownRoughness = m.perceptualRoughness;
+    float coatRoughness = m.clearcoatPerceptualRoughness;
     vec2 noise = laterBounceNoise(px, sampleIndex, bounce, ~frame.constants.seed - path.transparents);
     if (transparent && path.medium.body == hit.instance && !hit.frontFace) {
         passTransparent(hit, met, leaveBody(met, m, path.medium, directionWS, noise), path);
@@ -304,6 +324,7 @@ bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIn
         return true;
     }
     lit = litSurface(met, m, ownRoughness, lighting, -directionWS, emissionShare(hit, met, directionWS, path.density));
+    lit = coatedSurface(lit, m, coatRoughness, lighting, -directionWS, lobeNoise);
     return false;
 }
 

@@ -14,7 +14,7 @@ Path pathFromScreen(PixelRays from, PixelPlan plan, uint i, float regularization
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     vec3 shownVS = viewPosition(frame.constants, uv, texelFetch(viewZ, px, 0).r);
     vec3 shownWS = (frame.constants.viewToWorld * vec4(shownVS, 1.0)).xyz;
-    vec3 normalWS = mat3(frame.constants.viewToWorld) * unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    vec3 normalWS = mat3(frame.constants.viewToWorld) * shownAt(px).normalVS;
     // The record's distance has eleven bits. The pixel's plane gives a more exact one, unless the ray runs along the
     // plane.
     float distance = dot(shownWS - from.originWS, normalWS) / min(dot(path.ray.directionWS, normalWS), -1e-3);
@@ -27,6 +27,7 @@ Path pathFromScreen(PixelRays from, PixelPlan plan, uint i, float regularization
     path.cone.width += path.cone.spread * distance;
     ++path.reused;
     LitSurface met = shownSurface(px, hitWS, normalWS, path.ray.directionWS, 0.0, 0.0);
+    met = shownCoated(met, px, path.ray.directionWS, 0.0, 0.0, coatNoise(from.px, sampleNumber(i), 0u));
     bool halfDepth = (frame.constants.flags & kInputHalfDepth) != 0u;
     met.positionWS += normalWS * depthUncertainty(hitWS, -shownVS.z, halfDepth);
     leaveSurface(met, 0u, from.px, sampleNumber(i), path);

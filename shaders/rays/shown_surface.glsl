@@ -8,6 +8,8 @@
 #include "lib/resolved_material.glsl"
 #include "rays/hit_lighting.glsl"
 #include "rays/lit_surface.glsl"
+#include "frame/lobe_surfaces.glsl"
+#include "rays/met_coat.glsl"
 #include "rays/pixel_rays.glsl"
 #include "rays/regularization.glsl"
 #include "rays/shown_pixel.glsl"
@@ -37,7 +39,7 @@ ivec2 pixelThatShows(vec3 hitWS, vec3 faceNormalWS, vec3 directionWS, float cone
     float z = texelFetch(viewZ, px, 0).r;
     if (z >= kBackgroundZ || resolvedMaterial(frame.constants, texelFetch(material, px, 0)).a < 1.0)
         return ivec2(-1);
-    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
+    Surface here = shownAt(px);
     vec3 shownVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
     bool same = abs(dot(normalVS, shownVS - hitVS)) <= samePlaceSlack(z) &&
                 dot(here.normalVS, normalVS) > kSameNormal && looksAlike(here) && !isAtEdge(at);
@@ -48,8 +50,9 @@ ivec2 pixelThatShows(vec3 hitWS, vec3 faceNormalWS, vec3 directionWS, float cone
 /// eye sees. `share`, `spread`: of regularized().
 LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 directionWS, float share, float spread) {
     bool encoded = (frame.constants.flags & kInputGamma) != 0u;
-    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
-    vec3 f0 = here.reflectivity > 0.0 ? resolvedMaterial(frame.constants, texelFetch(material, px, 0)).rgb : vec3(0.0);
+    Surface here = shownAt(px);
+    vec4 texel = texelFetch(material, px, 0);
+    vec3 f0 = here.reflectivity > 0.0 ? resolvedMaterial(frame.constants, texel).rgb : vec3(0.0);
     LitSurface shown;
     shown.positionWS = positionWS;
     shown.faceNormalWS = faceNormalWS;
@@ -60,7 +63,8 @@ LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 direc
     shown.response = vec3(0.0);
     if (maxComponent(f0) > 0.0)
         shown.response =
-            specularResponse(f0, 1.0, loadDfg(clampedNoV(shown.normalWS, -directionWS), here.perceptualRoughness));
+            specularResponse(f0, resolvedF90(frame.constants, texel),
+                             loadDfg(clampedNoV(shown.normalWS, -directionWS), here.perceptualRoughness));
     shown.own = linearColor(texelFetch(litRadiance, px, 0).rgb, encoded);
     shown.environmentSpecular = vec3(0.0);
     if ((frame.constants.flags & kInputFallback) != 0u) {
@@ -70,6 +74,27 @@ LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 direc
             shown.response * loadEnvironmentRadiance(reflect(directionWS, shown.normalWS), shown.lobeRoughness);
     }
     return shown;
+}
+
+/// The same surface with its clear coat, if it has one: one lobe of the two. `noise`: of oneLobe.
+LitSurface shownCoated(LitSurface shown, ivec2 px, vec3 directionWS, float share, float spread, float noise) {
+    if (!hasCoats())
+        return shown;
+    Surface film = coatAt(px);
+    if (film.reflectivity <= 0.0)
+        return shown;
+    MetCoat coat;
+    coat.normalWS = mat3(frame.constants.viewToWorld) * film.normalVS;
+    coat.perceptualRoughness = film.perceptualRoughness;
+    coat.lobeRoughness = regularized(film.perceptualRoughness, share, spread);
+    coat.reflectance = coatReflectance(film.reflectivity, clampedNoV(coat.normalWS, -directionWS));
+    coat.environmentSpecular = vec3(0.0);
+    if ((frame.constants.flags & kInputFallback) != 0u)
+        coat.environmentSpecular =
+            coat.reflectance * loadEnvironmentRadiance(reflect(directionWS, coat.normalWS), coat.lobeRoughness);
+    shown.response *= 1.0 - coat.reflectance;
+    shown.environmentSpecular *= 1.0 - coat.reflectance;
+    return oneLobe(shown, coat, !isOn(kRaysMirror), noise);
 }
 
 #endif

@@ -60,6 +60,7 @@ struct RayListConstants {
     uint2 tiles;          // of the traced image
     uint2 pyramidGroups;  // if there are rays, else 0
     uint2 backFaceGroups; // if there are rays, else 0
+    uint always;          // both and the picture also without rays: those of another lobe need them
 };
 
 GLINT_CONSTANT(uint, kRayTileWidth, 8);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/timers.hpp"
+#include "reflect/coat/coat_lobe.hpp"
 #include "reflect/composite/composite.hpp"
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/history.hpp"
@@ -131,7 +132,9 @@ private:
     // Record the frame, top to bottom, and its additions.
     void recordFrame(gpu::Frame& frame, const View& view);
     void traceScreen(gpu::Frame& frame);
-    void recordComposite(gpu::Frame& frame);
+    void recordComposite(gpu::Frame& frame, gpu::Image* coat);
+    gpu::Image* recordCoat(gpu::Frame& frame, const View& view);
+    Result<void> makeCoat(bool again);
     void prepare(gpu::Frame& frame, const View& view);
     shared::SettingsConstants resolveSettings(const View& view);
     gpu::Image& denoise(gpu::Frame& frame, Denoiser& denoiser);
@@ -171,6 +174,7 @@ private:
     std::unique_ptr<ProbesSource> probesSource_; ///< absent until the host provides probes
     std::unique_ptr<Hierarchy> hierarchy_;
     std::optional<Composite> composite_;
+    std::unique_ptr<CoatLobe> coat_;      ///< absent until a host states a clear coat
     LayerImages layer_;                   ///< of the layer recorded last
     std::unique_ptr<gpu::Timers> timers_; ///< ReflectionsDesc::timers
 

@@ -23,6 +23,7 @@ struct PlanInputs {
     bool backDepth = false;
     bool backDepthFits = false; ///< it has one texel per pixel
     bool transparentDepth = false;
+    bool coat = false; ///< a clear coat is stated
     bool environment = false;
     bool compositeOutput = false;  ///< Outputs::composite
     bool reflectionOutput = false; ///< Outputs::reflection
@@ -72,6 +73,7 @@ struct PlanInputs {
     X(stabilizes, "denoise/stabilize steadies the brightness of what is shown")                                        \
     X(combines, "hierarchy/combine writes the reflections alone; otherwise composite/combined does both in one pass")  \
     X(composites, "there is an image with reflections")                                                                \
+    X(coat, "the host's clear coats have rays and answers of their own, in passes that run once more for them")        \
     X(layers, "transparent layers can follow the frame")                                                               \
     X(countsRays, "composite/statistics counts the rays' outcomes")
 

@@ -61,6 +61,7 @@ Result<void> FrameStages::rehearseFixed() {
     resolve_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
     composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
+    composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite(), &reflected.reflected});
     composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(), {rayRecord(), composite()});
     return frame.firstError();
 }

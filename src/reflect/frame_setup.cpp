@@ -83,9 +83,25 @@ Result<void> FrameStages::change(const PlanInputs& next, bool withOptional) {
                 return stage.hasScene() ? Result<void>() : giveScene(stage);
             return Result<void>();
         });
+    if (made)
+        made = makeCoat(withOptional);
     if (!made)
         adopt(old);
     return made;
+}
+
+/// The lobe of clear coats, once a host states one. Its passes are the surfaces' own, which are rehearsed. `again`: the
+/// settings are others.
+Result<void> FrameStages::makeCoat(bool again) {
+    if (!stages_.plan.coat)
+        return {};
+    if (!coat_) {
+        GLINT_TRY(made, CoatLobe::create(stages_));
+        coat_ = std::move(made);
+    }
+    return coat_->make(
+        {scene_.scene, scene_.surfaces, scene_.shade, planarSource_ ? planarSource_->planar() : nullptr, probes()},
+        again);
 }
 
 /// What the stages that every frame has need for the plan.
@@ -134,8 +150,12 @@ Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     PlanInputs next = planInputs();
     next.setImages(gbuffer, environment);
     GLINT_CHECK(change(next, false));
-    if (RaysSource* const rays = raysSource(); rays && environment.cube.view != host_.environment.cube.view)
-        rays->environmentChanged();
+    if (environment.cube.view != host_.environment.cube.view) {
+        if (RaysSource* const rays = raysSource())
+            rays->environmentChanged();
+        if (coat_)
+            coat_->environmentChanged();
+    }
     if (InputChecker* const checker = inputChecker();
         checker && (!host_.isSet() || gbuffer.conventions != host_.conventions()))
         checker->restart();
@@ -169,6 +189,8 @@ Result<void> FrameStages::takeSources(FrameStages& old) {
 }
 
 void FrameStages::restartAccumulation() {
+    if (coat_)
+        coat_->restartAccumulation();
     RaysSource* const rays = raysSource();
     if (!rays)
         return;
@@ -185,6 +207,7 @@ Result<void> FrameStages::setRays(GivenScene given) {
             return set.error();
         }
     replan();
+    GLINT_CHECK(makeCoat(false));
     return rays ? rehearseAlone(*rays) : Result<void>();
 }
 
@@ -203,6 +226,7 @@ Result<void> FrameStages::setPlanar(PlanarState& planar) {
     }
     GLINT_CHECK(planarSource_->setPlanar(planar));
     replan();
+    GLINT_CHECK(makeCoat(false));
     return rehearseAlone(*planarSource_);
 }
 
@@ -213,6 +237,7 @@ Result<void> FrameStages::setProbes(ProbesState& probes) {
     }
     GLINT_CHECK(probesSource_->setProbes(probes));
     replan();
+    GLINT_CHECK(makeCoat(false));
     GLINT_CHECK(rehearseAlone(*probesSource_));
     Refraction* const refraction = optional_.find<Refraction>();
     if (!refraction)

@@ -259,6 +259,7 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("surface", inputs.prepared.surface)
         .read("screenRecord", inputs.screenRecord)
         .read("rayRates", inputs.frame.rayRates, kTexels)
+        .read("otherLobe", inputs.prepared.otherLobe)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_);
     lister_.bind(inputs.earlier.bind(list)).dispatch(stages_.extent.x, stages_.extent.y);
@@ -333,6 +334,7 @@ void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool s
     gpu::Pass pass = frame.pass(sampleLights ? reflectLights_ : reflect_);
     bindShading(pass, inputs.frame, inputs.prepared)
         .read("screenRecord", inputs.screenRecord)
+        .read("otherLobe", inputs.prepared.otherLobe)
         .read("material", inputs.prepared.material, kTexels)
         .read("instancesBefore", instancesBefore_)
         .read("metaBefore", inputs.frame.historyMeta, kTexels)
@@ -378,6 +380,7 @@ void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)
+        .read("otherLobe", inputs.prepared.otherLobe)
         .read("screenRecord", inputs.screenRecord)
         .read("blueNoise", inputs.frame.standIns.blueNoise)
         .write("raysRecord", record_, 0, true)

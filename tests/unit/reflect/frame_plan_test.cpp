@@ -57,7 +57,8 @@ constexpr bool PlanInputs::*kSwitches[] = {&PlanInputs::views,
                                            &PlanInputs::scene,
                                            &PlanInputs::shadesHits,
                                            &PlanInputs::mirrors,
-                                           &PlanInputs::probes};
+                                           &PlanInputs::probes,
+                                           &PlanInputs::coat};
 
 /// Settings that presets do not have.
 std::vector<Settings> manySettings() {
@@ -168,6 +169,7 @@ TEST(FramePlan, decisionsAgreeWithEachOther) {
         ASSERT_TRUE(implies(plan.backFacesInPlace, plan.backFaces && !plan.manySamples));
         ASSERT_TRUE(implies(plan.layers, plan.composites && plan.pyramid));
         ASSERT_TRUE(implies(inputs.reflectionOutput || inputs.manySamples, plan.combines));
+        ASSERT_TRUE(implies(plan.coat, inputs.coat && plan.combines && plan.composites && !plan.classifiesEarly));
     });
 }
 
