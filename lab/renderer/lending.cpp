@@ -89,7 +89,8 @@ TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& la
 
 EnvironmentMap lendEnvironmentMap(gpu::Frame& frame, Environment& environment, const EnvironmentSettings& settings) {
     gpu::Image& cube = environment.radiance();
-    EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
+    EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength * environment.unit(),
+                          glm::radians(settings.rotation)};
     map.diffuse = lend(frame, environment.diffuse());
     return map;
 }

@@ -12,7 +12,7 @@ Result<ProbeSet> runBakeJob(gpu::Context& context, const RenderJob& job, const B
     GLINT_TRY(inputs, loadJobInputs(job));
     const RenderSettings& settings = job.settings.render;
     context.addShaders(gpu::shaders::render());
-    GLINT_TRY(environment, makeEnvironment(context, inputs, settings));
+    GLINT_TRY(environment, makeEnvironment(context, inputs, settings, StrongLights::Taken));
     GLINT_TRY(renderer, Renderer::create(context, *inputs.scene, inputs.pose, std::move(environment), settings));
     GLINT_TRY(library, adoptDevice(context));
     std::optional<RayWorld> rays; // for shadows

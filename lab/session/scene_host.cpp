@@ -26,7 +26,7 @@ Result<std::unique_ptr<HostFrame>> SceneHost::create(gpu::Context& context, Cont
 
 Result<Renderer> SceneHost::makeRenderer() {
     const RenderSettings& settings = job_.settings.render;
-    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings));
+    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings, StrongLights::Taken));
     return Renderer::create(context_, *inputs_->scene, inputs_->pose, std::move(environment), settings);
 }
 
@@ -60,7 +60,7 @@ Result<void> SceneHost::applySettings(const RenderSettings& before) {
     GLINT_CHECK(makeRayWorld());
     GLINT_CHECK(renderer_->setSettings(now));
     if (!sameEnvironment(before, now)) {
-        GLINT_TRY(environment, makeEnvironment(context_, *inputs_, now));
+        GLINT_TRY(environment, makeEnvironment(context_, *inputs_, now, StrongLights::Taken));
         GLINT_CHECK(renderer_->setEnvironment(std::move(environment)));
     }
     return resizeGBuffer();

@@ -68,7 +68,8 @@ uint mostTransparents() {
 
 /// Angle of the part of a surface's lobe that a direction drawn from the lobe stands for, radians; 0: a mirror.
 float drawnAngle(vec3 N, vec3 V, vec3 directionWS, float perceptualRoughness) {
-    return sampledAngle(sampledRoughness(perceptualRoughness), N, normalizeOr(V + directionWS, N));
+    float angle = sampledAngle(sampledRoughness(perceptualRoughness), N, normalizeOr(V + directionWS, N));
+    return min(angle, asin(saturate(dot(N, directionWS)))); // no part of a lobe reaches below the horizon
 }
 
 /// `angle`: drawnAngle of the direction.
@@ -230,13 +231,22 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
     continueFrom(met, next.ws, path);
 }
 
+/// Fraction of a path's spread by which the environment is blurred where the path ends: as the part of the lobe shrinks
+/// that one of the averaged samples stands for, of which the denoiser's neighbours bring some in each frame. The cube's
+/// kernels have long tails, by which more blur would bring light from far outside of that part.
+float missBlur(float regularization) {
+    float first = max(settings.regularization, 1e-6);
+    float alone = regularization * square(regularization / first); // count^(-1/6), cubed
+    return alone * inversesqrt(1.0 + float(frame.settings.denoise.reuseSamples));
+}
+
 void leaveScene(uint bounce, inout Path path) {
     path.ended = true;
     float spread = path.density > 0.0 ? 0.0 : 0.5 * path.spread.angle; // sampled well: no fireflies
     if (isOn(kRaysEnvironment))
         path.radiance +=
             path.throughput * environmentShare(path.ray.directionWS, path.density) *
-            loadEnvironmentRadiance(path.ray.directionWS, regularized(0.0, path.regularization, spread));
+            loadEnvironmentRadiance(path.ray.directionWS, regularized(0.0, missBlur(path.regularization), spread));
     else if (!path.hit)
         path.weight = 0.0;
 }

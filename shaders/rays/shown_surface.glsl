@@ -71,7 +71,7 @@ LitSurface shownSurface(ivec2 px, vec3 positionWS, vec3 faceNormalWS, vec3 direc
         vec3 reflected = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, encoded);
         shown.own = max(shown.own - reflected, vec3(0.0));
         shown.environmentSpecular =
-            shown.response * loadEnvironmentRadiance(reflect(directionWS, shown.normalWS), shown.lobeRoughness);
+            shown.response * loadEnvironmentLobe(shown.normalWS, -directionWS, shown.lobeRoughness);
     }
     return shown;
 }
