@@ -281,7 +281,7 @@ bool endsAtPixel(Ray r, Line line, PixelStep step, bool counts, inout bool nearl
     bool ends = false;
     if (tests) {
         uint met = meetSurface(r, max(from, 0.0), inFront, s, march);
-        ends = (met == kMeets || !step.inFlatCell) && endsMarch(met, s, march);
+        ends = (met == kMeets || met == kMeetsSunk || !step.inFlatCell) && endsMarch(met, s, march);
         nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !step.inFlatCell);
     }
     return ends;

@@ -40,6 +40,7 @@ protected:
         Settings settings;
         settings.screen.march = technique().march;
         settings.fade.border = FadeBorder::None_;
+        settings.fade.uncertain = false; // certainty_test.cpp
         settings.screen.inferred = 0;    // the marchers' own answers; guesses are less exact (outcome_test.cpp)
         settings.probes.enabled = false; // only their volumes are used
         return settings;
