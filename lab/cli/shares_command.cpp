@@ -2,7 +2,6 @@
 // table that weights are taken from (shaders/trace/answer_shares.glsl).
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "lab/cli/command_text.hpp"
 #include "lab/cli/commands.hpp"
 #include "lab/cli/compare/certainty_text.hpp"
 #include "lab/cli/config_option.hpp"
@@ -15,17 +14,14 @@
 namespace glint::cli {
 namespace {
 
-/// Views of the built-in scenes: what mirrors show in rooms and outdoors, thin things, round things, leaves.
-constexpr std::array kViews = {"hall",       "hall@mirror",    "exact",         "exact@left",     "exact@low",
-                               "exact@high", "mirror",         "spheres",       "glass",          "thickness",
-                               "city",       "motion-objects", "motion-grille", "spheres@grazing"};
+/// Views of the built-in scenes: mirrors in rooms and outdoors; thin, round and flat things; leaves.
+constexpr std::array kViews = {"exact", "exact@left", "hall", "hall@mirror", "spheres", "motion-grille", "city"};
 
 struct SharesOptions {
     RenderOptions scene;
     std::vector<std::string> views = {kViews.begin(), kViews.end()};
     std::string config = "balanced";
     std::string output;
-    std::string command;
 };
 
 /// A table of so few answers says little: this many more are taken to be half right.
@@ -35,13 +31,13 @@ double tableShare(const measure::AnswerShare& kind) {
     return (static_cast<double>(kind.right) + kUnsure / 2) / (static_cast<double>(kind.answers) + kUnsure);
 }
 
-std::string shaderTable(const measure::HitFigures& sums, const std::string& command) {
-    std::string text = fmt::format(
-        "// Share of right answers of each kind (shared/answer_kinds.h) in the built-in scenes. Written by\n"
-        "// {}\n"
+std::string shaderTable(const measure::HitFigures& sums) {
+    std::string text =
+        "// Written by `glint shares --output shaders/trace/answer_shares.glsl`: share of right answers of each kind\n"
+        "// (shared/answer_kinds.h) in views of the built-in scenes. Do not edit.\n"
         "#ifndef GLINT_TRACE_ANSWER_SHARES_GLSL\n#define GLINT_TRACE_ANSWER_SHARES_GLSL\n\n"
-        "#include \"shared/answer_kinds.h\"\n\nconst float kRightShares[kAnswerKinds] = float[kAnswerKinds](",
-        command);
+        "#include \"shared/answer_kinds.h\"\n\n"
+        "const float kRightShares[kAnswerKinds] = float[kAnswerKinds](";
     for (size_t kind = 0; kind < sums.byKind.size(); ++kind) {
         const measure::AnswerShare& share = sums.byKind[kind];
         text += fmt::format("\n    {:.3f}{} // {} of {}", tableShare(share), kind + 1 < sums.byKind.size() ? "," : ");",
@@ -77,7 +73,7 @@ Result<void> measureShares(const SharesOptions& options) {
         GLINT_CHECK(addView(*context, options, view, sums));
     fmt::print("all\n{}{}", statedText(sums), kindsText(sums));
     if (!options.output.empty())
-        GLINT_CHECK(writeFile(options.output, shaderTable(sums, options.command)));
+        GLINT_CHECK(writeFile(options.output, shaderTable(sums)));
     return {};
 }
 
@@ -90,13 +86,10 @@ void addSharesCommand(CLI::App& program, Command& chosen) {
     command->add_option("VIEWS", options->views, "Built-in scenes, each with a camera if wanted: NAME or NAME@CAMERA")
         ->capture_default_str();
     command->add_option("--config", options->config, kConfigHelp)->capture_default_str();
-    command->add_option("--size", options->scene.size, "Picture size, WIDTHxHEIGHT")->default_val("640x360");
+    command->add_option("--size", options->scene.size, "Picture size, WIDTHxHEIGHT")->default_val("480x270");
     command->add_option("--output", options->output, "Write the shaders' table: shaders/trace/answer_shares.glsl");
     addDeviceOptions(*command, options->scene);
-    command->callback([&chosen, options, command] {
-        options->command = commandText(*command);
-        chosen = [options] { return measureShares(*options); };
-    });
+    command->callback([&chosen, options] { chosen = [options] { return measureShares(*options); }; });
 }
 
 } // namespace glint::cli

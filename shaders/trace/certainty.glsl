@@ -25,6 +25,7 @@ struct Certainty {
     float right; // share of answers of this kind that are right
     vec3 beside; // radiance of what the ray may have met instead
     bool known;  // something beside tells
+    float reach; // so many pixels the true answer may lie beside this one
 };
 
 /// 0 below `bounds.x`, to 3 from `bounds.z` on.
@@ -110,12 +111,13 @@ void judgeSide(Ray r, inout March end, inout Certainty found) {
     uint byDepth = binOf(pixelsBehind(r, end.share, sceneZ), vec3(1.0, 4.0, 16.0));
     uint byThickness = min(binOf(thick, vec3(3.0, 16.0, 1e30)), 2u);
     found.kind = kAnswerSide + 3u * byDepth + byThickness;
+    found.reach = thick;
 }
 
 /// `blurred`: the answer is a mean over more than a pixel, which edges between pixels do not change.
 Certainty certaintyOf(Ray r, inout March end, vec3 radiance, bool blurred) {
     ivec2 px = floorToInt(end.hitPX);
-    Certainty found = Certainty(kAnswerPlain, 1.0, radiance, false);
+    Certainty found = Certainty(kAnswerPlain, 1.0, radiance, false, 1.0);
     bool unused;
     vec3 here = radianceBeside(px, unused);
     if (end.outcome == kOutcomeHit) {
@@ -133,8 +135,10 @@ Certainty certaintyOf(Ray r, inout March end, vec3 radiance, bool blurred) {
             judgeSide(r, end, found);
         } else if (end.outcome == kOutcomeBackFace) {
             found.kind = kAnswerBackFace;
+            found.reach = 1e9;
         } else {
             float apart = distance(end.hitPX, r.screen.startPX + r.screen.deltaPX * end.share);
+            found.reach = apart;
             found.kind = end.evidence < 1.0 ? kAnswerOneSided : kAnswerInferred + binOf(apart, vec3(2.0, 8.0, 24.0));
         }
     }
@@ -145,7 +149,7 @@ Certainty certaintyOf(Ray r, inout March end, vec3 radiance, bool blurred) {
 /// What the next source answers, as far as it is known here.
 vec3 nextAnswer(Ray r, vec3 beside, float perceptualRoughness) {
     if ((settings.flags & kTraceNextSky) == 0u)
-        return (settings.flags & kTraceNextOther) != 0u ? beside : vec3(0.0);
+        return beside;
     vec3 directionWS = mat3(frame.constants.viewToWorld) * r.directionVS;
     return environmentRadiance(environment, directionWS, perceptualRoughness);
 }
@@ -163,17 +167,19 @@ float leastError(float right, vec3 answer, vec3 beside, vec3 next) {
     return most > 0.0 ? clamp(wanted / most, 0.0, 1.0) : right;
 }
 
-/// 1 where nothing tells what the ray may have met instead. Behind a front, where the picture shows nothing of that, it
-/// is taken to be what the next source answers.
+/// 1 where nothing tells what the ray may have met instead, and where no source answers for the weight that is left: an
+/// uncertain answer is better than none. Behind a front the picture does not show what the ray met: it is no brighter
+/// than what the next source answers, as far as is known.
 float certainWeight(Ray r, Certainty certainty, vec3 radiance, float perceptualRoughness) {
     bool isBehind = certainty.kind >= kAnswerSide && certainty.kind < kAnswerInferred;
-    if (!certainty.known && !(isBehind && (settings.flags & kTraceNextSky) != 0u))
+    bool nextTells = isBehind && (settings.flags & kTraceNextSky) != 0u;
+    bool anyNext = (settings.flags & (kTraceNextSky | kTraceNextOther)) != 0u;
+    if (!anyNext || !(certainty.known || nextTells))
         return 1.0;
     const vec3 kWhite = vec3(16.0); // as relative errors are measured
-    vec3 answer = min(radiance, kWhite);
     vec3 next = min(nextAnswer(r, certainty.beside, perceptualRoughness), kWhite);
-    vec3 beside = certainty.known ? min(certainty.beside, kWhite) : min(answer, next);
-    return leastError(certainty.right, answer, beside, next);
+    vec3 beside = min(certainty.beside, nextTells ? next : kWhite);
+    return leastError(certainty.right, min(radiance, kWhite), beside, next);
 }
 
 #endif
