@@ -266,7 +266,12 @@
     SETTING(bool, backface, false, "", "",                                                                             \
         "Fade hits on surfaces that face away from the ray's origin",                                                  \
         "babylon:attenuateBackfaceReflection",                                                                         \
-        "switch; if screen.enabled=true")
+        "switch; if screen.enabled=true")                                                                              \
+    SETTING(bool, uncertain, true, "", "",                                                                             \
+        "Answers that may be wrong (a side, a silhouette, a guess) weigh by how often such answers are right, and by "  \
+        "how much brighter they are than what would stand there instead; off: as much as certain ones",                \
+        "",                                                                                                            \
+        "switch; if screen.march=hiz|linear|adaptive; cost +")
 
 #define GLINT_RAYS_SETTINGS(SETTING)                                                                                   \
     SETTING(bool, enabled, false, "", "",                                                                              \
@@ -485,6 +490,10 @@
     SETTING(bool, outcome, false, "", "",                                                                              \
         "Show ray outcomes: blue: max distance or clipped at the frustum, red: out of steps, yellow: off screen, "     \
         "green: hit (brighter: more steps)",                                                                           \
-        "babylon:debug")
+        "babylon:debug")                                                                                               \
+    SETTING(bool, certainty, false, "", "",                                                                            \
+        "Store of each screen-space answer, in place of its radiance, its kind, the share of such answers that are "    \
+        "right, and the weight that it states by that (glint compare measures with it)",                               \
+        "")
 
 // clang-format on

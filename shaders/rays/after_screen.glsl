@@ -47,7 +47,7 @@ bool mayPassTransparents(ivec2 from, ivec2 to) {
 RayRecord screenRay(ivec2 px) {
     RayRecord ray = unpackRayRecord(texelFetch(screenRecord, fullToTracePixel(frame.constants, px), 0).xy);
     if (isAnswered(ray.outcome) && mayPassTransparents(px, hitPixel(ray)))
-        ray.passedBehind = true;
+        ray.uncertain = true;
     return ray;
 }
 
@@ -65,7 +65,7 @@ bool metReflector(RayRecord ray) {
 /// True if the ray hit what the frame shows, with no occluder hidden before it, well inside the frame, on a surface
 /// that looks alike from everywhere.
 bool isCertain(RayRecord ray) {
-    return ray.outcome == kOutcomeHit && !ray.passedBehind && !isAtEdge(ray.hitUV * frame.constants.size) &&
+    return ray.outcome == kOutcomeHit && !ray.uncertain && !isAtEdge(ray.hitUV * frame.constants.size) &&
            looksAlike(shownAt(hitPixel(ray)));
 }
 

@@ -41,6 +41,10 @@ GLINT_CONSTANT(uint, kTraceRecords, 1024);     // how each ray ended is kept
 GLINT_CONSTANT(uint, kTraceCones, 2048);       // hits on rough surfaces' rays are blurred by the lobe's width
 GLINT_CONSTANT(uint, kTraceBackInPlace, 4096); // backViewZ is the host's image, one texel a pixel: lib/back_face.glsl
 GLINT_CONSTANT(uint, kTraceListedOnly, 8192);  // pixels off the ray list have no answer stored: trace/listed.glsl
+GLINT_CONSTANT(uint, kTraceUncertain, 16384);  // uncertain answers weigh less: trace/certainty.glsl
+GLINT_CONSTANT(uint, kTraceCertainty, 32768);  // answers are stored as debug.certainty says
+GLINT_CONSTANT(uint, kTraceNextSky, 65536);    // the environment answers for the weight that the screen leaves
+GLINT_CONSTANT(uint, kTraceNextOther, 131072); // another source does, whose answer is not known yet
 
 // Written by list.comp: the number of rays, as the arguments of the indirect dispatches that trace the rays and that
 // build their inputs. Without rays these dispatches are empty. The rays' pixels follow, x in the low half and y in the

@@ -127,6 +127,7 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.trace.flags |= plan.backFacesInPlace ? shared::kTraceBackInPlace : 0;
     resolved.trace.flags |= plan.keepsRecord ? shared::kTraceRecords : 0;
     resolved.trace.flags |= plan.storesListedOnly ? shared::kTraceListedOnly : 0;
+    resolved.trace.flags |= plan.probes ? shared::kTraceNextOther : plan.sky ? shared::kTraceNextSky : 0;
     resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
     resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);
     resolved.layerTrace = layerTraceConstants(settings, levels);

@@ -138,7 +138,7 @@ Result<void> ComparedView::measureHits(ConfigFigures& figures) {
         GLINT_TRY(view, session_.readView(name));
         traced.views.push_back(std::move(view));
     }
-    GLINT_TRY(hits, truth_.judge(session_.inputs(), session_.view(), traced));
+    GLINT_TRY(hits, truth_.judge(session_.inputs(), session_.view(), traced, statesCertainty(figures.settings)));
     figures.hits = std::move(hits);
     return {};
 }
