@@ -179,5 +179,73 @@ TEST_F(PathEndTest, TheReferenceFollowsPathsToTheirEnd) {
         }
 }
 
+/// A floor that its normals do not follow: a map bends them, by up to 50 degrees.
+SyntheticScene bumpyFloor() {
+    return [](const glm::dvec3& origin, const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
+        const double distance = -origin.y / direction.y;
+        const glm::dvec3 met = origin + direction * distance;
+        if (!(distance > 0) || std::abs(met.x) > 2 || std::abs(met.z) > 2)
+            return {};
+        const glm::dvec2 lean = 1.2 * glm::dvec2(std::sin(7 * met.x + 3 * met.z), std::sin(5 * met.z - 2 * met.x));
+        return SyntheticSurface{distance, glm::normalize(glm::dvec3(lean.x, 1, lean.y)), glm::vec3(1), 0, glm::vec3(0)};
+    };
+}
+
+/// Below the floor it is dark: what shows that is no reflection.
+TEST_F(PathEndTest, BentNormalsReflectNothingFromBelowTheirSurface) {
+    TestEnvironment environment =
+        environmentOf([](const glm::dvec3& direction) { return glm::vec3(direction.y > 0 ? 1.f : 0.f); });
+    SurfaceScene floor;
+    floor.addQuad({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, metal(1));
+    const SyntheticCamera camera = {.position = {0, 0.7, 4}, .target = {0, 0, 0}, .fovY = 0.7};
+    const SyntheticScene seen = bumpyFloor();
+    for (const bool rays : {false, true}) {
+        Settings settings = raySettings(1);
+        settings.rays.enabled = rays;
+        const Picture picture = look(floor, seen, camera, settings, environment.map, 1);
+        size_t dark = 0;
+        size_t shown = 0;
+        for (uint32_t y = 0; y < kHeight; ++y)
+            for (uint32_t x = 0; x < kWidth; ++x) {
+                if (!seen(camera.position, camera.rayThrough(x, y, kWidth, kHeight)))
+                    continue;
+                ++shown;
+                dark += picture.color(size_t{y} * kWidth + x).g < 0.45f; // half of a lookup at the horizon is dark
+            }
+        EXPECT_GT(shown, 200u);
+        EXPECT_LE(dark, shown / 100) << (rays ? "rays" : "sky");
+    }
+}
+
+/// Normals that follow their surface are kept to the last bit, up to its outline.
+TEST_F(PathEndTest, NormalsOfSmoothSurfacesAreKept) {
+    const SyntheticScene ball = [](const glm::dvec3& origin,
+                                   const glm::dvec3& direction) -> std::optional<SyntheticSurface> {
+        const double along = -glm::dot(origin, direction);
+        const double root = along * along - glm::dot(origin, origin) + 1;
+        if (root > 0)
+            return SyntheticSurface{along - std::sqrt(root), origin + direction * (along - std::sqrt(root)),
+                                    glm::vec3(1), 0, glm::vec3(0)};
+        const double distance = -(origin.y + 1) / direction.y;
+        if (!(distance > 0))
+            return {};
+        return SyntheticSurface{distance, {0, 1, 0}, glm::vec3(1), 0, glm::vec3(0)};
+    };
+    const SyntheticCamera camera = {.position = {0, 0.4, 3.2}, .target = {0, -0.2, 0}, .fovY = 0.9};
+    Settings settings;
+    settings.denoise.enabled = false;
+    SyntheticGBuffer g = SyntheticGBuffer::render(gpu(), ball, camera, kWidth, kHeight);
+    Reflections reflections = LibraryTest::reflections(kWidth, kHeight, settings);
+    must(reflections.setInputs(g.gbuffer, {}));
+    trace(reflections, camera.view(kWidth, kHeight));
+    const std::vector<float> normals = readView(reflections, "normal");
+    const auto surfaces = seen(ball, camera, kWidth, kHeight);
+    for (size_t i = 0; i < surfaces.size(); ++i)
+        if (surfaces[i]) {
+            const glm::dvec3 shown = glm::dvec3(normals[4 * i], normals[4 * i + 1], normals[4 * i + 2]);
+            EXPECT_LT(glm::distance(shown, surfaces[i]->normalWS), 1e-3) << i % kWidth << ", " << i / kWidth;
+        }
+}
+
 } // namespace path_end_test
 } // namespace glint::test
