@@ -289,16 +289,16 @@
         "Without the denoiser: one ray for 2 x 2 pixels; the others take the mean where rays around them differ by at most this fraction, else send their own; 0: each pixel sends one", \
         "",                                                                                                            \
         "linear 0..1; if rays.enabled=true; if denoise.enabled=false; cost -")                                         \
-    SETTING(int, bounces, 1, "[1, 8]", "",                                                                             \
-        "Maximum surfaces that a ray path hits; the last surface reflects the environment",                            \
+    SETTING(int, bounces, 1, "[1, 64]", "",                                                                            \
+        "Maximum surfaces that a ray path hits; what the last one reflects is estimated (rays.environmentOcclusion)",  \
         "ray-query:MAX_BOUNCES ray-query:bounces",                                                                     \
         "linear 1..4; if rays.enabled=true; cost +")                                                                   \
-    SETTING(bool, environmentOcclusion, false, "", "",                                                                 \
-        "One more ray tells if the environment that a path's last surface reflects is hidden there",                   \
+    SETTING(bool, environmentOcclusion, true, "", "",                                                                  \
+        "One more ray tells what a path's last surface reflects: the environment, or what the previous frame shows there, or else that surface's own light; off: the environment, hidden or not", \
         "",                                                                                                            \
         "switch; if rays.enabled=true; cost +")                                                                        \
     SETTING(RayLobe, lobe, RayLobe::Ggx, "", "",                                                                       \
-        "Ray directions: ggx (spread by roughness), mirror, or mirrorIfOne (mirror if rays.samples is 1, else ggx)",   \
+        "Ray directions: ggx (spread by roughness), mirror, mirrorIfOne (mirror if rays.samples is 1, else ggx), or cone (mirror directions, and what they find is filtered as wide as the lobe)", \
         "",                                                                                                            \
         "choice; if rays.enabled=true")                                                                                \
     SETTING(int, shadowRays, 1, "[1, 256]", "",                                                                        \

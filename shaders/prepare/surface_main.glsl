@@ -41,7 +41,18 @@ layout(set = 0, binding = 35, rg32ui) uniform writeonly uimage2D coatSurface;
 #endif
 
 #define GLINT_HOST_SAMPLER sampler2D
+#include "lib/face_normal.glsl"
 #include "prepare/load_material.glsl"
+
+FacePoint facePoint(ivec2 px, float z, vec3 normalVS) {
+    return FacePoint(viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z), normalVS,
+                     z < kBackgroundZ);
+}
+
+FacePoint loadFacePoint(ivec2 px) {
+    return facePoint(px, hostViewZ(frame.constants, texelFetch(depth, px, 0).r),
+                     hostNormalVS(frame.constants, texelFetch(normal, px, 0).xyz));
+}
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
@@ -52,6 +63,8 @@ void main() {
                                        loadMaterial(px, 0));
         float z = storedViewZ(frame.constants, here.viewZ);
         float reflectivity = z < kBackgroundZ ? maxComponent(here.f0) : 0.0;
+        if (reflectivity > 0.0)
+            here.normalVS = normalThatReflectsUp(px, facePoint(px, here.viewZ, here.normalVS));
         uvec2 packed = packSurface(Surface(here.normalVS, here.perceptualRoughness, reflectivity));
         imageStore(viewZ, px, vec4(z));
         imageStore(surface, px, uvec4(packed, 0u, 0u));

@@ -8,7 +8,8 @@
 /// A path whose first hit is the hit of the screen's ray.
 Path pathFromScreen(PixelRays from, PixelPlan plan, uint i, float regularization) {
     RayRecord screen = plan.screen;
-    Path path = startPath(from.originWS, reflect(-from.V, from.N), from.cone, 0.0, regularization);
+    Path path = startPath(from.originWS, reflect(-from.V, from.N), from.cone,
+                          isOn(kRaysCone) ? lobeAngle(from.perceptualRoughness) : 0.0, regularization);
     path.splits = plan.splits;
     ivec2 px = hitPixel(screen);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;

@@ -23,7 +23,7 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     previousHasLayers_ = std::exchange(hasLayers_, false);
     if (view.cut)
         forgetFrames(HistoryReset::View);
-    if (colors_.begin(frame, plan.previousColors))
+    if (colors_.begin(frame, plan.previousColors || plan.previousEnds))
         outputs_.remember(frame);
     if (Denoiser* const denoiser = optional_.find<Denoiser>())
         denoiser->begin(frame);
@@ -336,11 +336,16 @@ TraceInputs FrameStages::traceInputs() {
                          {},
                          probes(),
                          cones ? &cones->image() : nullptr};
-    if (colors_.valid())
-        trace.previous.emplace(
-            PreviousFrame{previousHasLayers_ ? optional_.find<Refraction>()->withoutLayers() : outputs_.previous(),
-                          outputs_.previous(), colors_.before(kViewZ)});
+    if (const std::optional<PreviousFrame> previous = previousFrame())
+        trace.previous.emplace(*previous);
     return trace;
+}
+
+std::optional<PreviousFrame> FrameStages::previousFrame() {
+    if (!colors_.valid())
+        return {};
+    return PreviousFrame{previousHasLayers_ ? optional_.find<Refraction>()->withoutLayers() : outputs_.previous(),
+                         outputs_.previous(), colors_.before(kViewZ)};
 }
 
 StageInputs FrameStages::stageInputs() {

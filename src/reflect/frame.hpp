@@ -104,6 +104,7 @@ private:
     void adopt(const PlanInputs& inputs);
     Result<void> change(const PlanInputs& next, bool withOptional);
     Result<void> makeFixed(const PlanInputs& inputs);
+    Result<void> makePrevious();
     std::vector<Source> makeSources();
     Result<void> giveScene(RaysSource& source);
     Result<void> rehearseFixed();
@@ -152,6 +153,8 @@ private:
     Prepared prepared() { return prepare_->prepared(host_, colors_.now(kViewZ)); }
     Met met() { return {prepared().viewZ, prepared().surface, prepared().backViewZ}; }
     TraceInputs traceInputs();
+    /// Nothing without a history.
+    std::optional<PreviousFrame> previousFrame();
     StageInputs stageInputs();
     HierarchyInputs hierarchyInputs();
     InspectorInputs inspectorInputs();

@@ -1,6 +1,7 @@
 #include "reflect/frame_plan.hpp"
 
 #include "reflect/denoise/denoises.hpp"
+#include "reflect/rays/path_end.hpp"
 #include "reflect/trace/cone_picture.hpp"
 #include "reflect/trace/technique.hpp"
 #include "reflect/trace/transparents.hpp"
@@ -46,6 +47,7 @@ void planResults(FramePlan& plan, const PlanInputs& inputs) {
     plan.combines = inputs.views || inputs.inspection || inputs.reflectionOutput || inputs.manySamples || plan.coat;
     plan.layers = inputs.transparentLayers && settings.refraction.enabled && !settings.debug.outcome && plan.composites;
     plan.records = plan.reflects || plan.layers || inputs.compositeOutput || inputs.reflectionOutput;
+    plan.previousEnds = plan.rays && !inputs.shadesHits && plan.composites && endsInPrevious(settings);
     plan.countsRays = inputs.statistics && (plan.screen || plan.rays);
 }
 

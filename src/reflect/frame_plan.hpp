@@ -55,6 +55,7 @@ struct PlanInputs {
     X(backFacesInPlace, "back faces are read from the host's image; otherwise prepare/back_faces converts them")       \
     X(pyramid, "prepare/pyramid builds the depth pyramid")                                                             \
     X(previousColors, "hits take their colours from the previous frame, which is kept")                                \
+    X(previousEnds, "paths end in the previous frame's picture, which is kept")                                        \
     X(tracesScreen, "the screen's rays are listed and marched")                                                        \
     X(cones, "trace/picture makes smaller copies of the picture for cones of rough surfaces")                          \
     X(transparents, "trace/transparents marches among transparent surfaces")                                           \

@@ -8,7 +8,7 @@ void FrameStages::rehearse(gpu::Frame& frame, RaysSource& rays) {
     if (!rays.hasScene())
         return;
     rays.record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs()),
-                        trace_->traced().rayRecord, false});
+                        trace_->traced().rayRecord, false, std::nullopt});
     if (Denoiser* const denoiser = optional_.findWanted<Denoiser>())
         rehearse(frame, *denoiser);
     rays.end(frame);

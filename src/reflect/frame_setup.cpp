@@ -11,12 +11,13 @@ constexpr size_t kMaxWritten = 256;
 std::vector<Source> FrameStages::makeSources() {
     std::vector<Source> sources(shared::kSourceCount);
     sources[shared::kSourceScreen] = {"screen", &FramePlan::screen, {}, [this] { return &resolve_->answer(); }};
-    sources[shared::kSourceRays] = {
-        "rays", &FramePlan::rays,
-        [this](gpu::Frame& frame, const EarlierAnswers& before) {
-            raysSource()->record(frame, {inputs(), prepared(), before, trace_->traced().rayRecord, block_->sameView()});
-        },
-        [this] { return &raysSource()->answer(); }};
+    sources[shared::kSourceRays] = {"rays", &FramePlan::rays,
+                                    [this](gpu::Frame& frame, const EarlierAnswers& before) {
+                                        raysSource()->record(frame,
+                                                             {inputs(), prepared(), before, trace_->traced().rayRecord,
+                                                              block_->sameView(), previousFrame()});
+                                    },
+                                    [this] { return &raysSource()->answer(); }};
     sources[shared::kSourcePlanar] = {"planar", &FramePlan::planar,
                                       [this](gpu::Frame& frame, const EarlierAnswers& before) {
                                           planarSource_->record(frame, {inputs(), prepared(), before});
@@ -104,14 +105,19 @@ Result<void> FrameStages::makeCoat(bool again) {
         again);
 }
 
+/// What the plan keeps of the previous frame.
+Result<void> FrameStages::makePrevious() {
+    if (!stages_.plan.previousColors && !stages_.plan.previousEnds)
+        return {};
+    GLINT_CHECK(outputs_.makePrevious());
+    return colors_.remember();
+}
+
 /// What the stages that every frame has need for the plan.
 Result<void> FrameStages::makeFixed(const PlanInputs& inputs) {
     const FramePlan& plan = stages_.plan;
     GLINT_CHECK(trace_->make());
-    if (plan.previousColors) {
-        GLINT_CHECK(outputs_.makePrevious());
-        GLINT_CHECK(colors_.remember());
-    }
+    GLINT_CHECK(makePrevious());
     if (inputs.settings.rays.enabled || plan.denoise)
         GLINT_CHECK(tables_->makeNoise(stages_.gpu));
     GLINT_CHECK(resolve_->make());
@@ -201,12 +207,15 @@ void FrameStages::restartAccumulation() {
 Result<void> FrameStages::setRays(GivenScene given) {
     std::swap(scene_, given);
     RaysSource* const rays = raysSource();
-    if (rays)
-        if (const Result<void> set = giveScene(*rays); !set) {
-            std::swap(scene_, given);
-            return set.error();
-        }
-    replan();
+    replan(); // paths may end in the previous picture, now that there are paths
+    Result<void> set = makePrevious();
+    if (set && rays)
+        set = giveScene(*rays);
+    if (!set) {
+        std::swap(scene_, given);
+        replan();
+        return set.error();
+    }
     GLINT_CHECK(makeCoat(false));
     return rays ? rehearseAlone(*rays) : Result<void>();
 }

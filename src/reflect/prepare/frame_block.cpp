@@ -56,7 +56,8 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::Setti
     flag(static_cast<bool>(images.motion), shared::kInputMotion);
     flag(host.gbuffer.occlusion.scale != 0 || host.gbuffer.occlusion.bias != 1, shared::kInputOcclusion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
-    flag(previous.valid(), shared::kInputHistory);
+    flag(previous.valid() && stages_->plan.previousColors, shared::kInputHistory);
+    flag(previous.valid(), shared::kInputPrevious);
     const bool now = settings.screen.colorSource == ColorSource::Current; // the previous image lacks them
     flag(host.conventions().highlightsInAlpha && !settings.screen.highlights && now, shared::kInputHighlights);
     flag(gammaBefore_, shared::kHistoryGamma);
