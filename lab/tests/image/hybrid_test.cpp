@@ -17,7 +17,9 @@ protected:
         Statistics::SceneRays rays;
     };
     static Drawn drawExact(std::vector<std::string> assignments) {
-        assignments.insert(assignments.begin(), {"fade.border=none", "rays.enabled=true"});
+        // Bounces are counted: no estimate of what further ones would bring.
+        assignments.insert(assignments.begin(),
+                           {"fade.border=none", "rays.enabled=true", "rays.environmentOcclusion=false"});
         render::RenderJob job;
         job.scene = "builtin:exact";
         job.camera = "front";
