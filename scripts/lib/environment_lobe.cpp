@@ -93,11 +93,12 @@ Values kernel(const Vec& axis, double roughness) {
 }
 
 /// A lookup `angle` from the normal, in the middle of a texel; `between`: where four texels meet, as in the middle of a
-/// cube's face. The last mip's faces have 8 texels along a side, those before twice as many each.
+/// cube's face. The last mip's faces have 8 texels along a side, those before twice as many each. The filter that makes
+/// them blurs its source besides, by somewhat less.
 Values lookup(double angle, double roughness, bool between) {
     if (!between)
         return kernel({std::sin(angle), std::cos(angle), 0}, roughness);
-    const double half = kPi / 4 / (8 * std::exp2(5 - 5 * roughness));
+    const double half = 1.4 * kPi / 4 / (8 * std::exp2(5 - 5 * roughness));
     Values sum(sphere.directions.size(), 0);
     for (int corner = 0; corner < 4; ++corner) {
         const double turned = angle + (corner & 1 ? half : -half), aside = corner & 2 ? half : -half;

@@ -253,6 +253,14 @@ float missBlur(float regularization) {
     return alone * inversesqrt(1.0 + float(frame.settings.denoise.reuseSamples));
 }
 
+/// The roughness at which the cube is looked up, for a blur of this one. Between a mirror and the first mip the mip's share
+/// is by the square of alpha: in proportion to the roughness its long tail would be in every lookup.
+float missRoughness(float perceptualRoughness) {
+    float first = 1.0 / max(frame.constants.environmentMips - 1.0, 1.0);
+    float part = perceptualRoughness / first;
+    return part < 1.0 ? first * square(square(part)) : perceptualRoughness;
+}
+
 void leaveScene(uint bounce, inout Path path) {
     path.ended = true;
     if (path.isLastRay) {
@@ -263,7 +271,8 @@ void leaveScene(uint bounce, inout Path path) {
     if (isOn(kRaysEnvironment))
         path.radiance +=
             path.throughput * environmentShare(path.ray.directionWS, path.density) *
-            loadEnvironmentRadiance(path.ray.directionWS, regularized(0.0, missBlur(path.regularization), spread));
+            loadEnvironmentRadiance(path.ray.directionWS,
+                                    missRoughness(regularized(0.0, missBlur(path.regularization), spread)));
     else if (!path.hit)
         path.weight = 0.0;
 }
