@@ -246,8 +246,11 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
 
 /// Fraction of a path's spread by which the environment is blurred where the path ends: as the part of the lobe shrinks
 /// that one of the averaged samples stands for, of which the denoiser's neighbours bring some in each frame. The cube's
-/// kernels have long tails, by which more blur would bring light from far outside of that part.
+/// kernels have long tails, by which more blur would bring light from far outside of that part. A cone stands for its whole
+/// lobe in every sample.
 float missBlur(float regularization) {
+    if (isOn(kRaysCone))
+        return regularization;
     float first = max(settings.regularization, 1e-6);
     float alone = regularization * square(regularization / first); // count^(-1/6), cubed
     return alone * inversesqrt(1.0 + float(frame.settings.denoise.reuseSamples));
