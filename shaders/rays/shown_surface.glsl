@@ -102,7 +102,7 @@ LitSurface shownCoated(LitSurface shown, ivec2 px, vec3 directionWS, float share
     coat.environmentSpecular = vec3(0.0);
     if ((frame.constants.flags & kInputFallback) != 0u)
         coat.environmentSpecular =
-            coat.reflectance * loadEnvironmentRadiance(reflect(directionWS, coat.normalWS), coat.lobeRoughness);
+            coat.reflectance * loadEnvironmentLobe(coat.normalWS, -directionWS, coat.lobeRoughness);
     shown.response *= 1.0 - coat.reflectance;
     shown.environmentSpecular *= 1.0 - coat.reflectance;
     return oneLobe(shown, coat, !isOn(kRaysMirror), noise);
