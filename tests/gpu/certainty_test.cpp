@@ -41,11 +41,19 @@ protected:
         return trace(lampBeforeWall(lamp), SyntheticCamera{}, kWidth, kHeight, settings, sky.map);
     }
 
+    /// Of the rays with this outcome, those that ended at the lamp.
     static std::vector<float> weightsOf(const Picture& picture, uint32_t outcome) {
+        const SyntheticCamera camera;
+        const SyntheticScene scene = lampBeforeWall(1);
         std::vector<float> weights;
-        for (size_t i = 0; i < picture.pixels(); ++i)
-            if (picture.outcome(i) == outcome)
+        for (size_t i = 0; i < picture.pixels(); ++i) {
+            if (picture.outcome(i) != outcome)
+                continue;
+            const glm::uvec2 px(picture.hitPX(i));
+            const auto shown = scene(camera.position, camera.rayThrough(px.x, px.y, kWidth, kHeight));
+            if (shown && shown->radiance.x == 1)
                 weights.push_back(picture.weight[i * 4]);
+        }
         return weights;
     }
 };

@@ -203,8 +203,9 @@ TEST_F(RayHitsTest, StatedWeightsAreHeldAgainstTheShareOfRightAnswers) {
     const HitFigures figures = judgeHits(view_, gbuffer(), all, reported, certainty).all;
     const AnswerShare& plain = figures.byKind[shared::kAnswerPlain];
     EXPECT_EQ(plain.answers, count);
-    EXPECT_NEAR(plain.share(), 0.5, 0.02);
-    EXPECT_NEAR(figures.stated[9].share(), 1, 0.02);
+    // Of the true hits, those at the wall's border lie in pixels whose centre shows something else.
+    EXPECT_GT(figures.stated[9].share(), 0.88);
+    EXPECT_NEAR(plain.share(), figures.stated[9].share() / 2, 0.01);
     EXPECT_NEAR(figures.stated[9].meanStated(), 0.95, 1e-5);
     EXPECT_EQ(figures.stated[3].right, 0u);
     EXPECT_NEAR(figures.stated[3].meanStated(), 0.35, 1e-5);

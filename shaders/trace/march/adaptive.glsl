@@ -27,7 +27,7 @@ void narrow(Ray r, inout float from, inout Sample s, inout uint lookups) {
     float halfPixel = 0.5 / screenPixels(r.screen);
     s.share = min(s.share + halfPixel, 1.0);
     s.rayZ = rayViewZ(r.screen, s.share);
-    from = max(front - halfPixel, from);
+    from = max(front - halfPixel, 0.0); // also into the pixel that a surface begins in, but does not show in
 }
 
 /// Fraction of the line at which the ray leaves its own pixel. In there it goes behind the depth of the pixel's centre,
