@@ -155,13 +155,17 @@ LobeMean lobeMean(vec2 px, Place here, LobeAxes axes, Turns turns, out float rad
                         nearnessSlope(frame.constants, here.positionVS, here.normalVS) * frame.constants.traceScale);
     float before = length(here.positionVS);
     vec2 size = vec2(textureSize(places, 0));
+    vec4 own = texelFetch(places, ivec2(px), 0);
     LobeMean sum = LobeMean(vec4(0.0), 0.0, 0.0);
     radius = 0.0;
     for (int i = 0; i < kLobeParts; ++i) {
         vec2 widths = lobeWidths(axes, square(here.perceptualRoughness), i);
         LobeEllipse farthest = lobeEllipse(turns.mirror, widths);
         float mip = min(lobeMip(sqrt(farthest.longPX * farthest.shortPX)), float(kLobeMips - 1u));
-        float nearness = nearnessIn(textureLod(places, px / size, mip), before);
+        vec4 around = textureLod(places, px / size, mip);
+        // Where the pixel's own hit is as bright as what is around, its distance is known and not a mean.
+        float known = clamp(own.w / max(around.w, kDark), 0.0, 1.0);
+        float nearness = mix(nearnessIn(around, before), nearnessIn(own, before), known);
         LobeEllipse ellipse = lobeEllipse(turns.mirror + nearness * turns.moved, widths);
         addPart(sum, kLobeShares[i], ellipse, nearness, plane, axes, turns, before);
         radius = max(radius, ellipse.longPX);

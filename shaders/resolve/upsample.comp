@@ -42,6 +42,7 @@ const float kOtherSurface = 0.01;
 
 /// Half of a wide lobe lies farther than this off its ray's hit, in distances between traced pixels.
 const float kWideLobe = 0.5;
+const float kWideFar = 2.0;
 
 /// True if rays start from pixels of this surface.
 bool reflects(Place here) {
@@ -301,8 +302,10 @@ vec4 sharpAnswer(Place here, ivec2 px) {
         return vec4(0.0); // nothing that rays from here may meet is shown
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
     bool aims = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size));
-    bool isMean = aims && coneOf(here, directionVS).alpha > 0.0; // the answers of misses, too
-    bool overlap = isMean && lobesOverlap(here, directionVS, corner);
+    // Of what is far, lobes so wide overlap: misses beside it have means of it, too.
+    bool isMean = aims && coneOf(here, directionVS).alpha > 0.0 &&
+                  lobePixels(here.perceptualRoughness, 0.0, 0.0) >= kWideFar * frame.constants.traceScale.y;
+    bool overlap = aims && lobesOverlap(here, directionVS, corner);
     Aimed aimed = Aimed(kNotAimed, vec2(0.0), 0.0);
     if (aims && rays.hit && !overlap)
         aimed = aimAmongHits(here, directionVS, px, corner, rays);
