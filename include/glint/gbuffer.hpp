@@ -103,8 +103,9 @@ struct Conventions {
 /// The host's images of one frame. Requires the same size for all images except backDepth, VK_IMAGE_USAGE_SAMPLED_BIT
 /// and a 2D view in a format that shaders read as float. Depth formats (D32, D24, D16, with or without stencil) are
 /// allowed for depth and backDepth only. A host that draws with several samples per pixel provides depth, normal,
-/// material, baseColor and the images of roughness, metallic and specular unresolved, with all samples: their means
-/// would describe surfaces that do not exist. It provides the other images resolved, with one sample per pixel.
+/// material, baseColor, coatNormal and the images of the material's scalars but occlusion unresolved, with all samples:
+/// their means would describe surfaces that do not exist. It provides the other images resolved, with one sample per
+/// pixel.
 struct GBuffer {
     HostImage depth;
     HostImage normal; ///< shading normals; sharp mirrors need 16 bits per channel, 8 bits show stair-steps
@@ -117,6 +118,17 @@ struct GBuffer {
     /// Specular of the dielectric part, whose F0 is 0.08 * value: 0.5 is glTF's 4 %. A host that stores F0 itself sets
     /// scale 12.5. MaterialKind::MetallicRoughness only.
     MaterialChannel specular = {.scale = 0, .bias = 0.5f};
+    /// F90, the reflectance at grazing angles; with MaterialKind::MetallicRoughness that of the dielectric part, as
+    /// metals have 1. The factor of KHR_materials_specular, which scales F90 as it scales F0. Not with
+    /// MaterialKind::Standard.
+    MaterialChannel f90 = {.scale = 0, .bias = 1};
+    /// Strength of a clear coat over the surface, [0, 1], as KHR_materials_clearcoat: a second lobe of F0 0.04, which
+    /// reflects the scene by itself and dims the surface by what it reflects. Where a coat is stated, F0 is the
+    /// surface's own, not dimmed, and fallbackSpecular holds what both lobes reflect. Costs passes and memory only
+    /// where it is stated: scale and bias not both 0.
+    MaterialChannel coat = {.scale = 0, .bias = 0};
+    MaterialChannel coatRoughness = {.scale = 0, .bias = 0}; ///< as Conventions::roughness states
+    HostImage coatNormal; ///< optional: the coat's own normals, encoded as `normal` is; absent: those of `normal`
     /// Ambient occlusion: 1 is unoccluded. Darkens reflections from probes and the environment, whose visibility no ray
     /// has tested; the answers of rays are exact. One sample per pixel.
     MaterialChannel occlusion = {.scale = 0, .bias = 1};

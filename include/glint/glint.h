@@ -347,6 +347,10 @@ typedef struct GlintGBuffer {
     const GlintImage* backDepth;
     const GlintConventions* conventions;
     const GlintImage* transparentDepth;
+    const GlintMaterialChannel* f90;
+    const GlintMaterialChannel* coat;
+    const GlintMaterialChannel* coatRoughness;
+    const GlintImage* coatNormal;
 } GlintGBuffer;
 
 GLINT_API void glint_gbuffer_init(GlintGBuffer* gbuffer, uint32_t size);

@@ -30,7 +30,7 @@ GLINT_SETTING_ENUM(RefractionProjection, Hiz, Proxy)
 GLINT_SETTING_ENUM(RayRate, Full, Checkerboard, Quarter, Adaptive)
 GLINT_SETTING_ENUM(Antilag, Off, Mean, Gradient)
 GLINT_SETTING_ENUM(VirtualMotion, Surface, Flat, Curved)
-GLINT_SETTING_ENUM(RayLobe, Ggx, Mirror, MirrorIfOne)
+GLINT_SETTING_ENUM(RayLobe, Ggx, Mirror, MirrorIfOne, Cone)
 
 struct ScreenSettings {
     GLINT_SCREEN_SETTINGS(GLINT_SETTING_MEMBER)

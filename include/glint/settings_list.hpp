@@ -266,7 +266,12 @@
     SETTING(bool, backface, false, "", "",                                                                             \
         "Fade hits on surfaces that face away from the ray's origin",                                                  \
         "babylon:attenuateBackfaceReflection",                                                                         \
-        "switch; if screen.enabled=true")
+        "switch; if screen.enabled=true")                                                                              \
+    SETTING(bool, uncertain, true, "", "",                                                                             \
+        "Answers that may be wrong (a side, a silhouette, a guess) weigh by how often such answers are right, and by "  \
+        "how much brighter they are than what would stand there instead; off: as much as certain ones",                \
+        "",                                                                                                            \
+        "switch; if screen.march=hiz|linear|adaptive; cost +")
 
 #define GLINT_RAYS_SETTINGS(SETTING)                                                                                   \
     SETTING(bool, enabled, false, "", "",                                                                              \
@@ -284,16 +289,16 @@
         "Without the denoiser: one ray for 2 x 2 pixels; the others take the mean where rays around them differ by at most this fraction, else send their own; 0: each pixel sends one", \
         "",                                                                                                            \
         "linear 0..1; if rays.enabled=true; if denoise.enabled=false; cost -")                                         \
-    SETTING(int, bounces, 1, "[1, 8]", "",                                                                             \
-        "Maximum surfaces that a ray path hits; the last surface reflects the environment",                            \
+    SETTING(int, bounces, 1, "[1, 64]", "",                                                                            \
+        "Maximum surfaces that a ray path hits; what the last one reflects is estimated (rays.environmentOcclusion)",  \
         "ray-query:MAX_BOUNCES ray-query:bounces",                                                                     \
         "linear 1..4; if rays.enabled=true; cost +")                                                                   \
-    SETTING(bool, environmentOcclusion, false, "", "",                                                                 \
-        "One more ray tells if the environment that a path's last surface reflects is hidden there",                   \
+    SETTING(bool, environmentOcclusion, true, "", "",                                                                  \
+        "One more ray tells what a path's last surface reflects: the environment, or what the previous frame shows there, or else that surface's own light; off: the environment, hidden or not", \
         "",                                                                                                            \
         "switch; if rays.enabled=true; cost +")                                                                        \
     SETTING(RayLobe, lobe, RayLobe::Ggx, "", "",                                                                       \
-        "Ray directions: ggx (spread by roughness), mirror, or mirrorIfOne (mirror if rays.samples is 1, else ggx)",   \
+        "Ray directions: ggx (spread by roughness), mirror, mirrorIfOne (mirror if rays.samples is 1, else ggx), or cone (mirror directions, and what they find is filtered as wide as the lobe)", \
         "",                                                                                                            \
         "choice; if rays.enabled=true")                                                                                \
     SETTING(int, shadowRays, 1, "[1, 256]", "",                                                                        \
@@ -485,6 +490,10 @@
     SETTING(bool, outcome, false, "", "",                                                                              \
         "Show ray outcomes: blue: max distance or clipped at the frustum, red: out of steps, yellow: off screen, "     \
         "green: hit (brighter: more steps)",                                                                           \
-        "babylon:debug")
+        "babylon:debug")                                                                                               \
+    SETTING(bool, certainty, false, "", "",                                                                            \
+        "Store of each screen-space answer, in place of its radiance, its kind, the share of such answers that are "    \
+        "right, and the weight that it states by that (glint compare measures with it)",                               \
+        "")
 
 // clang-format on

@@ -23,6 +23,7 @@ void addBakeCommand(CLI::App& program, Command& chosen);
 void addBenchCommand(CLI::App& program, Command& chosen);
 void addReportCommand(CLI::App& program, Command& chosen);
 void addTuneCommand(CLI::App& program, Command& chosen);
+void addSharesCommand(CLI::App& program, Command& chosen);
 void addSweepCommand(CLI::App& program, Command& chosen);
 void addSettingsCommand(CLI::App& program, Command& chosen);
 void addViewsCommand(CLI::App& program, Command& chosen);

@@ -72,6 +72,7 @@ int run(int argc, const char* const* argv, const render::RenderFunction& render,
     addBenchCommand(program, chosen);
     addReportCommand(program, chosen);
     addTuneCommand(program, chosen);
+    addSharesCommand(program, chosen);
     addSweepCommand(program, chosen);
     addSettingsCommand(program, chosen);
     addViewsCommand(program, chosen);

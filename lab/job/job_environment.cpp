@@ -1,6 +1,7 @@
 #include "lab/job/job_environment.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace glint::render {
 namespace {
@@ -16,11 +17,17 @@ scene::HdrImage turnedOver(const scene::HdrImage& image) {
 
 } // namespace
 
-Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings) {
+Result<Environment> makeEnvironment(gpu::Context& context, const JobInputs& inputs, const RenderSettings& settings,
+                                    StrongLights strongLights) {
     switch (inputs.environment) {
-    case EnvironmentKind::Image:
-        return Environment::create(context, settings.environment.isProbe ? turnedOver(inputs.environmentImage)
-                                                                         : inputs.environmentImage);
+    case EnvironmentKind::Image: {
+        const scene::HdrImage picture =
+            settings.environment.isProbe ? turnedOver(inputs.environmentImage) : inputs.environmentImage;
+        if (strongLights == StrongLights::Kept)
+            return Environment::create(context, picture);
+        scene::DividedPicture divided = scene::takeStrongLights(picture);
+        return Environment::create(context, divided.rest, std::move(divided.lights));
+    }
     case EnvironmentKind::Sky:
         return Environment::createSky(context, settings.analyticSky.elevation, settings.analyticSky.azimuth,
                                       settings.analyticSky.turbidity);

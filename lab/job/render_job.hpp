@@ -25,8 +25,11 @@ struct RenderJob {
     std::string materials;
     uint32_t width = 0; ///< pixels, [1, 16384]; 0 with height 0: the camera's own size, or 1280 x 720
     uint32_t height = 0;
-    double time = 0;     ///< seconds into the scene's animations
-    uint32_t frames = 1; ///< >= 1; the images are those of the last frame
+    double time = 0;          ///< seconds into the scene's animations
+    uint32_t frames = 1;      ///< >= 1; the images are those of the last frame
+    uint32_t stillFrames = 0; ///< frames that the viewer draws of a still view; 0: as many as the settings take
+    /// A picture to look at: display.antialias auto means accumulate.
+    bool smoothStill = false;
     /// Stops before `frames` once the picture has settled within this error (Settling); 0: never.
     double settle = 0;
     uint32_t seed = 0;              ///< seed of the rays' noise: the same seed gives the same bits

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 
 namespace glint::render {
 namespace {
@@ -28,21 +29,32 @@ Result<gpu::Image> makeCube(gpu::Context& context, const char* name, uint32_t fa
                                             VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT});
 }
 
-Result<gpu::Image> uploadEquirect(gpu::Context& context, const scene::HdrImage& equirect) {
+/// The radiance that is stored as 1. Environments that are too bright for halves are stored darker; what is dark then
+/// loses bits before what is bright is cut.
+float unitOf(const scene::HdrImage& equirect) {
+    constexpr float kLargestStored = 65000;
+    constexpr float kLargestUnit = 4096;
+    float brightest = 0;
+    for (const glm::vec3& rgb : equirect.rgb)
+        brightest = std::max({brightest, rgb.r, rgb.g, rgb.b});
+    return std::clamp(brightest / kLargestStored, 1.0f, kLargestUnit);
+}
+
+Result<gpu::Image> uploadEquirect(gpu::Context& context, const scene::HdrImage& equirect, float unit) {
     GLINT_TRY(image, gpu::Image::create(context, {"environment/equirect", kCubeFormat, equirect.width, equirect.height,
                                                   1, 1, gpu::ImageShape::Flat,
                                                   VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT}));
     std::vector<uint64_t> texels(equirect.rgb.size()); // four halves each
-    std::transform(equirect.rgb.begin(), equirect.rgb.end(), texels.begin(),
-                   [](const glm::vec3& rgb) { return glm::packHalf4x16(glm::vec4(rgb, 1)); });
+    std::transform(equirect.rgb.begin(), equirect.rgb.end(), texels.begin(), [unit](const glm::vec3& rgb) {
+        return glm::packHalf4x16(glm::vec4(glm::min(rgb / unit, glm::vec3(scene::kMaxRadiance)), 1));
+    });
     GLINT_CHECK(gpu::uploadImage(context, image, std::as_bytes(std::span(texels))));
     return image;
 }
 
 } // namespace
 
-Result<Environment> Environment::create(gpu::Context& context, const scene::HdrImage& equirect,
-                                        std::optional<Sun> sun) {
+Result<Environment> Environment::create(gpu::Context& context, const scene::HdrImage& equirect, std::vector<Sun> suns) {
     if (equirect.width == 0 || equirect.rgb.size() != size_t{equirect.width} * equirect.height)
         return makeError(ErrorCode::InvalidInput, "the environment's picture is empty");
     GLINT_TRY(toCube, gpu::Pipeline::compute(context, {"environment/equirect_to_cube", 0, {}}));
@@ -51,7 +63,8 @@ Result<Environment> Environment::create(gpu::Context& context, const scene::HdrI
 
     const uint32_t face = faceSize(equirect);
     const uint32_t mips = gpu::cubeMips(face, gpu::kLastFilteredFace);
-    GLINT_TRY(picture, uploadEquirect(context, equirect));
+    const float unit = unitOf(equirect);
+    GLINT_TRY(picture, uploadEquirect(context, equirect, unit));
     GLINT_TRY(source, makeCube(context, "environment/source", face, gpu::cubeMips(face, 1)));
     Environment result;
     GLINT_TRY(radiance, makeCube(context, "environment/radiance", face, mips));
@@ -68,13 +81,15 @@ Result<Environment> Environment::create(gpu::Context& context, const scene::HdrI
     }));
     result.radiance_ = std::move(radiance);
     result.diffuse_ = std::move(diffuse);
-    result.sun_ = sun;
+    result.suns_ = std::move(suns);
+    result.unit_ = unit;
     return result;
 }
 
 Result<Environment> Environment::createSky(gpu::Context& context, float elevation, float azimuth, float turbidity) {
     const Sky sky(glm::radians(elevation), glm::radians(azimuth), turbidity);
-    return create(context, sky.picture(512), sky.sun());
+    const std::optional<Sun> sun = sky.sun();
+    return create(context, sky.picture(512), sun ? std::vector<Sun>{*sun} : std::vector<Sun>());
 }
 
 Result<Environment> Environment::createNone(gpu::Context& context) {

@@ -2,20 +2,19 @@
 #pragma once
 
 #include "gpu/resources.hpp"
-#include "lab/scene/images/hdr_image.hpp"
+#include "lab/scene/images/strong_lights.hpp"
 
 #include <glm/glm.hpp>
 
-#include <optional>
+#include <vector>
 
 namespace glint::render {
 
-/// The sun is not in the cube maps, where it would cause noise: it is a directional light and a disc in the sky.
-struct Sun {
-    glm::vec3 directionToSun = glm::vec3(0, 1, 0); ///< unit, in the environment's own space
-    glm::vec3 irradiance = glm::vec3(0);           ///< on a surface that faces the sun
-    float angularRadius = 0.00465f;                ///< radians
-};
+/// The sun, or a lamp, is not in the cube maps, where it would cause noise and be spread past a surface's horizon: it
+/// is a directional light and a disc in the sky.
+using Sun = scene::StrongLight;
+
+constexpr float kSunRadius = 0.00465f; ///< radians, of the real one
 
 /// Orientation of the equirectangular image: u = 0.5 + atan2(d.z, d.x) / 2pi, v = acos(d.y) / pi from the top row.
 /// Rotation and strength are not baked in (RenderSettings::environment).
@@ -23,7 +22,7 @@ class Environment {
 public:
     /// Errors: InvalidInput for an empty image; OutOfMemory, DeviceLost.
     static Result<Environment> create(gpu::Context& context, const scene::HdrImage& equirect,
-                                      std::optional<Sun> sun = std::nullopt);
+                                      std::vector<Sun> suns = {});
     /// Preetham's sky with its sun (lab/renderer/sky.hpp); angles in degrees, as in RenderSettings::analyticSky.
     static Result<Environment> createSky(gpu::Context& context, float elevation, float azimuth, float turbidity);
     /// Creates a black environment.
@@ -31,12 +30,15 @@ public:
 
     gpu::Image& radiance() { return radiance_; } ///< RGBA16F cube; mip = perceptual roughness * (mips - 1)
     gpu::Image& diffuse() { return diffuse_; }   ///< RGBA16F cube: irradiance / pi
-    const std::optional<Sun>& sun() const { return sun_; }
+    const std::vector<Sun>& suns() const { return suns_; }
+    /// Radiance of 1 in the cubes, whose half floats cannot hold more than 65504: multiply what is read by it.
+    float unit() const { return unit_; }
 
 private:
     gpu::Image radiance_;
     gpu::Image diffuse_;
-    std::optional<Sun> sun_;
+    std::vector<Sun> suns_;
+    float unit_ = 1;
 };
 
 } // namespace glint::render

@@ -33,6 +33,10 @@ std::vector<VkFormat> GBuffer::colorFormats(const gpu::Context& context) {
             kRadianceFormat,       VK_FORMAT_R8G8B8A8_UNORM};
 }
 
+std::vector<VkFormat> GBuffer::lobeFormats(const gpu::Context& context) {
+    return {VK_FORMAT_R16G16B16A16_SFLOAT, normalFormat(context)};
+}
+
 Result<GBuffer> GBuffer::create(gpu::Context& context, uint32_t width, uint32_t height, const GBufferOptions& options) {
     const uint32_t largest = largestImage(context);
     if (width == 0 || height == 0 || width > largest || height > largest)
@@ -72,6 +76,12 @@ Result<GBuffer> GBuffer::create(gpu::Context& context, uint32_t width, uint32_t 
     GLINT_CHECK(make(result.litRadiance, "gbuffer/litRadiance", formats[3], kColor, 1));
     GLINT_CHECK(make(result.fallbackSpecular, "gbuffer/fallbackSpecular", formats[4], kColor, 1));
     GLINT_CHECK(make(result.albedo, "gbuffer/albedo", formats[5], kColor, 1));
+    if (options.lobes) {
+        const std::vector<VkFormat> lobes = lobeFormats(context);
+        GLINT_CHECK(make(result.lobes, "gbuffer/lobes", lobes[0], kColor, surfaceSamples));
+        GLINT_CHECK(make(result.coatNormal, "gbuffer/coatNormal", lobes[1], kColor, surfaceSamples));
+        result.coat = options.coat;
+    }
     if (samples > 1) {
         Multisampled& m = result.multisampled;
         if (prepass)

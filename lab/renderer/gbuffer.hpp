@@ -15,6 +15,8 @@ struct GBufferOptions {
     bool backFaces = false;          ///< also draw GBuffer::backDepth
     uint32_t backFaceDownsample = 0; ///< n: at size / (n + 1), rounded up
     bool backFaceTransparents = true;
+    bool lobes = false; ///< also draw GBuffer::lobes and coatNormal
+    bool coat = false;  ///< some surface has a clear coat; needs `lobes`
     bool operator==(const GBufferOptions&) const = default;
 };
 
@@ -32,9 +34,12 @@ struct GBuffer {
     gpu::Image material;    ///< RGBA16F: F0 in rgb, perceptual roughness in a; F0 = 0: reflects nothing
     gpu::Image motion;      ///< RGBA16F: previous UV - current UV, without jitter; previous - current viewZ, metres
     gpu::Image litRadiance; ///< RGBA16F: the complete lit image, linear; a: its mean without highlights
-    gpu::Image fallbackSpecular; ///< RGBA16F: the environment's specular part of litRadiance, base layer only
+    gpu::Image fallbackSpecular; ///< RGBA16F: the environment's specular part of litRadiance; coats' only with `lobes`
     gpu::Image albedo;           ///< RGBA8_UNORM: base colour, linear, for debug views; a: coverage of the pixel
-    gpu::Image backDepth; ///< as deviceDepth, of the nearest back faces; absent without backFaces; has its own size
+    gpu::Image lobes;      ///< RGBA16F: F90; strength and perceptual roughness of the clear coat; absent without lobes
+    gpu::Image coatNormal; ///< as normal, of the clear coat; absent without lobes
+    bool coat = false;     ///< some surface may have one
+    gpu::Image backDepth;  ///< as deviceDepth, of the nearest back faces; absent without backFaces; has its own size
 
     /// Multisampled render targets of the channels that are means; absent with one sample per pixel.
     struct Multisampled {
@@ -55,6 +60,8 @@ struct GBuffer {
     /// Returns the formats that `create` uses: normal, material, motion, litRadiance, fallbackSpecular, albedo, in the
     /// order of the surface pass's outputs.
     static std::vector<VkFormat> colorFormats(const gpu::Context& context);
+    /// Those of lobes and coatNormal.
+    static std::vector<VkFormat> lobeFormats(const gpu::Context& context);
 };
 
 /// Returns the render target of a channel: its multisampled image if present, otherwise the image itself.

@@ -15,12 +15,16 @@ Matrix4 toMatrix4(const glm::mat4& matrix) {
 
 } // namespace
 
-Result<Context> adoptDevice(gpu::Context& context) {
+Result<std::shared_ptr<Context>> adoptDevice(gpu::Context& context) {
+    if (context.companion().use_count() == 1)
+        return std::static_pointer_cast<Context>(context.companion());
     const gpu::AdoptedDevice handles = context.handles();
     GLINT_TRY(library, Context::adopt({handles.instance, handles.physicalDevice, handles.device, handles.queueFamily,
                                        handles.getInstanceProcAddr, handles.rayQuery}));
     library.gpu().replaceShaders(context.replacedShaders());
-    return library;
+    auto adopted = std::make_shared<Context>(std::move(library));
+    context.companion() = adopted;
+    return adopted;
 }
 
 HostImage lend(gpu::Frame& frame, gpu::Image& image) {
@@ -52,6 +56,15 @@ glint::GBuffer lendGBuffer(gpu::Frame& frame, GBuffer& g) {
     inputs.material = lend(frame, g.material);
     inputs.litRadiance = lend(frame, g.litRadiance);
     inputs.fallbackSpecular = lend(frame, g.fallbackSpecular);
+    if (g.lobes) {
+        const HostImage lobes = lend(frame, g.lobes);
+        inputs.f90 = {lobes, 0};
+        if (g.coat) {
+            inputs.coat = {lobes, 1};
+            inputs.coatRoughness = {lobes, 2};
+            inputs.coatNormal = lend(frame, g.coatNormal);
+        }
+    }
     if (g.backDepth)
         inputs.backDepth = lend(frame, g.backDepth);
     inputs.motion = lend(frame, g.motion);
@@ -76,7 +89,8 @@ TransparentLayer lendLayer(gpu::Frame& frame, gpu::Image& depth, LayerImages& la
 
 EnvironmentMap lendEnvironmentMap(gpu::Frame& frame, Environment& environment, const EnvironmentSettings& settings) {
     gpu::Image& cube = environment.radiance();
-    EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength, glm::radians(settings.rotation)};
+    EnvironmentMap map = {lend(frame, cube), cube.desc().mips, settings.strength * environment.unit(),
+                          glm::radians(settings.rotation)};
     map.diffuse = lend(frame, environment.diffuse());
     return map;
 }

@@ -13,8 +13,10 @@ inline constexpr gpu::Use kSampled = {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
                                       VK_ACCESS_2_SHADER_SAMPLED_READ_BIT | VK_ACCESS_2_TRANSFER_READ_BIT,
                                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 
-/// Adopts our device for the library, including our shader replacements. Errors: as Context::adopt.
-Result<Context> adoptDevice(gpu::Context& context);
+/// Adopts our device for the library, including our shader replacements. A later call returns the same context where
+/// nobody uses it any longer, so that the next session of a program compiles no pipeline a second time; sessions that
+/// exist together have their own, for each reports its memory. Errors: as Context::adopt.
+Result<std::shared_ptr<Context>> adoptDevice(gpu::Context& context);
 
 /// Wraps our image for the library, and transitions it to the layout that we promise.
 HostImage lend(gpu::Frame& frame, gpu::Image& image);

@@ -10,7 +10,7 @@ namespace glint::render {
 std::vector<shared::Light> gpuLights(const scene::Pose& pose) {
     std::vector<shared::Light> lights;
     for (const scene::PosedLight& posed : pose.lights) {
-        if (lights.size() + 1 >= shared::kMaxLights) {
+        if (lights.size() + scene::kMostStrongLights >= shared::kMaxLights) {
             log::warning("the scene has {} lights; the first {} are used", pose.lights.size(), lights.size());
             break;
         }
@@ -43,7 +43,8 @@ shared::Light sunLight(const Sun& sun, const EnvironmentSettings& settings) {
     shared::Light out = {};
     out.type = shared::kLightDirectional;
     out.color = sun.irradiance * settings.strength;
-    out.directionWS = -rotateFromEnvironment(sun.directionToSun, settings.rotation);
+    out.directionWS = -rotateFromEnvironment(sun.direction, settings.rotation);
+    out.angularRadius = sun.angularRadius;
     return out;
 }
 

@@ -1,4 +1,4 @@
-// The lights of a frame: the scene's lights and the sky's sun, with their tiles in the shadow atlas.
+// The lights of a frame: the scene's lights and the environment's suns, with their tiles in the shadow atlas.
 #pragma once
 
 #include "lab/renderer/environment.hpp"
@@ -10,8 +10,8 @@
 
 namespace glint::render {
 
-/// Returns the scene's lights in the form that shaders read, without shadows. Lights beyond shared::kMaxLights - 1 are
-/// dropped with a warning, as one light is reserved for the sun.
+/// Returns the scene's lights in the form that shaders read, without shadows. Lights beyond shared::kMaxLights -
+/// scene::kMostStrongLights are dropped with a warning: the rest is reserved for the environment's.
 std::vector<shared::Light> gpuLights(const scene::Pose& pose);
 
 /// Returns the sun as a directional light, with the environment's rotation and strength applied.

@@ -68,8 +68,10 @@
     SETTING(float, exposure, 0, "[-20, 20]", "EV",                                                                     \
         "Multiplies the image by 2^exposure before tone mapping",                                                      \
         "")                                                                                                            \
-    SETTING(Antialias, antialias, Antialias::None, "", "",                                                             \
-        "Antialiasing of edges: none, fxaa (on the finished image), or msaa4 (four samples per pixel)",                \
+    SETTING(Antialias, antialias, Antialias::Auto, "", "",                                                             \
+        "Antialiasing of edges: none, fxaa (on the finished image), msaa4 (four samples per pixel), accumulate (the "  \
+        "mean of a still view's frames, shifted within the pixel), or auto (accumulate in the viewer and for a PNG "   \
+        "of the composite alone, else none)",                                                                          \
         "babylon:samples=1:none|4:msaa4")
 
 #define GLINT_MEASURE_SETTINGS(SETTING)                                                                                \
@@ -86,7 +88,7 @@ namespace glint::render {
 
 GLINT_SETTING_ENUM(ShadowMode, None, Maps, Rays)
 GLINT_SETTING_ENUM(Tonemap, None, Neutral, Agx)
-GLINT_SETTING_ENUM(Antialias, None, Fxaa, Msaa4)
+GLINT_SETTING_ENUM(Antialias, Auto, None, Fxaa, Msaa4, Accumulate)
 
 struct EnvironmentSettings {
     GLINT_ENVIRONMENT_SETTINGS(GLINT_SETTING_MEMBER)

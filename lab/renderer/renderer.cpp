@@ -9,6 +9,18 @@
 #include <cmath>
 
 namespace glint::render {
+namespace {
+
+static_assert(scene::kMostStrongLights == shared::kMaxSuns);
+
+/// A disc of radiance L gives the irradiance pi L sin^2(radius).
+shared::SunDisc sunDisc(const Sun& sun, const EnvironmentSettings& settings) {
+    const float sinRadius = std::sin(sun.angularRadius);
+    return {rotateFromEnvironment(sun.direction, settings.rotation), std::cos(sun.angularRadius),
+            sun.irradiance * (settings.strength / (glm::pi<float>() * sinRadius * sinRadius))};
+}
+
+} // namespace
 
 Result<Renderer> Renderer::create(gpu::Context& context, const scene::Scene& scene, const scene::Pose& pose,
                                   Environment&& environment, const RenderSettings& settings) {
@@ -44,7 +56,7 @@ Result<void> Renderer::resize(uint32_t width, uint32_t height, const GBufferOpti
         return {};
     GLINT_TRY(gbuffer, GBuffer::create(*context_, width, height, options));
     if (!target_.gbuffer.litRadiance || options.mode != gbufferOptions_.mode ||
-        options.samples != gbufferOptions_.samples)
+        options.samples != gbufferOptions_.samples || options.lobes != gbufferOptions_.lobes)
         GLINT_CHECK(makePasses(options));
     GLINT_TRY(behind, TransparentPass::makeBehind(*context_, scene_, width, height));
     GLINT_CHECK(display_.resize(*context_, width, height, settings_.display));
@@ -115,8 +127,8 @@ Result<bool> Renderer::setMaterials(const scene::Scene& scene, const scene::Pose
 
 Result<void> Renderer::placeLights() {
     lights_ = sceneLights_;
-    if (environment_.sun())
-        lights_.push_back(sunLight(*environment_.sun(), settings_.environment));
+    for (const Sun& sun : environment_.suns())
+        lights_.push_back(sunLight(sun, settings_.environment));
     const bool maps = settings_.lights.shadows == ShadowMode::Maps;
     GLINT_CHECK(shadows_.resize(*context_, maps ? ShadowMaps::casters(lights_) : 0,
                                 static_cast<uint32_t>(settings_.shadows.resolution)));
@@ -164,18 +176,14 @@ void Renderer::updateView(gpu::Frame& frame, const ViewParameters& parameters, c
     constants.cameraForwardWS = view_.forwardWS();
     constants.lightCount = static_cast<uint32_t>(lights_.size());
     constants.environmentRotation = {std::cos(rotation), std::sin(rotation)};
-    constants.environmentStrength = environment.strength;
+    constants.environmentStrength = environment.strength * environment_.unit();
     constants.environmentVisible = environment.visible ? 1 : 0;
     constants.clipPlaneWS = parameters.clipPlaneWS;
     constants.highlights = parameters.highlights ? 1 : 0;
-    constants.sunCosRadius = 2;
-    if (const std::optional<Sun>& sun = environment_.sun(); sun && parameters.highlights && parameters.sunDisc) {
-        const float sinRadius = std::sin(sun->angularRadius);
-        constants.sunDirWS = rotateFromEnvironment(sun->directionToSun, environment.rotation);
-        constants.sunCosRadius = std::cos(sun->angularRadius);
-        // A disc of radiance L gives the irradiance pi L sin^2(radius).
-        constants.sunRadiance = sun->irradiance * (environment.strength / (glm::pi<float>() * sinRadius * sinRadius));
-    }
+    const bool drawsSuns = parameters.highlights && parameters.sunDisc;
+    for (size_t i = 0; i < std::size(constants.suns); ++i)
+        constants.suns[i] = drawsSuns && i < environment_.suns().size() ? sunDisc(environment_.suns()[i], environment)
+                                                                        : shared::SunDisc{{}, 2, {}};
     frame.update(viewBuffer_, &constants, sizeof(constants));
 }
 

@@ -93,7 +93,7 @@ public:
     Environment& environment() { return environment_; }
     const scene::Bounds& boundsWS() const { return scene_.boundsWS(); }
     GpuScene& scene() { return scene_; }
-    const std::vector<shared::Light>& lights() const { return lights_; } ///< the scene's lights, then the sun
+    const std::vector<shared::Light>& lights() const { return lights_; } ///< the scene's lights, then the suns
 
 private:
     explicit Renderer(gpu::Context& context) : context_(&context) {}
@@ -113,7 +113,7 @@ private:
     gpu::Buffer viewBuffer_;
     gpu::Buffer lightBuffer_;
     std::vector<shared::Light> sceneLights_;
-    std::vector<shared::Light> lights_; ///< of the frame: the scene's lights, then the sun
+    std::vector<shared::Light> lights_; ///< of the frame: the scene's lights, then the suns
     ShadowMaps shadows_;
     RayWorld* rayWorld_ = nullptr;
     std::optional<RayBackend> shadowBackend_; ///< the ray back end that the passes were created for; none: shadow maps

@@ -135,11 +135,12 @@ scene::HdrImage Sky::picture(uint32_t width) const {
 
 std::optional<Sun> Sky::sun() const {
     Sun sun;
+    sun.angularRadius = kSunRadius;
     // The disc fades out over its own height as it sets.
     const float above = glm::smoothstep(-sun.angularRadius, sun.angularRadius, std::asin(directionToSun_.y));
     if (above == 0)
         return std::nullopt;
-    sun.directionToSun = directionToSun_;
+    sun.direction = directionToSun_;
     sun.irradiance = sunIrradiance_ * above;
     return sun;
 }

@@ -4,6 +4,8 @@
 
 #include "lab/renderer/environment.hpp"
 
+#include <optional>
+
 namespace glint::render {
 
 class Sky {

@@ -61,20 +61,23 @@ Result<SurfacePass> SurfacePass::create(gpu::Context& context, const GpuScene& s
     SurfacePass result;
     result.options_ = options;
     const std::vector<VkFormat> formats = GBuffer::colorFormats(context);
+    const std::vector<VkFormat> lobes = options.lobes ? GBuffer::lobeFormats(context) : std::vector<VkFormat>();
     gpu::RasterDesc desc;
     if (options.mode == GBufferMode::Prepass) {
-        const std::string surface = litShader("render/surface", rayWorld);
+        const std::string surface = litShader(options.lobes ? "render/surface_lobes" : "render/surface", rayWorld);
         desc.fragmentShader = surface;
         desc.colorFormats = formats;
+        desc.colorFormats.insert(desc.colorFormats.end(), lobes.begin(), lobes.end());
         desc.samples = options.samples;
         GLINT_TRY(whole, SurfacePipelines::create(context, scene, desc));
         result.whole_ = std::move(whole);
         return result;
     }
-    desc.fragmentShader = "render/geometry.frag";
+    desc.fragmentShader = options.lobes ? "render/geometry_lobes.frag" : "render/geometry.frag";
     desc.colorFormats = {formats.begin(), formats.begin() + 3};
+    desc.colorFormats.insert(desc.colorFormats.end(), lobes.begin(), lobes.end());
     GLINT_TRY(geometry, SurfacePipelines::create(context, scene, desc));
-    const std::string shading = litShader("render/shading", rayWorld);
+    const std::string shading = litShader(options.lobes ? "render/shading_lobes" : "render/shading", rayWorld);
     desc.fragmentShader = shading;
     desc.colorFormats = {formats.begin() + 3, formats.end()};
     desc.samples = options.samples;
@@ -109,6 +112,10 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
             .color(gbuffer.material, clear)
             .color(drawn(gbuffer.multisampled.motion, gbuffer.motion), clear);
     };
+    const auto addLobes = [&](gpu::Pass& pass, const VkClearColorValue* clear) {
+        if (gbuffer.lobes)
+            pass.color(gbuffer.lobes, clear).color(gbuffer.coatNormal, clear);
+    };
     const auto addLight = [&](gpu::Pass& pass, const VkClearColorValue* clear) {
         pass.color(drawn(gbuffer.multisampled.litRadiance, gbuffer.litRadiance), clear)
             .color(drawn(gbuffer.multisampled.fallbackSpecular, gbuffer.fallbackSpecular), clear)
@@ -120,6 +127,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
             gpu::Pass pass = surfacePass(frame, pipeline, scene, inputs);
             addGeometry(pass, first ? &kZero : nullptr);
             addLight(pass, first ? &kZero : nullptr);
+            addLobes(pass, first ? &kZero : nullptr);
             return pass.depth(gbuffer.deviceDepth, first);
         });
         return;
@@ -127,6 +135,7 @@ void SurfacePass::draw(gpu::Frame& frame, const View& view, GpuScene& scene, con
     drawAll(frame, scene, geometry_, [&](const gpu::Pipeline& pipeline, bool first) {
         gpu::Pass pass = geometryPass(frame, pipeline, scene, inputs.view);
         addGeometry(pass, first ? &kZero : nullptr);
+        addLobes(pass, first ? &kZero : nullptr);
         return pass.depth(gbuffer.deviceDepth, first);
     });
     // With one sample per pixel the depth already exists, and only visible surfaces are lit.

@@ -72,6 +72,7 @@ public:
 private:
     enum class Wanted { No, IfLarge, Named };
 
+    /// Of the smoothest lobe.
     float roughnessOf(const scene::Material& material) const {
         const auto mean = [&](const scene::TextureSlot& slot, size_t channel) {
             if (slot.texture < 0)
@@ -79,9 +80,12 @@ private:
             const int image = scene_.textures[static_cast<size_t>(slot.texture)].image;
             return image < 0 ? 1.0f : meanOf(scene_.images[static_cast<size_t>(image)], channel);
         };
+        const float coat = material.clearcoatFactor > 0
+                               ? material.clearcoatRoughnessFactor * mean(material.clearcoatRoughnessTexture, 1)
+                               : 1.0f;
         if (material.specularGlossiness)
-            return 1 - material.glossinessFactor * mean(material.specularGlossinessTexture, 3);
-        return material.roughnessFactor * mean(material.metallicRoughnessTexture, 1);
+            return std::min(1 - material.glossinessFactor * mean(material.specularGlossinessTexture, 3), coat);
+        return std::min(material.roughnessFactor * mean(material.metallicRoughnessTexture, 1), coat);
     }
 
     Wanted wants(const scene::Material& material) const {

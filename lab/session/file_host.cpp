@@ -77,7 +77,7 @@ Result<void> FileHost::make() {
     GLINT_TRY(gbuffer, GBuffer::create(context_, inputs_->width, inputs_->height));
     gbuffer_ = std::move(gbuffer);
     GLINT_CHECK(upload());
-    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings_.render));
+    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings_.render, StrongLights::Kept));
     environment_ = std::move(environment);
     GLINT_TRY(display, DisplayPass::create(context_));
     display_ = std::move(display);
@@ -127,7 +127,7 @@ Result<void> FileHost::upload() {
 
 Result<void> FileHost::setSettings(const ProgramSettings& settings) {
     settings_ = settings;
-    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings_.render));
+    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings_.render, StrongLights::Kept));
     environment_ = std::move(environment);
     return display_.resize(context_, inputs_->width, inputs_->height, settings_.render.display);
 }

@@ -6,7 +6,8 @@
 namespace glint::render {
 
 Result<FrameViews> FrameViews::create(gpu::Context& context) {
-    FrameViews views(context);
+    GLINT_TRY(mean, FrameMean::create(context));
+    FrameViews views(context, std::move(mean));
     GLINT_TRY(viewPass, ViewPass::create(context));
     views.viewPass_ = std::move(viewPass);
     GLINT_TRY(opacity, gpu::Pipeline::compute(context, {"render/opacity", sizeof(glm::uvec2), {}}));
@@ -19,7 +20,8 @@ Result<void> FrameViews::resize(uint32_t width, uint32_t height) {
         return gpu::Image::create(*context_, {name, format, width, height, 1, 1, gpu::ImageShape::Flat,
                                               usage | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     };
-    GLINT_TRY(display, make("job/display", VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT));
+    GLINT_TRY(display,
+              make("job/display", VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT));
     display_ = std::move(display);
     GLINT_TRY(scene, make("job/scene", kRadianceFormat,
                           VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_SAMPLED_BIT |
@@ -38,12 +40,25 @@ void FrameViews::keepScene(gpu::Frame& frame, GBuffer& gbuffer) {
         .dispatch(scene_.width(), scene_.height());
 }
 
+Result<void> FrameViews::prepareMean(bool restart) {
+    if (restart)
+        mean_.clear();
+    return mean_.resize(scene_.width(), scene_.height());
+}
+
+void FrameViews::addToMean(gpu::Frame& frame, HostFrame& host) {
+    host.display(frame, composite_, display_);
+    mean_.add(frame, composite_, scene_, display_);
+}
+
 Result<void> FrameViews::show(const std::string& name, HostFrame& host, Reflections& reflections, gpu::Image& target) {
     GLINT_TRY(info, findView(name));
     Result<void> done;
     GLINT_CHECK(context_->submitAndWait([&](VkCommandBuffer commands) {
         gpu::Frame frame(*context_, commands);
-        if (name == "composite" || name == "scene") {
+        if (name == "composite" && mean_.frames() > 0) {
+            mean_.display(frame, target);
+        } else if (name == "composite" || name == "scene") {
             host.display(frame, name == "composite" ? composite_ : scene_, target);
         } else if (info->drawn) {
             gpu::Image& drawn = host.gbuffer().*info->drawn;
@@ -71,19 +86,15 @@ Result<void> FrameViews::show(const std::string& name, HostFrame& host, Reflecti
 Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, Reflections& reflections,
                                       bool display) {
     GLINT_TRY(info, findView(name));
+    if (name == "composite")
+        return readComposite(host, display);
     RenderedView view;
     view.name = name;
-    if (name == "composite" || name == "scene") {
-        gpu::Image& radiance = name == "composite" ? composite_ : scene_;
-        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, radiance));
+    if (name == "scene") {
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, scene_));
         view.rgba = std::move(rgba);
-        if (name == "composite") { // both show the same surfaces
-            GLINT_TRY(scene, gpu::downloadImageAsFloats(*context_, scene_));
-            for (size_t i = 3; i < scene.size(); i += 4)
-                view.rgba[i] = scene[i];
-        }
         if (display)
-            GLINT_CHECK(displayInto(view, host, radiance));
+            GLINT_CHECK(displayInto(view, host, scene_));
         return view;
     }
     if (info->drawn) {
@@ -109,10 +120,34 @@ Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, 
     return view;
 }
 
+Result<RenderedView> FrameViews::readComposite(HostFrame& host, bool display) {
+    RenderedView view;
+    view.name = "composite";
+    if (mean_.frames() > 0) {
+        GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, mean_.radiance()));
+        view.rgba = std::move(rgba);
+        if (display)
+            GLINT_CHECK(displayInto(view, [&](gpu::Frame& frame) { mean_.display(frame, display_); }));
+        return view;
+    }
+    GLINT_TRY(rgba, gpu::downloadImageAsFloats(*context_, composite_));
+    GLINT_TRY(scene, gpu::downloadImageAsFloats(*context_, scene_)); // both show the same surfaces
+    view.rgba = std::move(rgba);
+    for (size_t i = 3; i < scene.size(); i += 4)
+        view.rgba[i] = scene[i];
+    if (display)
+        GLINT_CHECK(displayInto(view, host, composite_));
+    return view;
+}
+
 Result<void> FrameViews::displayInto(RenderedView& view, HostFrame& host, gpu::Image& radiance) {
+    return displayInto(view, [&](gpu::Frame& frame) { host.display(frame, radiance, display_); });
+}
+
+Result<void> FrameViews::displayInto(RenderedView& view, const std::function<void(gpu::Frame&)>& draw) {
     GLINT_CHECK(context_->submitAndWait([&](VkCommandBuffer commands) {
         gpu::Frame frame(*context_, commands);
-        host.display(frame, radiance, display_);
+        draw(frame);
     }));
     GLINT_TRY(bytes, gpu::downloadImage(*context_, display_));
     view.rgb8.reserve(bytes.size() / 4 * 3);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lab/job/render_job.hpp"
+#include "lab/session/frame_mean.hpp"
 #include "lab/session/host_frame.hpp"
 #include "lab/session/view_pass.hpp"
 
@@ -22,6 +23,12 @@ public:
     gpu::Image& composite() { return composite_; }
     void setComposite(gpu::Image&& composite) { composite_ = std::move(composite); }
 
+    /// Makes "composite" the mean of the frames that are added. `restart`: without the earlier ones. Errors:
+    /// OutOfMemory.
+    Result<void> prepareMean(bool restart);
+    void addToMean(gpu::Frame& frame, HostFrame& host);
+    void endMean() { mean_.clear(); }
+
     /// Shows a view in `target` (RGBA8_UNORM with STORAGE and SAMPLED usage, of the frame's size) with the same bytes
     /// as `read`, and leaves `target` ready for sampling. Errors: InvalidArgument for an unknown view; DeviceLost.
     Result<void> show(const std::string& name, HostFrame& host, Reflections& reflections, gpu::Image& target);
@@ -30,10 +37,13 @@ public:
     Result<RenderedView> read(const std::string& name, HostFrame& host, Reflections& reflections, bool display);
 
 private:
-    explicit FrameViews(gpu::Context& context) : context_(&context) {}
+    FrameViews(gpu::Context& context, FrameMean&& mean) : context_(&context), mean_(std::move(mean)) {}
+    Result<RenderedView> readComposite(HostFrame& host, bool display);
     Result<void> displayInto(RenderedView& view, HostFrame& host, gpu::Image& radiance);
+    Result<void> displayInto(RenderedView& view, const std::function<void(gpu::Frame&)>& draw);
 
     gpu::Context* context_;
+    FrameMean mean_;
     ViewPass viewPass_;
     gpu::Pipeline opacity_;
     gpu::Image composite_;

@@ -21,7 +21,7 @@ Result<std::unique_ptr<ReflectionSession::Objects>> ReflectionSession::makeObjec
     GLINT_TRY(views, FrameViews::create(*context_));
     auto objects = std::make_unique<Objects>(std::move(views));
     GLINT_TRY(library, adoptDevice(*context_));
-    objects->library = std::make_unique<Context>(std::move(library));
+    objects->library = std::move(library);
     GLINT_TRY(host, makeHost(*objects->library));
     objects->host = std::move(host);
     GLINT_TRY(timers, gpu::Timers::create(*context_));
@@ -118,11 +118,17 @@ std::vector<std::string> ReflectionSession::notes() const {
 }
 
 /// A host's frame: its opaque image, the reflections, then the surfaces blended over both.
-Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FramePlan& plan) {
+Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameRequest& plan) {
     GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
     HostFrame& host = *objects_->host;
     Reflections& reflections = *objects_->reflections;
     FrameViews& views = objects_->views;
+    if (plan.draw)
+        host.setShift(plan.mean.shiftPX);
+    if (plan.mean.adds)
+        GLINT_CHECK(views.prepareMean(plan.mean.restarts));
+    else
+        views.endMean();
     const auto record = [&](VkCommandBuffer commands) -> Result<void> {
         gpu::Frame frame(*context_, commands, objects_->timers.get());
         if (plan.draw)
@@ -151,6 +157,8 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FramePla
             if (plan.draw)
                 host.drawTransparent(frame, views.scene(), false);
         }
+        if (plan.mean.adds)
+            views.addToMean(frame, host);
         frame.hand(views.composite(), kSampled);
         return {};
     };

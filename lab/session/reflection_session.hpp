@@ -16,13 +16,14 @@
 namespace glint::render {
 
 /// The work of a session in one frame.
-struct FramePlan {
+struct FrameRequest {
     bool draw = true;    ///< run the host's own passes; false: reuse the G-buffer of the previous frame
     bool reflect = true; ///< run the reflections
     bool blend = true;   ///< blend transparent surfaces over both images, if the frame is drawn
     /// Blend them over the reflected image of a frame that is not drawn, too. The other image has them since it was
     /// drawn. Requires drawsAlike.
     bool blendAgain = false;
+    MeanStep mean; ///< the views show the mean of frames that add to it; another frame ends it
     std::optional<std::array<uint32_t, 2>> inspect;         ///< inspect this pixel; requires SessionOptions::inspect
     std::function<void(gpu::Frame&, GBuffer&)> afterOpaque; ///< additional passes before the reflections; may be empty
 };
@@ -30,7 +31,7 @@ struct FramePlan {
 /// Times in milliseconds.
 struct FrameTimes {
     double wallMs = 0;                                        ///< recording, submitting and waiting for the whole frame
-    std::vector<std::pair<std::string, double>> hostPasses;   ///< GPU time, including FramePlan::afterOpaque
+    std::vector<std::pair<std::string, double>> hostPasses;   ///< GPU time, including FrameRequest::afterOpaque
     std::vector<std::pair<std::string, double>> effectPasses; ///< GPU time of the reflections
 };
 
@@ -77,7 +78,7 @@ public:
     Result<void> setTime(double seconds);
 
     /// The first frame, and the first frame after a change of settings or size, must be drawn.
-    Result<FrameTimes> renderFrame(uint32_t index, const FramePlan& plan = {});
+    Result<FrameTimes> renderFrame(uint32_t index, const FrameRequest& plan = {});
 
     // Results of the last frame.
     /// As FrameViews::show, without read-back: for windows.
@@ -108,7 +109,7 @@ private:
     /// The device objects. They have stable addresses, as they refer to each other.
     struct Objects {
         explicit Objects(FrameViews&& made) : views(std::move(made)) {}
-        std::unique_ptr<Context> library;
+        std::shared_ptr<Context> library;
         std::unique_ptr<HostFrame> host;
         std::unique_ptr<Reflections> reflections;
         std::unique_ptr<gpu::Timers> timers;

@@ -1,5 +1,6 @@
 #include "lab/session/run_job.hpp"
 
+#include "lab/session/frame_mean.hpp"
 #include "lab/session/scene_host.hpp"
 #include "lab/session/settling.hpp"
 
@@ -67,18 +68,23 @@ bool readsBlended(const Settings& settings) {
 }
 
 /// Renders frame `i` of a job. `shown`: its picture counts.
-Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown) {
-    FramePlan plan;
+Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown,
+                       const MeanStep& mean = {}) {
+    FrameRequest plan;
     // The host's passes have a time besides that of the first frame, in which the driver compiles.
     const bool again = shown && (timesPasses(job) || !session.drawsAlike());
-    plan.draw = i == 0 || again || readsBlended(job.settings.reflections);
+    plan.draw = i == 0 || again || mean.adds || readsBlended(job.settings.reflections);
     plan.blendAgain = shown;
+    plan.mean = mean;
     if (shown)
         plan.inspect = job.inspect;
     GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
-    if (job.progress)
-        job.progress(i + 1, job.frames);
     return {};
+}
+
+void showProgress(const RenderJob& job, uint32_t done, uint32_t frames) {
+    if (job.progress)
+        job.progress(done, frames);
 }
 
 /// A frame that is looked at is drawn as a last one is, so that the picture is that of as many frames without a look.
@@ -88,6 +94,7 @@ Result<Settled> renderUntilSettled(ReflectionSession& session, const RenderJob& 
         const uint32_t frames = i + 1;
         const bool look = frames < job.frames && Settling::looksAfter(frames);
         GLINT_CHECK(renderOne(session, job, firstIndex, i, look || frames == job.frames));
+        showProgress(job, frames, job.frames);
         if (!look)
             continue;
         GLINT_TRY(picture, session.readView("composite"));
@@ -95,6 +102,15 @@ Result<Settled> renderUntilSettled(ReflectionSession& session, const RenderJob& 
             return Settled{frames, settling.error()};
     }
     return Settled{job.frames, settling.error()};
+}
+
+/// Adds the mean's frames to a picture that has settled.
+Result<void> smoothSettled(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, Settled& settled) {
+    const uint32_t frames = smoothFramesAfter(settled.frames);
+    for (uint32_t i = 0; i < frames; ++i)
+        GLINT_CHECK(renderOne(session, job, firstIndex, settled.frames + i, true, meanStep(job, i, frames)));
+    settled.frames += frames;
+    return {};
 }
 
 } // namespace
@@ -107,10 +123,15 @@ Result<RenderResult> renderFrames(ReflectionSession& session, const RenderJob& j
     RenderResult result;
     if (job.settle > 0) {
         GLINT_TRY(settled, renderUntilSettled(session, job, firstIndex));
+        if (accumulates(job))
+            GLINT_CHECK(smoothSettled(session, job, firstIndex, settled));
         result.settled = settled;
     } else {
-        for (uint32_t i = 0; i < job.frames; ++i)
-            GLINT_CHECK(renderOne(session, job, firstIndex, i, i + 1 == job.frames));
+        for (uint32_t i = 0; i < job.frames; ++i) {
+            const MeanStep mean = accumulates(job) ? meanStep(job, i, job.frames) : MeanStep();
+            GLINT_CHECK(renderOne(session, job, firstIndex, i, i + 1 == job.frames, mean));
+            showProgress(job, i + 1, job.frames);
+        }
     }
     result.width = session.inputs().width;
     result.height = session.inputs().height;

@@ -2,6 +2,7 @@
 
 #include "lab/job/job_environment.hpp"
 #include "lab/renderer/lending.hpp"
+#include "lab/renderer/lobes.hpp"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ Result<std::unique_ptr<HostFrame>> SceneHost::create(gpu::Context& context, Cont
 
 Result<Renderer> SceneHost::makeRenderer() {
     const RenderSettings& settings = job_.settings.render;
-    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings));
+    GLINT_TRY(environment, makeEnvironment(context_, *inputs_, settings, StrongLights::Taken));
     return Renderer::create(context_, *inputs_->scene, inputs_->pose, std::move(environment), settings);
 }
 
@@ -59,7 +60,7 @@ Result<void> SceneHost::applySettings(const RenderSettings& before) {
     GLINT_CHECK(makeRayWorld());
     GLINT_CHECK(renderer_->setSettings(now));
     if (!sameEnvironment(before, now)) {
-        GLINT_TRY(environment, makeEnvironment(context_, *inputs_, now));
+        GLINT_TRY(environment, makeEnvironment(context_, *inputs_, now, StrongLights::Taken));
         GLINT_CHECK(renderer_->setEnvironment(std::move(environment)));
     }
     return resizeGBuffer();
@@ -72,8 +73,8 @@ Result<void> SceneHost::resize(uint32_t width, uint32_t height) {
 }
 
 Result<void> SceneHost::resizeGBuffer() {
-    GLINT_CHECK(renderer_->resize(inputs_->width, inputs_->height,
-                                  gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias)));
+    const GBufferOptions options = gbufferOptions(job_.settings.reflections, job_.settings.render.display.antialias);
+    GLINT_CHECK(renderer_->resize(inputs_->width, inputs_->height, withLobes(options, *inputs_->scene)));
     const int most = job_.settings.render.transparent.layers;
     return renderer_->makeLayers(hasLayers() ? static_cast<uint32_t>(most) : 0);
 }
@@ -83,6 +84,15 @@ Result<void> SceneHost::setCamera(const scene::Camera& camera) {
         parameters_.prevCamera = parameters_.camera;
     parameters_.camera = camera;
     return {};
+}
+
+void SceneHost::setShift(glm::vec2 shiftPX) {
+    if (shiftPX == parameters_.jitterPX)
+        return;
+    if (!parameters_.prevCamera) // at rest, which is the frame before with its own shift
+        parameters_.prevCamera = parameters_.camera;
+    parameters_.prevJitterPX = parameters_.jitterPX;
+    parameters_.jitterPX = shiftPX;
 }
 
 Result<bool> SceneHost::setTime(double seconds, Reflections& reflections) {
@@ -107,7 +117,10 @@ Result<bool> SceneHost::setMaterials(const scene::MaterialOverrides& overrides, 
         GLINT_CHECK(rayWorld_->setMaterials(renderer_->scene(), *inputs_->scene, inputs_->pose));
         GLINT_CHECK(context_.submitAndWait([&](VkCommandBuffer commands) { rayWorld_->record(commands); }));
     }
-    return moveMirrors();
+    const bool hadLobes = bool(renderer_->gbuffer().lobes);
+    GLINT_CHECK(resizeGBuffer()); // the first clear coat needs images of its own
+    GLINT_TRY(mirrorsFit, moveMirrors());
+    return mirrorsFit && hadLobes == bool(renderer_->gbuffer().lobes);
 }
 
 /// Keeps the renderer's address, which mirrors refer to until giveSources replaces them.

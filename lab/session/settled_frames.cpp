@@ -7,6 +7,10 @@ namespace glint::render {
 
 namespace {
 
+/// Frames after which what paths' ends take from the previous picture no longer changes much: each adds a path's
+/// bounces.
+constexpr uint32_t kFramesOfEnds = 8;
+
 bool accumulates(const Settings& settings) {
     return settings.rays.enabled && settings.rays.accumulate;
 }
@@ -19,7 +23,9 @@ uint32_t settledFrames(const Settings& settings) {
     if (settings.denoise.enabled && traces && !accumulates(settings))
         frames = static_cast<uint32_t>(std::ceil(settings.denoise.historySeconds * kFramesPerSecond));
     // The first frame has no previous one.
-    const uint32_t least = settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous ? 2 : 1;
+    uint32_t least = settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous ? 2 : 1;
+    if (settings.rays.enabled && settings.rays.environmentOcclusion && !accumulates(settings))
+        least = kFramesOfEnds;
     return std::max(frames, least);
 }
 

@@ -11,8 +11,8 @@ namespace glint::render {
 /// Frames per second of our programs' clock (View::seconds).
 constexpr double kFramesPerSecond = 60;
 
-/// As many as the settings' history holds: denoise.historySeconds, or the previous frame's colours. rays.accumulate has
-/// no end, and counts as one.
+/// As many as the settings' history holds: denoise.historySeconds, or the previous frame's colours, for hits or for the
+/// ends of paths. rays.accumulate has no end, and counts as one.
 uint32_t settledFrames(const Settings& settings);
 
 /// The most frames of a picture that is rendered until it has settled (RenderJob::settle): settledFrames, or 1024 with

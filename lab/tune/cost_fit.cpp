@@ -153,7 +153,7 @@ Result<CostSample> measureCosts(const CostTable& table, render::ReflectionSessio
                                 uint32_t frames) {
     const Settings settings = session.settings().reflections;
     const auto effectPlan = [&floor](bool draw) {
-        render::FramePlan plan;
+        render::FrameRequest plan;
         plan.draw = draw;
         plan.blend = false;
         plan.afterOpaque = [&floor](gpu::Frame& frame, render::GBuffer& gbuffer) { floor.record(frame, gbuffer); };

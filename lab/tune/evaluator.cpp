@@ -89,7 +89,7 @@ public:
         measure::EffectTimes times;
         GLINT_TRY(drawn, session_.renderFrame(0));
         times.addDrawn(drawn);
-        render::FramePlan effect;
+        render::FrameRequest effect;
         effect.draw = false;
         effect.afterOpaque = [this](gpu::Frame& frame, render::GBuffer& gbuffer) { floor_.record(frame, gbuffer); };
         for (uint32_t i = 0; i < frames; ++i) {
@@ -122,7 +122,7 @@ private:
             GLINT_CHECK(moveTo(view, frame));
             session_.restartAccumulation(view.seed + kOtherNoise);
             for (uint32_t i = 0; i < plan_.referenceFrames; ++i) {
-                render::FramePlan plan;
+                render::FrameRequest plan;
                 plan.draw = i == 0 || i + 1 == plan_.referenceFrames; // transparent surfaces belong over the last one
                 GLINT_CHECK(session_.renderFrame(frame * plan_.referenceFrames + i, plan));
             }
@@ -140,7 +140,7 @@ private:
         const bool readsLast = settings.screen.enabled && settings.screen.colorSource == ColorSource::Previous;
         if (!still) { // the first frame shows no motion
             GLINT_CHECK(moveTo(view, 0));
-            render::FramePlan draw;
+            render::FrameRequest draw;
             draw.reflect = false;
             GLINT_CHECK(session_.renderFrame(0, draw));
         }
@@ -150,7 +150,7 @@ private:
         for (uint32_t frame = 0; frame < frames; ++frame) {
             if (!still || frame == 0)
                 GLINT_CHECK(moveTo(view, frame));
-            render::FramePlan plan;
+            render::FrameRequest plan;
             plan.draw = !still || frame == 0 || frame + 1 == frames || readsLast;
             GLINT_TRY(drawn, session_.renderFrame(frame, plan));
             times.add(drawn);

@@ -25,6 +25,7 @@ struct Word {
 constexpr std::array kWords = {
     Word{"frame", Kind::Frame, Rest::Numbers, 1, "frame N"},
     Word{"still", Kind::Still, Rest::Nothing, 0, "still"},
+    Word{"quiet", Kind::Quiet, Rest::Nothing, 0, "quiet"},
     Word{"key", Kind::Key, Rest::Stroke, 0, "key NAME"},
     Word{"press", Kind::Press, Rest::Stroke, 0, "press NAME"},
     Word{"release", Kind::Release, Rest::Stroke, 0, "release NAME"},

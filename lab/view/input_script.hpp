@@ -15,6 +15,7 @@ struct ScriptStep {
     enum class Kind {
         Frame,       ///< frame N: lets N frames pass
         Still,       ///< still: waits until the picture is complete at full size
+        Quiet,       ///< quiet: ends the message that the bar shows, unless it is an error
         Key,         ///< key Ctrl+P: presses and releases
         Press,       ///< press W
         Release,     ///< release W

@@ -1,8 +1,11 @@
 #include "lab/view/scene_picture.hpp"
 
 #include "gpu/transfer.hpp"
+#include "lab/session/frame_mean.hpp"
 #include "lab/session/settled_frames.hpp"
 #include "lab/view/orbit_camera.hpp"
+
+#include <algorithm>
 
 namespace glint::view {
 namespace {
@@ -40,10 +43,13 @@ Result<void> ScenePicture::makeImages() {
 }
 
 uint32_t ScenePicture::wanted() const {
+    if (job_.stillFrames > 0)
+        return job_.stillFrames;
     const Settings& settings = job_.settings.reflections;
     if (settings.rays.enabled && settings.rays.accumulate)
-        return job_.frames > 1 ? job_.frames : kAccumulatedFrames;
-    return render::settledFrames(settings);
+        return kAccumulatedFrames;
+    const uint32_t settled = render::settledFrames(settings);
+    return render::accumulates(job_) ? std::max(settled, render::kSmoothFrames) : settled;
 }
 
 Result<void> ScenePicture::setSettings(const render::ProgramSettings& settings) {
@@ -108,7 +114,10 @@ Result<void> ScenePicture::remake() {
 }
 
 Result<void> ScenePicture::render() {
-    GLINT_TRY(times, session_.renderFrame(index_++));
+    render::FrameRequest request;
+    if (render::accumulates(job_))
+        request.mean = render::meanStep(job_, frames_, wanted());
+    GLINT_TRY(times, session_.renderFrame(index_++, request));
     times_ = std::move(times);
     ++frames_;
     ++version_;

@@ -32,7 +32,7 @@ public:
     Result<void> render();
     /// Returns the number of frames since the last change; the picture is the last of them.
     uint32_t frames() const { return frames_; }
-    /// More frames would not change it, or there are enough of them: RenderJob::frames, or kAccumulatedFrames for 1.
+    /// More frames would not change it, or there are enough of them: RenderJob::stillFrames, or kAccumulatedFrames.
     bool complete() const { return frames_ >= wanted(); }
     uint64_t version() const { return version_; } ///< differs for every frame
 

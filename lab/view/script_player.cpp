@@ -53,6 +53,10 @@ void ScriptPlayer::start(const ScriptStep& step, const ScriptTarget& target) {
     switch (step.kind) {
     case Kind::Frame: waiting_ = n[0]; break;
     case Kind::Still: calm_ = 0; break;
+    case Kind::Quiet:
+        target.quiet();
+        waiting_ = 2; // a panel takes a frame to close its gap
+        break;
     case Kind::Key: frames_ = {{keyEvent(step.stroke, true)}, {keyEvent(step.stroke, false)}}; break;
     case Kind::Press: frames_ = {{keyEvent(step.stroke, true)}}; break;
     case Kind::Release: frames_ = {{keyEvent(step.stroke, false)}}; break;

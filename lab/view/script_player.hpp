@@ -14,6 +14,7 @@ struct ScriptTarget {
     std::function<void(uint32_t, uint32_t)> resize;
     std::function<void()> minimize;
     std::function<void()> restore;
+    std::function<void()> quiet;
     std::function<void(const ScriptStep&)> request; ///< Screenshot, Picture, Stats, Save
 };
 

@@ -202,6 +202,10 @@ std::vector<InputEvent> Viewer::input() {
         [this](uint32_t width, uint32_t height) { window_->resize(width, height); },
         [this] { window_->minimize(); },
         [this] { window_->restore(); },
+        [this] {
+            if (!state_.messageIsError)
+                state_.message.clear();
+        },
         [this](const ScriptStep& step) {
             state_.ask(step.kind == ScriptStep::Kind::Screenshot ? Request::Kind::Screenshot
                        : step.kind == ScriptStep::Kind::Picture  ? Request::Kind::Picture
@@ -629,7 +633,7 @@ Result<void> runViewer(const ViewOptions& options) {
         if (ending(checked.screenshot) != ".png")
             return invalidArgument("--screenshot {}: the name must end in .png", printable(checked.screenshot));
     }
-    job.display = job.statistics = true;
+    job.display = job.statistics = job.smoothStill = true;
     job.inspect = std::array<uint32_t, 2>{};
     Viewer viewer(checked, SettingsModel(cli::settingsRequest(checked.scene), job.settings), job);
     GLINT_CHECK(viewer.open());

@@ -6,6 +6,8 @@
 //
 // GLINT_COMBINES: the pass combines the sources itself, and no image holds the reflections alone. For hosts with one
 // sample a pixel: a pixel that shows several surfaces needs the reflections of its neighbours.
+//
+// GLINT_COAT: the host states a clear coat, a second lobe over the surface's with reflections of its own.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -17,6 +19,7 @@
 #endif
 #include "lib/brdf.glsl"
 #include "lib/camera.glsl"
+#include "lib/coat.glsl"
 #include "lib/edge.glsl"
 #include "lib/environment.glsl"
 #include "lib/input_color.glsl"
@@ -40,21 +43,27 @@ layout(set = 0, binding = 11) uniform sampler2D material;
 layout(set = 0, binding = 12) uniform sampler2D litRadiance;
 layout(set = 0, binding = 13) uniform sampler2D fallbackSpecular;
 layout(set = 0, binding = 14) uniform sampler2D dfg;
+#ifdef GLINT_COAT
+layout(set = 0, binding = 16) uniform usampler2D coatSurface; // lib/coat.glsl
+layout(set = 0, binding = 17) uniform sampler2D coatReflected;
+#endif
 CompositeConstants settings = frame.settings.composite;
 
 /// Fraction of reflected light that this surface sends to the eye.
-vec3 physicalResponse(vec3 f0, float perceptualRoughness, float NoV) {
-    return settings.fresnel != 0u ? specularResponse(f0, 1.0, dfgAt(dfg, NoV, perceptualRoughness)) : f0;
+vec3 physicalResponse(vec3 f0, float f90, float perceptualRoughness, float NoV) {
+    return settings.fresnel != 0u ? specularResponse(f0, f90, dfgAt(dfg, NoV, perceptualRoughness)) : f0;
 }
 
 /// One of the surfaces that a pixel shows. With one sample a pixel there is one surface, with coverage 1.
 struct Share {
     float coverage; // [0, 1]
     vec3 f0;
+    float f90;
     float perceptualRoughness;
     float NoV;
     vec4 reflection; // weighted radiance, total weight
     vec3 lit;        // of this surface, as far as known
+    ivec2 at;        // the pixel whose reflection that is
 };
 
 float viewCosine(ivec2 px, float z, vec3 normalVS) {
@@ -66,6 +75,10 @@ float viewCosine(ivec2 px, float z, vec3 normalVS) {
 /// F0 and coverage.
 vec4 loadMaterial(ivec2 px) {
     return resolvedMaterial(frame.constants, texelFetch(material, px, 0));
+}
+
+float loadF90(ivec2 px) {
+    return resolvedF90(frame.constants, texelFetch(material, px, 0));
 }
 
 vec3 loadLit(ivec2 px) {
@@ -82,7 +95,7 @@ Share frontShare(ivec2 px, float z, Surface here, vec3 lit) {
         Walk walk = combinedAnswers(px, z, hasTracedAnswer(), shares);
         reflection = vec4(walk.radiance, walk.taken);
     }
-    return Share(1.0, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS), reflection, lit);
+    return Share(1.0, f0, loadF90(px), here.perceptualRoughness, viewCosine(px, z, here.normalVS), reflection, lit, px);
 }
 
 /// Does any surface of the pixel reflect? The background does not.
@@ -91,7 +104,7 @@ bool mayReflect(ivec2 px, Surface here) {
 }
 
 Share secondShare(ivec2 px, float frontCoverage) {
-    return Share(0.0, vec3(0.0), 1.0, 1.0, vec4(0.0), vec3(0.0));
+    return Share(0.0, vec3(0.0), 1.0, 1.0, 1.0, vec4(0.0), vec3(0.0), px);
 }
 
 #else
@@ -107,7 +120,7 @@ bool mayReflect(ivec2 px, Surface here) {
 Response response(Share share) {
     if (maxComponent(share.f0) <= 0.0)
         return Response(vec3(0.0), vec3(0.0));
-    return userResponse(settings, physicalResponse(share.f0, share.perceptualRoughness, share.NoV));
+    return userResponse(settings, physicalResponse(share.f0, share.f90, share.perceptualRoughness, share.NoV));
 }
 
 /// `fallback` is the mean over all surfaces of the pixel, and so includes coverage already. Where the sources answered
@@ -129,7 +142,7 @@ vec3 physical(vec3 lit, vec3 fallback, Share front, Share second) {
 vec3 lerpedSurface(Share share) {
     if (maxComponent(share.f0) <= 0.0)
         return share.lit;
-    return lerpedReflection(settings, share.lit, share.reflection, share.f0, 1.0, share.NoV);
+    return lerpedReflection(settings, share.lit, share.reflection, share.f0, share.f90, share.NoV);
 }
 
 vec3 lerped(vec3 lit, Share front, Share second) {
@@ -138,6 +151,39 @@ vec3 lerped(vec3 lit, Share front, Share second) {
     return lit + front.coverage * (lerpedSurface(front) - front.lit) +
            second.coverage * (lerpedSurface(second) - second.lit);
 }
+
+/// True if a source has answered what the surface reflects.
+bool isReflecting(Share share) {
+    return maxComponent(share.f0) * share.reflection.a > 0.0;
+}
+
+vec3 loadFallback(ivec2 px) {
+    if ((frame.constants.flags & kInputFallback) == 0u)
+        return vec3(0.0);
+    return linearColor(texelFetch(fallbackSpecular, px, 0).rgb, (frame.constants.flags & kInputGamma) != 0u);
+}
+
+#ifdef GLINT_COAT
+
+#include "composite/coat_shares.glsl"
+
+/// The pixel with its reflections. False if no source has answered for it.
+bool reflecting(ivec2 px, vec3 lit, Share front, Share second, out vec3 result) {
+    return coated(px, lit, loadFallback(px), front, second, result);
+}
+
+#else
+
+/// The pixel with its reflections. False if no source has answered for it.
+bool reflecting(ivec2 px, vec3 lit, Share front, Share second, out vec3 result) {
+    result = lit;
+    if (!isReflecting(front) && !isReflecting(second))
+        return false;
+    result = settings.model == 0u ? physical(lit, loadFallback(px), front, second) : lerped(lit, front, second);
+    return true;
+}
+
+#endif
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
@@ -154,12 +200,7 @@ void main() {
         float z = texelFetch(viewZ, px, 0).r;
         Share front = frontShare(px, z, here, lit);
         Share second = secondShare(px, front.coverage);
-        if (maxComponent(front.f0) * front.reflection.a + maxComponent(second.f0) * second.reflection.a > 0.0) {
-            bool hasFallback = (frame.constants.flags & kInputFallback) != 0u;
-            vec3 fallback = vec3(0.0);
-            if (hasFallback)
-                fallback = linearColor(texelFetch(fallbackSpecular, px, 0).rgb, fromGamma);
-            result = settings.model == 0u ? physical(lit, fallback, front, second) : lerped(lit, front, second);
+        if (reflecting(px, lit, front, second, result)) {
             result = sanitize(result); // the sum of two large halves may be infinite
             untouched = false;
         }

@@ -33,14 +33,14 @@ Share frontShare(ivec2 px, float z, Surface here, vec3 lit) {
     vec3 f0 = here.reflectivity > 0.0 ? resolved.rgb : vec3(0.0);
     if (resolved.a < 1.0 && settings.model != 0u)
         lit = litNearby(px, z, here.normalVS);
-    return Share(resolved.a, f0, here.perceptualRoughness, viewCosine(px, z, here.normalVS),
-                 texelFetch(reflected, px, 0), lit);
+    return Share(resolved.a, f0, loadF90(px), here.perceptualRoughness, viewCosine(px, z, here.normalVS),
+                 texelFetch(reflected, px, 0), lit, px);
 }
 
 /// The second surface of an edge. No ray was traced for it, but its neighbour has the answer. Without a neighbour's
 /// answer no light is replaced.
 Share secondShare(ivec2 px, float frontCoverage) {
-    Share none = Share(0.0, vec3(0.0), 1.0, 1.0, vec4(0.0), vec3(0.0));
+    Share none = Share(0.0, vec3(0.0), 1.0, 1.0, 1.0, vec4(0.0), vec3(0.0), px);
     if (frontCoverage >= 1.0)
         return none;
     Edge second = unpackEdge(texelFetch(edge, px, 0));
@@ -50,6 +50,7 @@ Share secondShare(ivec2 px, float frontCoverage) {
     if (at.x < 0)
         return none;
     vec3 lit = settings.model != 0u ? litNearby(px, second.viewZ, second.normalVS) : vec3(0.0);
-    return Share(second.coverage, second.f0, unpackSurface(texelFetch(surface, at, 0).xy).perceptualRoughness,
-                 viewCosine(px, second.viewZ, second.normalVS), texelFetch(reflected, at, 0), lit);
+    float roughness = unpackSurface(texelFetch(surface, at, 0).xy).perceptualRoughness;
+    return Share(second.coverage, second.f0, loadF90(at), roughness,
+                 viewCosine(px, second.viewZ, second.normalVS), texelFetch(reflected, at, 0), lit, at);
 }

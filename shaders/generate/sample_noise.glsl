@@ -29,7 +29,7 @@ vec2 firstBounceNoise(ivec2 px, uint index, uint seed) {
 
 /// Later bounces use plain noise: spreading gains nothing once light is scattered.
 vec2 laterBounceNoise(ivec2 px, uint index, uint bounce, uint seed) {
-    return hashNoise(uvec2(px), index * 8u + bounce, seed).xy;
+    return hashNoise(uvec2(px), index * 8u + (bounce & 7u), seed + (bounce >> 3) * 0x9e3779b9u).xy;
 }
 
 #endif

@@ -37,7 +37,11 @@ vec4 skyAnswer(ivec2 px, float z) {
     Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     PixelRay ray = generateRay(uv, z, here);
-    return vec4(environmentRadiance(environment, directionWS(ray), ray.roughnessLeft), 1.0);
+    if (ray.roughnessLeft < kSmoothestLobe)
+        return vec4(environmentRadiance(environment, directionWS(ray), ray.roughnessLeft), 1.0);
+    mat3 toWorld = mat3(frame.constants.viewToWorld);
+    vec3 toEyeWS = -(toWorld * viewDirection(frame.constants, ray.originVS));
+    return vec4(environmentLobe(environment, toWorld * here.normalVS, toEyeWS, ray.roughnessLeft), 1.0);
 }
 
 /// The sum over all sources for the pixel, whose surface is at `z`; `traced`: the screen has an answer; `shares`: the

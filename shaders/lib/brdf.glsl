@@ -16,6 +16,19 @@ float D_GGX(float NoH, float alpha) {
     return k * k / kPi;
 }
 
+/// Mean of D over the normals that reflect a disc of radius `radius` (slopes) around the normal at the slope `d` from the
+/// middle. In the plane of slopes GGX is (alpha / (alpha^2 + slope^2))^2 / pi, which is the uniform density of a sphere
+/// in stereographic projection: there the disc is a cap, whose share of the sphere is the integral. With a radius of 0
+/// it is D, with alpha 0 the disc itself.
+float D_GGXOverDisc(float NoH, float d2, float alpha, float radius) {
+    float a2 = alpha * alpha;
+    float r2 = radius * radius;
+    float apart = d2 + a2 - r2;
+    float root = sqrt(apart * apart + 4.0 * a2 * r2);
+    float slopes = apart > 0.0 ? 2.0 * a2 / (root * (root + apart)) : (root - apart) / (2.0 * root * r2);
+    return slopes / (kPi * square(NoH * NoH));
+}
+
 /// Heitz 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", eq. 99: height-correlated
 /// G2 / (4 NoL NoV).
 float V_SmithGGXCorrelated(float NoV, float NoL, float alpha) {

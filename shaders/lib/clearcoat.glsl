@@ -3,9 +3,8 @@
 #define GLINT_LIB_CLEARCOAT_GLSL
 
 #include "lib/brdf.glsl"
+#include "lib/coat.glsl"
 #include "lib/material.glsl"
-
-const float kClearcoatF0 = 0.04; // KHR_materials_clearcoat: ior 1.5
 
 float clampedNoV(vec3 N, vec3 V) {
     return clamp(dot(N, V), 1e-3, 1.0); // normal maps and interpolation may turn N away from the eye
@@ -13,7 +12,7 @@ float clampedNoV(vec3 N, vec3 V) {
 
 /// Reflectance of the coat, which the layers below lose: KHR_materials_clearcoat, "Layering".
 float coatReflectance(MaterialSample m, vec3 V) {
-    return m.clearcoat * F_Schlick(vec3(kClearcoatF0), 1.0, clampedNoV(m.clearcoatNormalWS, V)).x;
+    return m.clearcoat * F_Schlick(vec3(kCoatF0), 1.0, clampedNoV(m.clearcoatNormalWS, V)).x;
 }
 
 /// F0 as the weight of reflections should use it: a layer below a coat loses what the coat reflects.

@@ -9,4 +9,9 @@ bool hasHistory(FrameConstants frame) {
     return (frame.flags & kInputHistory) != 0u && frame.historyTag == frame.historyExpected;
 }
 
+/// True if the previous frame's picture is there for whoever asks; hits on the screen take it with hasHistory alone.
+bool hasPrevious(FrameConstants frame) {
+    return (frame.flags & kInputPrevious) != 0u && frame.historyTag == frame.historyExpected;
+}
+
 #endif

@@ -12,6 +12,7 @@ struct HostSurface {
     float viewZ;    // metres; kBackgroundZ: no surface
     vec3 normalVS;  // unit
     vec3 f0;        // [0, 1]
+    float f90;      // [0, 1]
     float perceptualRoughness;
 };
 
@@ -55,6 +56,7 @@ struct HostMaterial {
     float roughness;
     float metallic;
     float specular;
+    float f90;
 };
 
 /// F0 of dielectrics at full specular, as Burley 2012, "Physically-Based Shading at Disney", and most engines since
@@ -71,18 +73,31 @@ vec3 hostF0(FrameConstants frame, HostMaterial material) {
     return clamp(sanitize(f0), 0.0, 1.0);
 }
 
-float hostRoughness(FrameConstants frame, float value) {
-    if (frame.materialKind == kHostMaterialStandard)
-        return 0.0;
+/// Metals reflect all light at grazing angles.
+float hostF90(FrameConstants frame, HostMaterial material) {
+    if ((frame.flags & kInputF90) == 0u)
+        return 1.0;
+    float f90 = clamp(sanitize(material.f90), 0.0, 1.0);
+    return frame.materialKind == kHostMaterialMetallicRoughness
+               ? mix(f90, 1.0, clamp(sanitize(material.metallic), 0.0, 1.0))
+               : f90;
+}
+
+/// Perceptual roughness, of a value as the host stores it.
+float perceptualOf(FrameConstants frame, float value) {
     if ((frame.flags & kInputSmoothness) != 0u)
         value = 1.0 - value;
     value = clamp(sanitize(value), 0.0, 1.0);
     return (frame.flags & kInputAlpha) != 0u ? sqrt(value) : value;
 }
 
+float hostRoughness(FrameConstants frame, float value) {
+    return frame.materialKind == kHostMaterialStandard ? 0.0 : perceptualOf(frame, value);
+}
+
 HostSurface hostSurface(FrameConstants frame, float depth, vec3 normal, HostMaterial material) {
     return HostSurface(hostViewZ(frame, depth), hostNormalVS(frame, normal), hostF0(frame, material),
-                       hostRoughness(frame, material.roughness));
+                       hostF90(frame, material), hostRoughness(frame, material.roughness));
 }
 
 #endif

@@ -5,6 +5,7 @@
 #define GLINT_LIB_LIGHTING_GLSL
 
 #include "lib/clearcoat.glsl"
+#include "lib/environment_lobe.glsl"
 #include "lib/lights.glsl"
 #include "lib/material.glsl"
 
@@ -25,6 +26,19 @@ vec3 loadEnvironmentDiffuse(vec3 normalWS);
 /// The split-sum table (lib/dfg.glsl).
 vec2 loadDfg(float NoV, float perceptualRoughness);
 
+/// What a rough surface reflects of the environment to the eye, before its own response.
+vec3 loadEnvironmentLobe(vec3 N, vec3 V, float perceptualRoughness) {
+    if (perceptualRoughness < kSmoothestLobe)
+        return loadEnvironmentRadiance(reflect(-V, N), perceptualRoughness);
+    EnvironmentLobe lobe = beginLobe(N, V, perceptualRoughness);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < kLobeLookups; ++i) {
+        LobeLookup at = nextLookup(i, lobe);
+        sum += at.weight * loadEnvironmentRadiance(at.direction, at.perceptualRoughness);
+    }
+    return max(sum, vec3(0.0));
+}
+
 // ---------------------------------------------------------------- results
 
 /// Outgoing radiance in parts. Their sum is the surface's radiance in the frame.
@@ -36,16 +50,37 @@ struct Lighting {
     vec3 emission;
 };
 
-/// One specular lobe under a punctual light, times NoL.
-vec3 specularLobe(vec3 N, vec3 V, vec3 L, vec3 f0, float f90, float perceptualRoughness) {
+/// Mean of D over the half vectors `H` of a light that is a disc. A light that turns by an angle turns the half vector by
+/// half of it in the plane of incidence, and by 1 / (2 VoH) of it across: an ellipse, of which the disc has the area. Where
+/// the disc decides the shape and not the lobe, the slopes are measured by the ellipse's axes.
+float discNormals(vec3 N, vec3 V, vec3 L, vec3 H, float alpha, float angularRadius) {
+    float VoH = max(dot(V, H), 0.05);
+    float NoH = max(dot(N, H), 1e-3);
+    float radius = 0.5 * angularRadius * inversesqrt(VoH);
+    vec3 slope = H / NoH - N;
+    vec3 inPlane = L - V;
+    inPlane = normalizeOr(inPlane - dot(inPlane, N) * N, vec3(0.0)); // no plane: both axes are equal
+    float along2 = square(dot(slope, inPlane));
+    float across2 = max(dot(slope, slope) - along2, 0.0);
+    float sharp = square(radius) / (square(radius) + square(alpha));
+    float d2 = along2 * mix(1.0, 1.0 / VoH, sharp) + across2 * mix(1.0, VoH, sharp);
+    return D_GGXOverDisc(NoH, d2, alpha, radius);
+}
+
+/// One specular lobe under a punctual light, or under one that is a disc, times NoL.
+vec3 specularLobe(vec3 N, vec3 V, Incidence incidence, vec3 f0, float f90, float perceptualRoughness) {
+    const float kSmoothestDisc = 1e-3; // alpha: with less the slopes' rounding shows
+    vec3 L = incidence.L;
     float NoL = saturate(dot(N, L));
     if (NoL == 0.0)
         return vec3(0.0);
-    float alpha = square(max(perceptualRoughness, kMinPerceptualRoughnessDirect));
+    bool isDisc = incidence.angularRadius > 0.0;
+    float alpha = isDisc ? max(square(perceptualRoughness), kSmoothestDisc)
+                         : square(max(perceptualRoughness, kMinPerceptualRoughnessDirect));
     vec3 H = normalizeOr(V + L, N);
     float NoV = clampedNoV(N, V);
-    return D_GGX(saturate(dot(N, H)), alpha) * V_SmithGGXCorrelated(NoV, NoL, alpha) *
-           F_Schlick(f0, f90, saturate(dot(V, H))) * NoL;
+    float normals = isDisc ? discNormals(N, V, L, H, alpha, incidence.angularRadius) : D_GGX(saturate(dot(N, H)), alpha);
+    return normals * V_SmithGGXCorrelated(NoV, NoL, alpha) * F_Schlick(f0, f90, saturate(dot(V, H))) * NoL;
 }
 
 /// What a punctual light adds where nothing shadows it.
@@ -63,9 +98,9 @@ Unshadowed unshadowedLight(MaterialSample m, vec3 V, Incidence incidence, vec3 c
     result.diffuse =
         incidence.irradiance * m.diffuseColor * ((1.0 - reflected) * Fd_Lambert() * NoL * (1.0 - coat));
     result.specular = incidence.irradiance * compensation * (1.0 - coat) *
-                      specularLobe(m.normalWS, V, L, m.f0, m.f90, m.perceptualRoughness);
+                      specularLobe(m.normalWS, V, incidence, m.f0, m.f90, m.perceptualRoughness);
     if (coat > 0.0)
-        result.specular += incidence.irradiance * coat * specularLobe(m.clearcoatNormalWS, V, L, vec3(1.0), 1.0,
+        result.specular += incidence.irradiance * coat * specularLobe(m.clearcoatNormalWS, V, incidence, vec3(1.0), 1.0,
                                                                       m.clearcoatPerceptualRoughness);
     return result;
 }
@@ -126,13 +161,13 @@ void addEnvironment(inout Lighting sum, MaterialSample m, vec3 V, vec2 dfg, floa
     sum.diffuse += loadEnvironmentDiffuse(m.normalWS) * m.diffuseColor *
                    ((1.0 - saturate(reflected)) * m.occlusion * (1.0 - coat));
     vec3 response = specularResponse(m.f0, m.f90, dfg);
-    sum.environmentSpecular = loadEnvironmentRadiance(reflect(-V, m.normalWS), m.perceptualRoughness) * response *
+    sum.environmentSpecular = loadEnvironmentLobe(m.normalWS, V, m.perceptualRoughness) * response *
                               (specularOcclusion(NoV, m.occlusion, alpha) * (1.0 - coat));
     if (coat > 0.0) {
         float coatNoV = clampedNoV(m.clearcoatNormalWS, V);
         float coatAlpha = square(m.clearcoatPerceptualRoughness);
         sum.coatSpecular =
-            loadEnvironmentRadiance(reflect(-V, m.clearcoatNormalWS), m.clearcoatPerceptualRoughness) *
+            loadEnvironmentLobe(m.clearcoatNormalWS, V, m.clearcoatPerceptualRoughness) *
             (coat * specularOcclusion(coatNoV, m.occlusion, coatAlpha));
     }
 }
@@ -143,7 +178,7 @@ Lighting lightSurface(MaterialSample m, SurfacePoint point, vec3 V) {
     float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
     sum.diffuse = sum.directSpecular = sum.environmentSpecular = sum.coatSpecular = vec3(0.0);
     sum.emission = m.emission * (1.0 - coat);
-    if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 == 0.0)
+    if (maxComponent(m.diffuseColor) + maxComponent(m.f0) + m.f90 + m.clearcoat == 0.0)
         return sum; // unlit or black: no lobe to light
     vec2 dfg = loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness);
     vec3 compensation = energyCompensation(m.f0, dfg);

@@ -9,6 +9,7 @@
 struct Incidence {
     vec3 L;          // unit, towards the light
     vec3 irradiance; // on a surface that faces the light; zero out of range
+    float angularRadius; // radians, of the light's disc; 0: a point
 };
 
 /// Inverse square, falling smoothly to zero at `range` metres (0: no limit).
@@ -19,11 +20,12 @@ float distanceAttenuation(float distance2, float range) {
 
 Incidence lightAt(Light light, vec3 positionWS) {
     if (light.type == kLightDirectional)
-        return Incidence(-light.directionWS, light.color);
+        return Incidence(-light.directionWS, light.color, light.angularRadius);
     vec3 toLight = light.positionWS - positionWS;
     float distance2 = dot(toLight, toLight);
     Incidence result;
     result.L = toLight * inversesqrt(max(distance2, 1e-12));
+    result.angularRadius = 0.0;
     result.irradiance = light.color * distanceAttenuation(distance2, light.range);
     if (light.type == kLightSpot)
         result.irradiance *= square(saturate(dot(-result.L, light.directionWS) * light.spotScale + light.spotOffset));

@@ -1,5 +1,5 @@
 // What is kept of a traced ray, in two words: hit position on screen (2 x unorm16), its distance in metres (15 bits of a
-// half, in whose sign's place stands whether it passed behind something), the lookups that it took (12 bits) and why it
+// half, in whose sign's place stands whether its answer is uncertain), the lookups that it took (12 bits) and why it
 // ended (4 bits).
 #ifndef GLINT_LIB_RAY_RECORD_GLSL
 #define GLINT_LIB_RAY_RECORD_GLSL
@@ -12,7 +12,7 @@ struct RayRecord {
     float hitDistance; // metres from the surface; 0 without a ray
     uint lookups;      // reads of any depth image
     uint outcome;      // kOutcome*
-    bool passedBehind; // something hid a part of its way: what it would have met there is not known
+    bool uncertain;    // something hid a part of its way, or the answer is likely to be wrong
 };
 
 /// Did the ray bring back a colour?
@@ -24,7 +24,7 @@ bool isAnswered(uint outcome) {
 uvec2 packRayRecord(RayRecord ray) {
     const float kLargestHalf = 65504.0;
     uint distance = packHalf2x16(vec2(min(ray.hitDistance, kLargestHalf), 0.0)) & 0x7fffu;
-    distance |= ray.passedBehind ? 0x8000u : 0u; // no distance is negative
+    distance |= ray.uncertain ? 0x8000u : 0u; // no distance is negative
     return uvec2(packUnorm16(ray.hitUV),
                  distance | (min(ray.lookups, kMaxLookups) << 16) | (ray.outcome << 28));
 }

@@ -14,6 +14,7 @@
 #include "frame/frame_block.glsl"
 #include "lib/back_face.glsl"
 #include "lib/edge.glsl"
+#include "lib/packed_coverage.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -31,7 +32,7 @@ const float kStep = 0.05;
 bool showsOneObject(ivec2 px, float frontZ) {
     if ((frame.constants.flags & kInputResolved) == 0u)
         return true; // one sample a pixel
-    float coverage = texelFetch(resolvedMaterial, px, 0).a;
+    float coverage = unpackCoverage(frame.constants, texelFetch(resolvedMaterial, px, 0).a).x;
     if (coverage >= 1.0)
         return true;
     Edge second = unpackEdge(texelFetch(edge, px, 0));

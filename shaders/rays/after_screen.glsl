@@ -9,6 +9,7 @@
 #include "lib/ray_record.glsl"
 #include "lib/surface.glsl"
 #include "lib/trace_pixel.glsl"
+#include "frame/lobe_surfaces.glsl"
 #include "rays/shown_pixel.glsl"
 #include "shared/hierarchy.h"
 
@@ -46,7 +47,7 @@ bool mayPassTransparents(ivec2 from, ivec2 to) {
 RayRecord screenRay(ivec2 px) {
     RayRecord ray = unpackRayRecord(texelFetch(screenRecord, fullToTracePixel(frame.constants, px), 0).xy);
     if (isAnswered(ray.outcome) && mayPassTransparents(px, hitPixel(ray)))
-        ray.passedBehind = true;
+        ray.uncertain = true;
     return ray;
 }
 
@@ -57,15 +58,15 @@ bool metReflector(RayRecord ray) {
     const float kPlain = 0.08;
     if (!isAnswered(ray.outcome) || settings.bounces < 2u || hasHistory(frame.constants))
         return false;
-    Surface met = unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy);
+    Surface met = shownAt(hitPixel(ray));
     return met.reflectivity > max(settings.threshold, kPlain) && met.perceptualRoughness <= settings.maxRoughness;
 }
 
 /// True if the ray hit what the frame shows, with no occluder hidden before it, well inside the frame, on a surface
 /// that looks alike from everywhere.
 bool isCertain(RayRecord ray) {
-    return ray.outcome == kOutcomeHit && !ray.passedBehind && !isAtEdge(ray.hitUV * frame.constants.size) &&
-           looksAlike(unpackSurface(texelFetch(surface, hitPixel(ray), 0).xy));
+    return ray.outcome == kOutcomeHit && !ray.uncertain && !isAtEdge(ray.hitUV * frame.constants.size) &&
+           looksAlike(shownAt(hitPixel(ray)));
 }
 
 /// True if the screen's answer does not count for this pixel, because rays know it better.

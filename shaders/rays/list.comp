@@ -19,6 +19,7 @@ layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D raysRecord;
 layout(set = 0, binding = 24) uniform sampler2D rayRates;
 RaysConstants settings = frame.settings.rays;
 
+#include "denoise/lobe_turn.glsl"
 #include "denoise/ray_rate.glsl"
 #include "rays/after_screen.glsl"
 
@@ -28,7 +29,8 @@ uint whyNoRay(ivec2 px, Surface here) {
         return kOutcomeBelowThreshold;
     if (here.perceptualRoughness > settings.maxRoughness)
         return kOutcomeTooRough;
-    return sendsRay(px, here.perceptualRoughness) ? kOutcomeNone : kOutcomeFromNeighbours;
+    bool sends = sendsRay(px, here.perceptualRoughness) && hasLobesTurn(px, (vec2(px) + 0.5) * frame.constants.invSize);
+    return sends ? kOutcomeNone : kOutcomeFromNeighbours;
 }
 
 /// True if the pixel's surface sends a ray to the environment, whatever its own ray meets.

@@ -12,6 +12,7 @@ struct LitSurface {
     vec3 own;                 // radiance towards the ray's origin, without the base layer's reflection
     vec3 response;            // fraction of the reflected radiance that goes towards the ray's origin
     vec3 environmentSpecular; // the environment's reflection, the fallback where no ray replaces it
+    bool reflectsApart;       // false: `own` holds the environment's reflection, as the frame does not tell it apart
 };
 
 #endif

@@ -1,12 +1,13 @@
 // A path of rays through the host's triangles: what it hits adds its light, and it continues from there for up to
-// rays.bounces bounces. The last surface reflects the environment, as in the host's own frames, where a last ray does not
-// find it hidden (rays.environmentOcclusion). Include after the ray seam and rays_inputs.glsl.
+// rays.bounces bounces. What its last surface reflects is estimated: rays/path_end.glsl. Include after the ray seam and
+// rays_inputs.glsl.
 #ifndef GLINT_RAYS_PATH_GLSL
 #define GLINT_RAYS_PATH_GLSL
 
 #include "rays/hit_lighting.glsl"
 #include "rays/light_sampling.glsl"
 #include "rays/lit_surface.glsl"
+#include "rays/met_coat.glsl"
 #include "rays/pixel_rays.glsl"
 #include "rays/regularization.glsl"
 #include "rays/transparents.glsl"
@@ -46,7 +47,9 @@ struct Path {
 
     // how the path continues
     bool ended;
-    bool isLastRay; // its throughput is the light that the last surface reflects, if the ray meets nothing
+    bool isLastRay;   // its end is estimated: rays/path_end.glsl
+    uint lastRays;
+    vec3 environment; // weighted, of a last ray that meets nothing
     vec3 throughput;
     Ray ray;
     LobeVertex vertex; // where the ray starts
@@ -65,9 +68,19 @@ uint mostTransparents() {
     return isOn(kRaysTransparents) ? settings.transparents : 0u;
 }
 
-/// Angle of the part of a surface's lobe that a direction drawn from the lobe stands for, radians; 0: a mirror.
+/// Angle of the part of a surface's lobe that a direction drawn from the lobe stands for, radians; 0: a mirror. With
+/// kRaysCone the mirror direction stands for all of it.
 float drawnAngle(vec3 N, vec3 V, vec3 directionWS, float perceptualRoughness) {
-    return sampledAngle(sampledRoughness(perceptualRoughness), N, normalizeOr(V + directionWS, N));
+    if (isOn(kRaysCone))
+        return lobeAngle(perceptualRoughness);
+    float angle = sampledAngle(sampledRoughness(perceptualRoughness), N, normalizeOr(V + directionWS, N));
+    return min(angle, asin(saturate(dot(N, directionWS)))); // no part of a lobe reaches below the horizon
+}
+
+/// How a surface's curvature spreads a path. A cone stands for a whole lobe, which curvature stretches in one direction: as
+/// wide in both, it would reach lights that no direction of the lobe finds.
+float spreadingBend(float bend) {
+    return isOn(kRaysCone) ? 0.0 : bend;
 }
 
 /// `angle`: drawnAngle of the direction.
@@ -85,6 +98,8 @@ Path startPath(vec3 originWS, vec3 directionWS, Cone cone, float angle, float re
     path.reused = 0u;
     path.ended = false;
     path.isLastRay = false;
+    path.lastRays = 0u;
+    path.environment = vec3(0.0);
     path.throughput = vec3(1.0);
     path.vertex = kNoVertex;
     path.density = 0.0;
@@ -109,29 +124,28 @@ LitSurface litSurface(HitSurface met, MaterialSample m, float ownRoughness, Ligh
     lit.perceptualRoughness = ownRoughness;
     lit.lobeRoughness = m.perceptualRoughness;
     lit.bend = met.bend;
-    lit.own = lighting.diffuse + lighting.directSpecular + lighting.coatSpecular + emissionWeight * lighting.emission;
+    lit.own = lighting.diffuse + lighting.directSpecular + emissionWeight * lighting.emission;
     float coat = m.clearcoat > 0.0 ? coatReflectance(m, V) : 0.0;
     lit.response =
         specularResponse(m.f0, m.f90, loadDfg(clampedNoV(m.normalWS, V), m.perceptualRoughness)) * (1.0 - coat);
     lit.environmentSpecular = lighting.environmentSpecular;
+    lit.reflectsApart = true;
     return lit;
 }
 
-/// True if the frame shows the hit and its light there may be taken: `shown`. `spread`: of regularized().
-bool isShown(Hit hit, HitSurface met, float spread, inout Path path, out LitSurface shown) {
-#ifndef GLINT_RAYS_TABLE_LIGHT
-    if (isOn(kRaysReuseLight) && !isSampledEmitter(hit.instance, path.density)) {
-        ivec2 px = pixelThatShows(met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.cone.width);
-        if (px.x >= 0) {
-            ++path.reused;
-            shown = shownSurface(px, met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.regularization,
-                                 spread);
-            shown.bend = met.bend;
-            return true;
-        }
-    }
-#endif
-    return false;
+/// Draws the lobe from which a path goes on where it meets a clear coat.
+float coatNoise(ivec2 px, uint sampleIndex, uint bounce) {
+    return laterBounceNoise(px, sampleIndex, bounce, frame.constants.seed ^ 0x51ed270bu).x;
+}
+
+/// The same surface with its clear coat, if it has one: one lobe of the two. `ownRoughness`: the coat's, before
+/// regularization.
+LitSurface coatedSurface(LitSurface lit, MaterialSample m, float ownRoughness, Lighting lighting, vec3 V, float noise) {
+    if (m.clearcoat <= 0.0)
+        return lit;
+    MetCoat coat = MetCoat(m.clearcoatNormalWS, ownRoughness, m.clearcoatPerceptualRoughness, coatReflectance(m, V),
+                           lighting.coatSpecular);
+    return oneLobe(lit, coat, !isOn(kRaysMirror), noise);
 }
 
 /// Sends a ray from a surface that the path has met.
@@ -142,20 +156,33 @@ void continueFrom(LitSurface met, vec3 directionWS, inout Path path) {
         path.ray.flags &= ~kRayCullBackFaces;
 }
 
-/// Adds what the last surface reflects of the environment, or sends a last ray that tells if it is hidden: along the mirror
-/// direction, whatever the roughness, so that it brings no noise.
-void endInEnvironment(LitSurface met, inout Path path) {
-    bool counts = maxComponent(path.throughput * met.response) >= kLeastThroughput;
-    path.throughput *= met.environmentSpecular;
-    if (!isOn(kRaysEnvironmentOcclusion) || !counts || maxComponent(path.throughput) <= 0.0) {
-        path.radiance += path.throughput;
-        return;
+#include "rays/path_end.glsl"
+
+/// True if a frame shows the hit and its light there may be taken: `shown`. `spread`: of regularized(). `noise`: for
+/// clear coats.
+bool isShown(Hit hit, HitSurface met, float spread, float noise, inout Path path, out LitSurface shown) {
+#ifndef GLINT_RAYS_TABLE_LIGHT
+    vec3 before;
+    Surface there;
+    if (path.isLastRay && wasShown(met.point.positionWS, met.faceNormalWS, there, before) &&
+        !goesOn(path, vec3(there.reflectivity), there.perceptualRoughness)) {
+        ++path.reused;
+        shown = knownSurface(before);
+        return true;
     }
-    path.ended = false;
-    path.isLastRay = true;
-    path.medium = kAir; // transparent surfaces hide nothing
-    path.transparents = 0u;
-    continueFrom(met, reflect(path.ray.directionWS, met.normalWS), path);
+    if (isOn(kRaysReuseLight) && !isSampledEmitter(hit.instance, path.density)) {
+        ivec2 px = pixelThatShows(met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.cone.width);
+        if (px.x >= 0) {
+            ++path.reused;
+            shown = shownSurface(px, met.point.positionWS, met.faceNormalWS, path.ray.directionWS, path.regularization,
+                                 spread);
+            shown.bend = met.bend;
+            shown = shownCoated(shown, px, path.ray.directionWS, path.regularization, spread, noise);
+            return true;
+        }
+    }
+#endif
+    return false;
 }
 
 /// Mean of sampleLobe's weights over the lobe: the part of a surface's response that its facets leave. A path multiplies by
@@ -167,13 +194,17 @@ float meanLobeWeight(vec3 N, vec3 V, float perceptualRoughness) {
 
 /// Adds the light of the surface that bounce number `bounce` hit, and continues from there while bounces remain.
 void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
-    bool last = bounce + 1u == settings.bounces || met.perceptualRoughness > settings.maxRoughness ||
-                maxComponent(path.throughput * met.response) < kLeastThroughput;
     vec3 V = -path.ray.directionWS;
     path.radiance += path.throughput * met.own;
+    bool last = bounce + 1u >= settings.bounces || met.perceptualRoughness > settings.maxRoughness;
+    if (!last && maxComponent(path.throughput * met.response) < kLeastThroughput) {
+        if (isOn(kRaysAccumulate) && !survives(met, px, sampleIndex, bounce, path))
+            return;
+        last = !isOn(kRaysAccumulate);
+    }
     if (last) {
         path.ended = true;
-        endInEnvironment(met, path);
+        endPath(met, path);
         return;
     }
     float roughness = sampledRoughness(met.lobeRoughness);
@@ -208,17 +239,43 @@ void leaveSurface(LitSurface met, uint bounce, ivec2 px, uint sampleIndex, inout
     }
     path.ended = isBelow;
     path.throughput *= weight;
-    path.spread = reflected(path.spread, met.bend, drawnAngle(met.normalWS, V, next.ws, met.lobeRoughness));
+    path.spread =
+        reflected(path.spread, spreadingBend(met.bend), drawnAngle(met.normalWS, V, next.ws, met.lobeRoughness));
     continueFrom(met, next.ws, path);
+}
+
+/// Fraction of a path's spread by which the environment is blurred where the path ends: as the part of the lobe shrinks
+/// that one of the averaged samples stands for, of which the denoiser's neighbours bring some in each frame. The cube's
+/// kernels have long tails, by which more blur would bring light from far outside of that part. A cone stands for its whole
+/// lobe in every sample.
+float missBlur(float regularization) {
+    if (isOn(kRaysCone))
+        return regularization;
+    float first = max(settings.regularization, 1e-6);
+    float alone = regularization * square(regularization / first); // count^(-1/6), cubed
+    return alone * inversesqrt(1.0 + float(frame.settings.denoise.reuseSamples));
+}
+
+/// The roughness at which the cube is looked up, for a blur of this one. Between a mirror and the first mip the mip's share
+/// is by the square of alpha: in proportion to the roughness its long tail would be in every lookup.
+float missRoughness(float perceptualRoughness) {
+    float first = 1.0 / max(frame.constants.environmentMips - 1.0, 1.0);
+    float part = perceptualRoughness / first;
+    return part < 1.0 ? first * square(square(part)) : perceptualRoughness;
 }
 
 void leaveScene(uint bounce, inout Path path) {
     path.ended = true;
+    if (path.isLastRay) {
+        path.radiance += path.environment;
+        return;
+    }
     float spread = path.density > 0.0 ? 0.0 : 0.5 * path.spread.angle; // sampled well: no fireflies
     if (isOn(kRaysEnvironment))
         path.radiance +=
             path.throughput * environmentShare(path.ray.directionWS, path.density) *
-            loadEnvironmentRadiance(path.ray.directionWS, regularized(0.0, path.regularization, spread));
+            loadEnvironmentRadiance(path.ray.directionWS,
+                                    missRoughness(regularized(0.0, missBlur(path.regularization), spread)));
     else if (!path.hit)
         path.weight = 0.0;
 }
@@ -283,11 +340,13 @@ bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIn
     vec3 directionWS = path.ray.directionWS;
     HitSurface met =
         hitSurface(hit.instance, hit.primitive, hit.barycentrics, hit.frontFace, directionWS, path.cone.width);
-    float spread = halfVectorSpread(path.spread, met.bend);
-    if (!transparent && isShown(hit, met, spread, path, lit))
+    float spread = halfVectorSpread(path.spread, spreadingBend(met.bend));
+    float lobeNoise = coatNoise(px, sampleIndex, bounce);
+    if (!transparent && isShown(hit, met, spread, lobeNoise, path, lit))
         return false;
     MaterialSample m = sampleMaterial(met.material, met.point);
     float ownRoughness = m.perceptualRoughness;
+    float coatRoughness = m.clearcoatPerceptualRoughness;
     vec2 noise = laterBounceNoise(px, sampleIndex, bounce, ~frame.constants.seed - path.transparents);
     if (transparent && path.medium.body == hit.instance && !hit.frontFace) {
         passTransparent(hit, met, leaveBody(met, m, path.medium, directionWS, noise), path);
@@ -304,6 +363,7 @@ bool meetSurface(Hit hit, bool transparent, uint bounce, ivec2 px, uint sampleIn
         return true;
     }
     lit = litSurface(met, m, ownRoughness, lighting, -directionWS, emissionShare(hit, met, directionWS, path.density));
+    lit = coatedSurface(lit, m, coatRoughness, lighting, -directionWS, lobeNoise);
     return false;
 }
 
@@ -316,11 +376,6 @@ void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
             return;
         bool transparent;
         Hit hit = traceSegment(path, transparent);
-        if (path.isLastRay) {
-            if (!isHit(hit))
-                path.radiance += path.throughput;
-            return;
-        }
         if (!isHit(hit)) {
             leaveScene(bounce, path);
             return;
@@ -330,6 +385,10 @@ void followPath(uint bounce, ivec2 px, uint sampleIndex, inout Path path) {
         LitSurface met;
         if (meetSurface(hit, transparent, bounce, px, sampleIndex, path, met))
             continue;
+        if (path.isLastRay) {
+            endAt(met, path);
+            continue;
+        }
         if (!path.hit)
             meetFirst(met.positionWS, hit, path);
         leaveSurface(met, bounce, px, sampleIndex, path);

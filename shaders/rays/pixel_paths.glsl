@@ -8,13 +8,14 @@
 /// A path whose first hit is the hit of the screen's ray.
 Path pathFromScreen(PixelRays from, PixelPlan plan, uint i, float regularization) {
     RayRecord screen = plan.screen;
-    Path path = startPath(from.originWS, reflect(-from.V, from.N), from.cone, 0.0, regularization);
+    Path path = startPath(from.originWS, reflect(-from.V, from.N), from.cone,
+                          isOn(kRaysCone) ? lobeAngle(from.perceptualRoughness) : 0.0, regularization);
     path.splits = plan.splits;
     ivec2 px = hitPixel(screen);
     vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
     vec3 shownVS = viewPosition(frame.constants, uv, texelFetch(viewZ, px, 0).r);
     vec3 shownWS = (frame.constants.viewToWorld * vec4(shownVS, 1.0)).xyz;
-    vec3 normalWS = mat3(frame.constants.viewToWorld) * unpackSurface(texelFetch(surface, px, 0).xy).normalVS;
+    vec3 normalWS = mat3(frame.constants.viewToWorld) * shownAt(px).normalVS;
     // The record's distance has eleven bits. The pixel's plane gives a more exact one, unless the ray runs along the
     // plane.
     float distance = dot(shownWS - from.originWS, normalWS) / min(dot(path.ray.directionWS, normalWS), -1e-3);
@@ -27,6 +28,7 @@ Path pathFromScreen(PixelRays from, PixelPlan plan, uint i, float regularization
     path.cone.width += path.cone.spread * distance;
     ++path.reused;
     LitSurface met = shownSurface(px, hitWS, normalWS, path.ray.directionWS, 0.0, 0.0);
+    met = shownCoated(met, px, path.ray.directionWS, 0.0, 0.0, coatNoise(from.px, sampleNumber(i), 0u));
     bool halfDepth = (frame.constants.flags & kInputHalfDepth) != 0u;
     met.positionWS += normalWS * depthUncertainty(hitWS, -shownVS.z, halfDepth);
     leaveSurface(met, 0u, from.px, sampleNumber(i), path);

@@ -3,6 +3,7 @@
 #define GLINT_RAYS_PIXEL_RAYS_GLSL
 
 #include "generate/sampled_ray.glsl"
+#include "lib/face_normal.glsl"
 #include "lib/ray_record.glsl"
 #include "lib/ray_start.glsl"
 #include "rays/rays_inputs.glsl"
@@ -59,9 +60,18 @@ struct PixelRays {
     vec3 originWS; // moved off the surface
     vec3 N;        // unit, world space
     vec3 V;        // unit, towards the eye
+    vec3 faceWS;   // unit, of the surface's plane; N where normals follow it
+    bool isBent;   // they do not
     float perceptualRoughness;
     Cone cone;
 };
+
+FacePoint loadFacePoint(ivec2 px) {
+    float z = texelFetch(viewZ, px, 0).r;
+    vec2 uv = (vec2(px) + 0.5) * frame.constants.invSize;
+    return FacePoint(viewPosition(frame.constants, uv, z), unpackSurface(texelFetch(surface, px, 0).xy).normalVS,
+                     z < kBackgroundZ);
+}
 
 /// This invocation's index in the list.
 uint listedRay() {
@@ -83,7 +93,11 @@ PixelRays pixelRaysAt(ivec2 px) {
     vec3 positionWS = (frame.constants.viewToWorld * vec4(positionVS, 1.0)).xyz;
     bool halfDepth = (frame.constants.flags & kInputHalfDepth) != 0u;
     float offset = settings.tMin > 0.0 ? 0.0 : depthUncertainty(positionWS, z, halfDepth);
-    from.originWS = positionWS + from.N * offset;
+    vec3 faceVS = origin.normalVS;
+    from.isBent = dot(from.N, from.V) <= kSteepView &&
+                  findFaceNormal(from.px, FacePoint(positionVS, origin.normalVS, true), faceVS);
+    from.faceWS = from.isBent ? toWorld * faceVS : from.N;
+    from.originWS = positionWS + from.faceWS * offset;
     from.cone = pixelCone(from.px, z);
     return from;
 }
@@ -94,7 +108,10 @@ PixelRays loadPixelRays(uint index) {
 
 Direction samplePixel(PixelRays from, uint i) {
     vec2 noise = firstBounceNoise(from.px, sampleNumber(i), frame.constants.seed);
-    return sampleLobe(from.N, from.V, sampledRoughness(from.perceptualRoughness), noise);
+    Direction drawn = sampleLobe(from.N, from.V, sampledRoughness(from.perceptualRoughness), noise);
+    if (from.isBent && drawn.weight > 0.0)
+        drawn.ws = aboveSurface(drawn.ws, from.faceWS); // below is the surface itself
+    return drawn;
 }
 
 Ray viewRay(vec3 originWS, vec3 directionWS) {

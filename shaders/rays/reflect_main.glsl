@@ -30,7 +30,9 @@ void followSample(PixelRays from, PixelPlan plan, uint i, inout PixelSums sums) 
     if (first.weight <= 0.0 && !plan.lights)
         return;
     sums.weights += first.weight;
-    float regularization = regularizationOf(settings.regularization, max(sums.weights, 1.0) * plan.meanOver);
+    float regularization =
+        isOn(kRaysCone) ? 1.0 // one ray finds the light of the whole lobe
+                        : regularizationOf(settings.regularization, max(sums.weights, 1.0) * plan.meanOver);
     Path path = startOfSample(from, plan, i, first, middle, regularization);
     followPath(plan.fromScreen ? 1u : 0u, from.px, sampleNumber(i), path);
     if (isOn(kRaysSampleSky))

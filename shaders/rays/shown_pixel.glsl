@@ -6,6 +6,7 @@
 
 #include "lib/camera.glsl"
 #include "lib/surface.glsl"
+#include "frame/lobe_surfaces.glsl"
 
 /// Two pixels show one surface if they lie on one plane, within this fraction of the distance and a quarter of a pixel.
 const float kSamePlace = 0.002;
@@ -18,8 +19,8 @@ bool showSame(ivec2 px, ivec2 neighbour) {
     neighbour = clamp(neighbour, ivec2(0), ivec2(frame.constants.size) - 1);
     float z = texelFetch(viewZ, px, 0).r;
     float neighbourZ = texelFetch(viewZ, neighbour, 0).r;
-    Surface here = unpackSurface(texelFetch(surface, px, 0).xy);
-    Surface there = unpackSurface(texelFetch(surface, neighbour, 0).xy);
+    Surface here = shownAt(px);
+    Surface there = shownAt(neighbour);
     vec3 hereVS = viewPosition(frame.constants, (vec2(px) + 0.5) * frame.constants.invSize, z);
     vec3 thereVS = viewPosition(frame.constants, (vec2(neighbour) + 0.5) * frame.constants.invSize, neighbourZ);
     const float kLike = 0.7;          // of normals: 45 degrees

@@ -18,6 +18,7 @@ struct Light {
     float3 positionWS;
     float3 directionWS; ///< unit, direction in which the light travels
     float range;        ///< metres; 0: infinite
+    float angularRadius; ///< radians, of the disc that a directional light is; 0: a point
     float spotScale;    ///< cone falloff = saturate(cos * spotScale + spotOffset)^2
     float spotOffset;
     uint castsShadow;       ///< 1: the fields below are set
@@ -29,6 +30,6 @@ struct Light {
 GLINT_SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(glint::shared::Light) == 4 * 35);
+static_assert(sizeof(glint::shared::Light) == 4 * 36);
 #endif
 #endif

@@ -41,7 +41,8 @@ GLINT_CONSTANT(uint, kLoggedIterations, 4);
 GLINT_CONSTANT(uint, kLoggedFacingCamera, 5);
 GLINT_CONSTANT(uint, kLoggedBackface, 6);
 GLINT_CONSTANT(uint, kLoggedInferred, 7);
-GLINT_CONSTANT(uint, kLoggedFadeCount, 8);
+GLINT_CONSTANT(uint, kLoggedUncertain, 8);
+GLINT_CONSTANT(uint, kLoggedFadeCount, 9);
 
 struct LoggedSource {
     uint answered; // 1: the fields below are set

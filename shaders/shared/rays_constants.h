@@ -39,7 +39,9 @@ GLINT_CONSTANT(uint, kRaysSampleLights, 256);          // rays to lights whereve
 GLINT_CONSTANT(uint, kRaysSampleSky, 512);             // to the environment alone, from what the denoiser averages
 GLINT_CONSTANT(uint, kRaysEnvironmentOcclusion, 1024); // a last ray tells if the last surface's environment is hidden
 
-GLINT_CONSTANT(uint, kRaysBranches, 2048); // what mirrors show is stored in two parts: lib/mirrored.glsl
+GLINT_CONSTANT(uint, kRaysBranches, 2048);     // what mirrors show is stored in two parts: lib/mirrored.glsl
+GLINT_CONSTANT(uint, kRaysPreviousEnds, 4096); // paths may end in the previous frame's picture
+GLINT_CONSTANT(uint, kRaysCone, 8192);         // with kRaysMirror: a mirror ray stands for the whole lobe
 
 // Smoother lobes find every light that they can reflect: perceptual.
 GLINT_CONSTANT(float, kSmoothestSampled, 0.05f);

@@ -16,37 +16,19 @@ layout(set = 0, binding = 6) uniform sampler2D prevColor; // the previous frame'
 layout(set = 0, binding = 7) uniform sampler2D prevViewZ; // the previous frame's viewZ
 layout(set = 0, binding = 8) uniform sampler2D motion;    // lib/previous_place.glsl
 
-#include "lib/previous_place.glsl"
+#include "lib/previous_radiance.glsl"
 #include "trace/cone.glsl"
 #include "trace/one_surface.glsl"
 #include "trace/shown_radiance.glsl"
 
-/// A surface was at its previous place, within this fraction of its distance and a quarter of a pixel. Where motion does
-/// not tell its depth, that is known roughly.
-const float kSamePlace = 0.002;
-const float kSameDepth = 0.1;
+const float kSamePlace = 0.002; // of viewZ: two texels of one surface lie on one plane
 
 /// How far off a plane through a point at `viewZ` a pixel of the same plane may lie, metres. `pixel`: its extent there.
 float samePlaceSlack(vec2 pixel, float viewZ) {
     return kSamePlace * viewZ + 0.25 * pixel.y;
 }
 
-/// True if the previous frame's texel shows the surface of `before`. Of transparent surfaces only what hid them is known.
-bool showedIt(PreviousPlace before, ivec2 texel) {
-    float z = texelFetch(prevViewZ, texel, 0).r;
-    if (kAmongTransparents)
-        return z >= -before.positionVS.z;
-    if (z >= kBackgroundZ)
-        return false;
-    float expectedZ = -before.positionVS.z;
-    if (!before.knowsDepth)
-        return abs(z - expectedZ) <= kSameDepth * expectedZ;
-    vec3 between = previousPosition((vec2(texel) + 0.5) * frame.constants.prevInvSize, z) - before.positionVS;
-    return abs(dot(before.normalVS, between)) <= samePlaceSlack(prevPixelExtent(frame.constants, expectedZ), expectedZ);
-}
-
-/// Bilinear over those of the four texels that showed the same surface, so no colour bleeds in from occluders. False if
-/// the previous frame did not show the surface. `shownPX`: where it did.
+/// radianceBefore of the surface at `px`. `shownPX`: where the previous frame showed it.
 bool previousRadiance(ivec2 px, out vec3 radiance, out vec2 shownPX) {
     radiance = vec3(0.0);
     shownPX = vec2(0.0);
@@ -55,28 +37,8 @@ bool previousRadiance(ivec2 px, out vec3 radiance, out vec2 shownPX) {
         return false;
     vec3 normalVS = unpackSurface(texelFetch(metSurface, px, 0).xy).normalVS;
     PreviousPlace before = previousPlace(px, z, normalVS, !kAmongTransparents);
-    bool onScreen = all(greaterThanEqual(before.px, vec2(0.0))) && all(lessThan(before.px, frame.constants.prevSize));
-    if (!onScreen)
-        return false;
     shownPX = before.px;
-    const float kNoShare = 1.0 / 64.0; // at rest, rounding leaves a small weight on the neighbours
-    vec2 corner = floor(before.px - 0.5);
-    vec2 share = before.px - 0.5 - corner;
-    bool encoded = (frame.constants.flags & kHistoryGamma) != 0u;
-    float total = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 offset = ivec2(i & 1, i >> 1);
-        vec2 shares = mix(1.0 - share, share, vec2(offset));
-        float weight = shares.x * shares.y;
-        ivec2 texel = floorToInt(corner) + offset;
-        bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(frame.constants.prevSize)));
-        if (weight < kNoShare || !inside || !showedIt(before, texel))
-            continue;
-        radiance += weight * linearColor(texelFetch(prevColor, texel, 0).rgb, encoded);
-        total += weight;
-    }
-    radiance /= max(total, kNoShare);
-    return total > 0.0;
+    return radianceBefore(before, kAmongTransparents, radiance);
 }
 
 /// True if pixels of the hit's surface look more than `times` as large from the ray's start as from the eye. On the ray, a

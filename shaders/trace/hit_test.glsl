@@ -95,6 +95,7 @@ const uint kMeetsSide = kSampleSide;       // its slab, from beside
 const uint kMeetsBehind = kSampleBackFace; // its slab, from behind
 const uint kGrazes = kSampleGrazes;        // its slab, but it is the surface that the ray starts from
 const uint kNearlyMeets = kSampleNearly;   // a slab twice as thick would have been met
+const uint kMeetsSunk = kSampleDecisionCount; // its front, from beside, just behind it: logged as kMeets
 const uint kInFront = kSampleFront;        // in front of the surface's plane, behind the depth of the pixel's centre
 
 /// The ray meets at `share` the plane of the surface that pixel `px` shows, in that pixel or just beside it: the pixel
@@ -212,7 +213,7 @@ uint testSurface(Ray r, float fromShare, inout Sample s, inout uint lookups) {
     if (nearest <= slabZ) {
         if (!faces)
             return own ? kGrazes : kMeetsBehind;
-        return 0.5 * (s.rayZ + fromZ) <= s.sceneZ * (1.0 + kAtSurface) ? kMeets : kMeetsSide;
+        return 0.5 * (s.rayZ + fromZ) <= s.sceneZ * (1.0 + kAtSurface) ? kMeetsSunk : kMeetsSide;
     }
     return nearest <= 2.0 * slabZ - s.sceneZ ? kNearlyMeets : kPasses;
 }
@@ -250,7 +251,7 @@ uint meetSurface(Ray r, float fromShare, bool inFront, inout Sample s, inout Mar
     } else if (met == kPasses || met == kNearlyMeets) {
         passBehind(march, s.share);
     }
-    logDecision(px, met == kInFront ? kPasses : met);
+    logDecision(px, met == kInFront ? kPasses : met == kMeetsSunk ? kMeets : met);
     return met;
 }
 
@@ -259,7 +260,7 @@ uint meetSurface(Ray r, float fromShare, inout Sample s, inout March march) {
 }
 
 bool isEnd(uint met) {
-    return met == kMeets || met == kMeetsSide || met == kMeetsBehind;
+    return met == kMeets || met == kMeetsSunk || met == kMeetsSide || met == kMeetsBehind;
 }
 
 /// Ends the march if `met` ends it.
@@ -268,7 +269,9 @@ bool endsMarch(uint met, Sample s, inout March march) {
         return false;
     march.share = s.share;
     march.hitPX = s.px;
-    march.outcome = met == kMeets ? kOutcomeHit : met == kMeetsSide ? kOutcomeSide : kOutcomeBackFace;
+    march.sunk = met == kMeetsSunk;
+    bool hit = met == kMeets || met == kMeetsSunk;
+    march.outcome = hit ? kOutcomeHit : met == kMeetsSide ? kOutcomeSide : kOutcomeBackFace;
     return true;
 }
 

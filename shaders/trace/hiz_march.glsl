@@ -267,7 +267,7 @@ bool endsAtPixel(Ray r, Line line, PixelStep step, bool counts, inout bool nearl
     if (step.inFlatCell) {
         // Two surfaces with an edge between them may lie on one plane: the pixel itself decides.
         from += 0.5 * line.pixelShare;
-        s.share += 0.5 * line.pixelShare;
+        s.share = min(s.share + 0.5 * line.pixelShare, 1.0); // beyond its end the line comes to infinity
         s.rayZ = rayViewZ(r.screen, s.share);
     } else {
         if (settings.minLevel > 0u)
@@ -281,7 +281,7 @@ bool endsAtPixel(Ray r, Line line, PixelStep step, bool counts, inout bool nearl
     bool ends = false;
     if (tests) {
         uint met = meetSurface(r, max(from, 0.0), inFront, s, march);
-        ends = (met == kMeets || !step.inFlatCell) && endsMarch(met, s, march);
+        ends = (met == kMeets || met == kMeetsSunk || !step.inFlatCell) && endsMarch(met, s, march);
         nearlyThickEnough = nearlyThickEnough || (met == kNearlyMeets && !step.inFlatCell);
     }
     return ends;

@@ -89,9 +89,10 @@ void findTiles(uint block) {
 
 void writeHeader(uint count, bool fromRough) {
     const uint kRowRays = kRaysPerGroup * kRayGroupsX;
-    uvec2 pyramid = count > 0u ? settings.pyramidGroups : uvec2(0u);
-    uvec2 backFaces = count > 0u ? settings.backFaceGroups : uvec2(0u);
-    uvec2 picture = fromRough ? settings.pyramidGroups : uvec2(0u);
+    bool any = count > 0u || settings.always != 0u;
+    uvec2 pyramid = any ? settings.pyramidGroups : uvec2(0u);
+    uvec2 backFaces = any ? settings.backFaceGroups : uvec2(0u);
+    uvec2 picture = fromRough || settings.always != 0u ? settings.pyramidGroups : uvec2(0u);
     rays.header.rayGroups = uint[3](kRayGroupsX, (count + kRowRays - 1u) / kRowRays, 1u);
     rays.header.rayCount = count;
     rays.header.pyramidGroups = uint[3](pyramid.x, pyramid.y, 1u);

@@ -6,13 +6,14 @@
 
 #include "lib/camera.glsl"
 #include "lib/math.glsl"
+#include "lib/packed_coverage.glsl"
 #include "lib/surface.glsl"
 
 layout(set = 0, binding = 45) uniform sampler2D hitMaterial; // F0; coverage of the pixel by its surface
 
 bool showsOneSurface(ivec2 px) {
     bool mayShowMore = (frame.constants.flags & kInputSamples) != 0u && !kAmongTransparents;
-    return !mayShowMore || texelFetch(hitMaterial, px, 0).a >= 1.0;
+    return !mayShowMore || unpackCoverage(frame.constants, texelFetch(hitMaterial, px, 0).a).x >= 1.0;
 }
 
 struct ShownPoint {

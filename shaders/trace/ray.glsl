@@ -42,6 +42,7 @@ struct March {
     bool passedBehind; // an occluder: what it would have hit there is not known
     float firstBehind; // where on its line the ray first did; 1: nowhere
     float evidence;    // of outcome inferred: what the surface beside the crossing tells about it, 0 to 1
+    bool sunk;         // of a hit: the ray came from beside and is just behind the front
 };
 
 /// A march that has not left its start.
@@ -55,6 +56,7 @@ March startMarch(ScreenRay ray) {
     march.passedBehind = false;
     march.firstBehind = 1.0;
     march.evidence = 1.0;
+    march.sunk = false;
     return march;
 }
 

@@ -12,6 +12,7 @@
 #include "shared/trace_constants.h"
 #include "trace/traced.glsl"
 #ifdef GLINT_NEIGHBOURS_ANSWER
+#include "denoise/lobe_turn.glsl"
 #include "denoise/ray_rate.glsl"
 #endif
 
@@ -28,7 +29,7 @@ uint whyNoRay(ivec2 px, vec2 uv, float z, Surface here) {
             return kOutcomeFacingCamera;
     }
 #ifdef GLINT_NEIGHBOURS_ANSWER
-    if (!sendsRay(px, here.perceptualRoughness))
+    if (!sendsRay(px, here.perceptualRoughness) || !hasLobesTurn(px, uv))
         return kOutcomeFromNeighbours;
 #endif
     return kOutcomeNone;

@@ -7,6 +7,7 @@
 #include "trace/behind_hidden.glsl"
 #include "trace/hit_color.glsl"
 #include "trace/infer_border.glsl"
+#include "trace/certainty.glsl"
 #define GLINT_READ_TRACED
 #include "trace/traced.glsl"
 
@@ -56,7 +57,7 @@ const float kUnseenSide = 0.5;
 bool meetsFirst(ivec2 tracePX, inout RayRecord record, inout March end, out vec3 radiance) {
     RayRecord solid = unpackRayRecord(imageLoad(rayRecord, tracePX).xy);
     end.lookups += solid.lookups;
-    record.passedBehind = record.passedBehind || solid.passedBehind;
+    record.uncertain = record.uncertain || solid.uncertain;
     radiance = vec3(0.0);
     vec2 shownPX;
     bool nearer = !isAnswered(solid.outcome) || record.hitDistance < solid.hitDistance;
@@ -117,6 +118,35 @@ void refineEnd(Ray ray, inout March end) {
 #endif
 }
 
+/// True if the answer's weight follows from how certain it is. The marcher `proxy` does not march.
+bool judgesAnswers() {
+#ifdef GLINT_ONE_TEXEL_A_HIT
+    return false;
+#else
+    return !kAmongTransparents && (isOn(kTraceUncertain) || isOn(kTraceCertainty));
+#endif
+}
+
+/// Lets the weight of an answer follow from how certain it is. `record`: rays through the scene may take its place.
+void weighAnswer(Ray ray, Surface origin, LobeCone cone, inout March end, inout RayRecord record, inout vec4 answer) {
+    // Over many rays of a lobe, or in a cone's mean, hits that are wrong by a pixel make up for each other. Nor does the mean
+    // depend on other answers that may be wrong by less than the cone's width.
+    bool sampled = isOn(kTraceLobe) && !isMirror(origin.perceptualRoughness);
+    vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
+    float radius = cone.alpha > 0.0 ? coneRadius(cone, hitVS, record.hitDistance) : 0.0;
+    Certainty certainty = certaintyOf(ray, end, answer.rgb, sampled || blurredShare(radius) >= 1.0);
+    float weight = certainWeight(ray, certainty, answer.rgb, origin.perceptualRoughness);
+    if (sampled && end.outcome == kOutcomeHit)
+        weight = 1.0;
+    weight = mix(weight, 1.0, blurredShare(radius / max(certainty.reach, 1.0)));
+    if (isOn(kTraceUncertain)) {
+        answer.a *= logFade(kLoggedUncertain, weight);
+        record.uncertain = record.uncertain || (certainty.known && certainty.right < kCertain);
+    }
+    if (isOn(kTraceCertainty))
+        answer = vec4(float(certainty.kind), certainty.right, weight, 1.0);
+}
+
 void main() {
     uint index =
         gl_WorkGroupID.y * (kRayGroupsX * kRaysPerGroup) + gl_WorkGroupID.x * kRaysPerGroup + gl_LocalInvocationIndex;
@@ -149,7 +179,7 @@ void main() {
     record.hitUV = clamp(endPX * frame.constants.invSize, vec2(0.0), vec2(1.0));
     record.hitDistance = rayDistance(ray.screen, end.share);
     record.outcome = end.outcome;
-    record.passedBehind = end.passedBehind;
+    record.uncertain = end.passedBehind;
 
     vec4 answer = vec4(0.0);
     if (kAmongTransparents && !(hit && meetsFirst(tracePX, record, end, answer.rgb)))
@@ -157,20 +187,22 @@ void main() {
     if (hit) {
         float VoR = dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS);
         float trust = 1.0;
+        LobeCone cone = makeCone(ray.directionVS, origin.normalVS, origin.perceptualRoughness);
         if (!kAmongTransparents) {
             // Many rays of a wide lobe meet one pixel: its mean has all of their light, thin lamps' too. A mirror shows each
             // pixel by itself, and a ray from beside meets a part of the surface that the eye does not see.
             bool mayTakeMean = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
             vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
-            LobeCone cone = makeCone(ray.directionVS, origin.normalVS, origin.perceptualRoughness);
             bool blursLater = cone.alpha > 0.0 && !isOn(kTraceConesAtHits); // resolve/lobe
-            if (blursLater)
-                cone.alpha = 0.0;
-            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, cone, end.lookups);
+            LobeCone atHit = cone;
+            atHit.alpha = blursLater ? 0.0 : cone.alpha;
+            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, atHit, end.lookups);
             if (blursLater)
                 trust = behindHidden(ray, end, answer.rgb);
         }
         answer.a = trust * hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
+        if (judgesAnswers())
+            weighAnswer(ray, origin, cone, end, record, answer);
     }
     if (kAmongTransparents && end.outcome == kOutcomeSide)
         answer = mix(loadTraced(tracePX), answer, kUnseenSide);

@@ -378,6 +378,7 @@ Result<void> Context::createQueueObjects() {
 }
 
 Context::~Context() {
+    companion_.reset();
     pipelines_.clear();
     for (const auto& [size, layout] : tableLayouts_)
         api_.DestroyDescriptorSetLayout(device_, layout, callbacks());
@@ -411,6 +412,7 @@ AdoptedDevice Context::handles() const {
 
 void Context::replaceShaders(ShaderReplacements replacements) {
     replacements_ = std::move(replacements);
+    companion_.reset();
     pipelines_.clear(); // they are known by their shaders' addresses, which a later replacement may receive again
 }
 

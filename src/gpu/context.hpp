@@ -136,6 +136,9 @@ public:
     };
     Compilation& compilation() { return compilation_; }
 
+    /// What a program keeps as long as the device and destroys before it. Replacing shaders drops it.
+    std::shared_ptr<void>& companion() { return companion_; }
+
     /// Device memory of each image and buffer that exists.
     struct MemoryUse {
         std::string name;
@@ -199,6 +202,7 @@ private:
     ShaderReplacements replacements_;
     std::map<std::string, std::shared_ptr<void>> pipelines_;
     Compilation compilation_;
+    std::shared_ptr<void> companion_;
     std::map<const void*, MemoryUse> memoryUses_; ///< by allocation
     std::map<uint32_t, VkDescriptorSetLayout> tableLayouts_;
     std::vector<std::string> validationMessages_;

@@ -202,6 +202,13 @@ public:
         record();
         timers_ = timers;
     }
+    /// Records passes whose images are not noted as written, where the same passes run a second time.
+    template <class Record>
+    void unnoted(Record&& record) {
+        std::vector<WrittenImage>* const written = std::exchange(written_, nullptr);
+        record();
+        written_ = written;
+    }
     void fill(Buffer& buffer, uint32_t value);
     /// Copies `size` bytes, a multiple of 4, from one buffer to another.
     void copyBytes(Buffer& source, size_t sourceOffset, Buffer& target, size_t targetOffset, size_t size);
@@ -258,7 +265,7 @@ private:
     uint32_t imageBarrierCount_ = 0;
     uint32_t bufferBarrierCount_ = 0;
     uint64_t recording_;
-    std::array<Image*, 64> resting_; ///< used images that have a resting layout
+    std::array<Image*, 256> resting_; ///< used images that have a resting layout
     uint32_t restingCount_ = 0;
     std::string error_;
 };

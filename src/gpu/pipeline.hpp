@@ -12,7 +12,7 @@
 namespace glint::gpu {
 
 /// Maximum bindings per pass; descriptors are pushed from a fixed array of this size.
-constexpr uint32_t kMaxBindings = 28;
+constexpr uint32_t kMaxBindings = 32;
 /// Maximum images in all arrays of a pass together.
 constexpr uint32_t kMaxArrayImages = 16;
 

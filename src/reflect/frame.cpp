@@ -6,6 +6,14 @@
 #include <utility>
 
 namespace glint::reflect {
+namespace {
+
+/// Since the previous frame.
+double secondsOf(const View& view) {
+    return view.seconds > 0 ? view.seconds : 1.0 / 60.0;
+}
+
+} // namespace
 
 // ---------------------------------------------------------------- the frame, top to bottom
 
@@ -15,7 +23,7 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
     previousHasLayers_ = std::exchange(hasLayers_, false);
     if (view.cut)
         forgetFrames(HistoryReset::View);
-    if (colors_.begin(frame, plan.previousColors))
+    if (colors_.begin(frame, plan.previousColors || plan.previousEnds))
         outputs_.remember(frame);
     if (Denoiser* const denoiser = optional_.find<Denoiser>())
         denoiser->begin(frame);
@@ -28,7 +36,7 @@ void FrameStages::recordFrame(gpu::Frame& frame, const View& view) {
         pyramid_->record(frame, inputs(), prepared(), nullptr);
     if (plan.reflects)
         hierarchy_->recordSources(frame, hierarchyInputs());
-    recordComposite(frame);
+    recordComposite(frame, recordCoat(frame, view));
     optional_.record(frame, Moment::AfterAll, stageInputs());
     if (plan.countsRays)
         countRays(frame, *optional_.find<RayCounts>());
@@ -46,7 +54,7 @@ void FrameStages::traceScreen(gpu::Frame& frame) {
     const FramePlan& plan = stages_.plan;
     if (!plan.classifiesEarly)
         trace_->classify(frame, inputs(), prepared());
-    trace_->list(frame, prepare_->backFaceGroups());
+    trace_->list(frame, prepare_->backFaceGroups(), plan.coat);
     prepare_->recordBackFaces(frame, inputs(), colors_.now(kViewZ), trace_->rays());
     if (plan.pyramid)
         pyramid_->record(frame, inputs(), prepared(), plan.layers ? nullptr : &trace_->rays());
@@ -57,7 +65,7 @@ void FrameStages::traceScreen(gpu::Frame& frame) {
 }
 
 /// Combines the sources, and replaces the host's reflections by them.
-void FrameStages::recordComposite(gpu::Frame& frame) {
+void FrameStages::recordComposite(gpu::Frame& frame, gpu::Image* coat) {
     if (!stages_.plan.combines) {
         composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(),
                                    {rayRecord(), composite()});
@@ -65,7 +73,28 @@ void FrameStages::recordComposite(gpu::Frame& frame) {
     }
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
     if (stages_.plan.composites)
-        composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
+        composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite(), coat});
+}
+
+/// What clear coats reflect, by the same passes; null where the host states none.
+gpu::Image* FrameStages::recordCoat(gpu::Frame& frame, const View& view) {
+    if (!coat_)
+        return nullptr;
+    if (!stages_.plan.coat) {
+        coat_->forgetFrames(HistoryReset::NotLight);
+        coat_->restartAccumulation();
+        return nullptr;
+    }
+    gpu::Image* reflected = nullptr;
+    const CoatInputs inputs = {traceInputs(),
+                               *block_,
+                               colors_,
+                               frameNumber_,
+                               secondsOf(view),
+                               [this, &frame](const StageInputs& stage) { optional_.record(frame, Moment::AfterMarch, stage); }};
+    frame.scope("coat",
+                [&] { frame.untimed([&] { frame.unnoted([&] { reflected = &coat_->record(frame, inputs); }); }); });
+    return reflected;
 }
 
 void FrameStages::prepare(gpu::Frame& frame, const View& view) {
@@ -98,6 +127,7 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.trace.flags |= plan.backFacesInPlace ? shared::kTraceBackInPlace : 0;
     resolved.trace.flags |= plan.keepsRecord ? shared::kTraceRecords : 0;
     resolved.trace.flags |= plan.storesListedOnly ? shared::kTraceListedOnly : 0;
+    resolved.trace.flags |= plan.probes ? shared::kTraceNextOther : plan.sky ? shared::kTraceNextSky : 0;
     resolved.trace.minLevel = std::min(resolved.trace.minLevel, levels);
     resolved.trace.maxLevel = std::min(resolved.trace.maxLevel, levels);
     resolved.layerTrace = layerTraceConstants(settings, levels);
@@ -110,8 +140,8 @@ shared::SettingsConstants FrameStages::resolveSettings(const View& view) {
     resolved.hierarchy = hierarchy_->constants();
     resolved.blur = blurConstants(settings);
     if (plan.denoise)
-        resolved.denoise = optional_.find<Denoiser>()->constants(view.seconds > 0 ? view.seconds : 1.0 / 60.0,
-                                                                 plan.rays && raysSource()->branches());
+        resolved.denoise =
+            optional_.find<Denoiser>()->constants(secondsOf(view), plan.rays && raysSource()->branches());
     resolved.composite = composite_->constants();
     return resolved;
 }
@@ -195,6 +225,8 @@ void FrameStages::forgetFrames(HistoryReset reason) {
     colors_.reset(reason);
     if (Denoiser* const denoiser = optional_.find<Denoiser>())
         denoiser->forgetFrames(reason);
+    if (coat_)
+        coat_->forgetFrames(reason);
 }
 
 HostImage FrameStages::recordLayer(VkCommandBuffer commands, const TransparentLayer& layer, VkImageLayout layout) {
@@ -304,11 +336,16 @@ TraceInputs FrameStages::traceInputs() {
                          {},
                          probes(),
                          cones ? &cones->image() : nullptr};
-    if (colors_.valid())
-        trace.previous.emplace(
-            PreviousFrame{previousHasLayers_ ? optional_.find<Refraction>()->withoutLayers() : outputs_.previous(),
-                          outputs_.previous(), colors_.before(kViewZ)});
+    if (const std::optional<PreviousFrame> previous = previousFrame())
+        trace.previous.emplace(*previous);
     return trace;
+}
+
+std::optional<PreviousFrame> FrameStages::previousFrame() {
+    if (!colors_.valid())
+        return {};
+    return PreviousFrame{previousHasLayers_ ? optional_.find<Refraction>()->withoutLayers() : outputs_.previous(),
+                         outputs_.previous(), colors_.before(kViewZ)};
 }
 
 StageInputs FrameStages::stageInputs() {

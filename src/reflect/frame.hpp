@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/timers.hpp"
+#include "reflect/coat/coat_lobe.hpp"
 #include "reflect/composite/composite.hpp"
 #include "reflect/hierarchy/hierarchy.hpp"
 #include "reflect/history.hpp"
@@ -103,6 +104,7 @@ private:
     void adopt(const PlanInputs& inputs);
     Result<void> change(const PlanInputs& next, bool withOptional);
     Result<void> makeFixed(const PlanInputs& inputs);
+    Result<void> makePrevious();
     std::vector<Source> makeSources();
     Result<void> giveScene(RaysSource& source);
     Result<void> rehearseFixed();
@@ -131,7 +133,9 @@ private:
     // Record the frame, top to bottom, and its additions.
     void recordFrame(gpu::Frame& frame, const View& view);
     void traceScreen(gpu::Frame& frame);
-    void recordComposite(gpu::Frame& frame);
+    void recordComposite(gpu::Frame& frame, gpu::Image* coat);
+    gpu::Image* recordCoat(gpu::Frame& frame, const View& view);
+    Result<void> makeCoat(bool again);
     void prepare(gpu::Frame& frame, const View& view);
     shared::SettingsConstants resolveSettings(const View& view);
     gpu::Image& denoise(gpu::Frame& frame, Denoiser& denoiser);
@@ -149,6 +153,8 @@ private:
     Prepared prepared() { return prepare_->prepared(host_, colors_.now(kViewZ)); }
     Met met() { return {prepared().viewZ, prepared().surface, prepared().backViewZ}; }
     TraceInputs traceInputs();
+    /// Nothing without a history.
+    std::optional<PreviousFrame> previousFrame();
     StageInputs stageInputs();
     HierarchyInputs hierarchyInputs();
     InspectorInputs inspectorInputs();
@@ -171,6 +177,7 @@ private:
     std::unique_ptr<ProbesSource> probesSource_; ///< absent until the host provides probes
     std::unique_ptr<Hierarchy> hierarchy_;
     std::optional<Composite> composite_;
+    std::unique_ptr<CoatLobe> coat_;      ///< absent until a host states a clear coat
     LayerImages layer_;                   ///< of the layer recorded last
     std::unique_ptr<gpu::Timers> timers_; ///< ReflectionsDesc::timers
 

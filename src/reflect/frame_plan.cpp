@@ -1,6 +1,7 @@
 #include "reflect/frame_plan.hpp"
 
 #include "reflect/denoise/denoises.hpp"
+#include "reflect/rays/path_end.hpp"
 #include "reflect/resolve/lobe_mean.hpp"
 #include "reflect/trace/cone_picture.hpp"
 #include "reflect/trace/technique.hpp"
@@ -42,10 +43,12 @@ void planSources(FramePlan& plan, const PlanInputs& inputs) {
 
 void planResults(FramePlan& plan, const PlanInputs& inputs) {
     const Settings& settings = inputs.settings;
-    plan.combines = inputs.views || inputs.inspection || inputs.reflectionOutput || inputs.manySamples;
     plan.composites = inputs.compositeOutput || !inputs.reflectionOutput;
+    plan.coat = inputs.coat && plan.composites && plan.reflects && !settings.debug.outcome;
+    plan.combines = inputs.views || inputs.inspection || inputs.reflectionOutput || inputs.manySamples || plan.coat;
     plan.layers = inputs.transparentLayers && settings.refraction.enabled && !settings.debug.outcome && plan.composites;
     plan.records = plan.reflects || plan.layers || inputs.compositeOutput || inputs.reflectionOutput;
+    plan.previousEnds = plan.rays && !inputs.shadesHits && plan.composites && endsInPrevious(settings);
     plan.countsRays = inputs.statistics && (plan.screen || plan.rays);
 }
 
@@ -61,7 +64,8 @@ void planScreen(FramePlan& plan, const PlanInputs& inputs) {
     plan.cones = ConePicture::wanted(settings) && plan.tracesScreen;
     plan.transparents = TransparentTrace::wanted(settings) && plan.tracesScreen && inputs.transparentDepth;
     plan.keepsRecord = keepsRecord(inputs);
-    plan.classifiesEarly = plan.screen && !inputs.manySamples && tracesEveryPixel(inputs) && !denoises(settings);
+    plan.classifiesEarly =
+        plan.screen && !inputs.manySamples && !plan.coat && tracesEveryPixel(inputs) && !denoises(settings);
     const bool readByOthers = settings.reflect.strength > 0 && (plan.rays || plan.planar || plan.probes);
     plan.storesListedOnly = plan.classifiesEarly && !plan.keepsRecord && !plan.combines && !readByOthers;
 }
@@ -97,6 +101,7 @@ void PlanInputs::setImages(const GBuffer& gbuffer, const EnvironmentMap& around)
     backDepth = static_cast<bool>(gbuffer.backDepth);
     backDepthFits = gbuffer.backDepth.width == width && gbuffer.backDepth.height == height;
     transparentDepth = static_cast<bool>(gbuffer.transparentDepth);
+    coat = hasCoat(gbuffer);
     environment = static_cast<bool>(around.cube);
 }
 

@@ -23,6 +23,7 @@ struct PlanInputs {
     bool backDepth = false;
     bool backDepthFits = false; ///< it has one texel per pixel
     bool transparentDepth = false;
+    bool coat = false; ///< a clear coat is stated
     bool environment = false;
     bool compositeOutput = false;  ///< Outputs::composite
     bool reflectionOutput = false; ///< Outputs::reflection
@@ -54,6 +55,7 @@ struct PlanInputs {
     X(backFacesInPlace, "back faces are read from the host's image; otherwise prepare/back_faces converts them")       \
     X(pyramid, "prepare/pyramid builds the depth pyramid")                                                             \
     X(previousColors, "hits take their colours from the previous frame, which is kept")                                \
+    X(previousEnds, "paths end in the previous frame's picture, which is kept")                                        \
     X(tracesScreen, "the screen's rays are listed and marched")                                                        \
     X(cones, "trace/picture makes smaller copies of the picture for cones of rough surfaces")                          \
     X(transparents, "trace/transparents marches among transparent surfaces")                                           \
@@ -72,6 +74,7 @@ struct PlanInputs {
     X(stabilizes, "denoise/stabilize steadies the brightness of what is shown")                                        \
     X(combines, "hierarchy/combine writes the reflections alone; otherwise composite/combined does both in one pass")  \
     X(composites, "there is an image with reflections")                                                                \
+    X(coat, "the host's clear coats have rays and answers of their own, in passes that run once more for them")        \
     X(layers, "transparent layers can follow the frame")                                                               \
     X(countsRays, "composite/statistics counts the rays' outcomes")
 

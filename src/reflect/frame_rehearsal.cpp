@@ -8,7 +8,7 @@ void FrameStages::rehearse(gpu::Frame& frame, RaysSource& rays) {
     if (!rays.hasScene())
         return;
     rays.record(frame, {inputs(), prepared(), hierarchy_->noAnswersBefore(hierarchyInputs()),
-                        trace_->traced().rayRecord, false});
+                        trace_->traced().rayRecord, false, std::nullopt});
     if (Denoiser* const denoiser = optional_.findWanted<Denoiser>())
         rehearse(frame, *denoiser);
     rays.end(frame);
@@ -61,6 +61,7 @@ Result<void> FrameStages::rehearseFixed() {
     resolve_->rehearse(frame, {traceInputs(), trace_->traced()});
     const Reflected reflected = hierarchy_->combine(frame, hierarchyInputs());
     composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite()});
+    composite_->record(frame, hierarchyInputs(), reflected, {rayRecord(), composite(), &reflected.reflected});
     composite_->recordCombined(frame, hierarchyInputs(), *hierarchy_, trace_->rayTiles(), {rayRecord(), composite()});
     return frame.firstError();
 }

@@ -11,12 +11,13 @@ constexpr size_t kMaxWritten = 256;
 std::vector<Source> FrameStages::makeSources() {
     std::vector<Source> sources(shared::kSourceCount);
     sources[shared::kSourceScreen] = {"screen", &FramePlan::screen, {}, [this] { return &resolve_->answer(); }};
-    sources[shared::kSourceRays] = {
-        "rays", &FramePlan::rays,
-        [this](gpu::Frame& frame, const EarlierAnswers& before) {
-            raysSource()->record(frame, {inputs(), prepared(), before, trace_->traced().rayRecord, block_->sameView()});
-        },
-        [this] { return &raysSource()->answer(); }};
+    sources[shared::kSourceRays] = {"rays", &FramePlan::rays,
+                                    [this](gpu::Frame& frame, const EarlierAnswers& before) {
+                                        raysSource()->record(frame,
+                                                             {inputs(), prepared(), before, trace_->traced().rayRecord,
+                                                              block_->sameView(), previousFrame()});
+                                    },
+                                    [this] { return &raysSource()->answer(); }};
     sources[shared::kSourcePlanar] = {"planar", &FramePlan::planar,
                                       [this](gpu::Frame& frame, const EarlierAnswers& before) {
                                           planarSource_->record(frame, {inputs(), prepared(), before});
@@ -83,19 +84,40 @@ Result<void> FrameStages::change(const PlanInputs& next, bool withOptional) {
                 return stage.hasScene() ? Result<void>() : giveScene(stage);
             return Result<void>();
         });
+    if (made)
+        made = makeCoat(withOptional);
     if (!made)
         adopt(old);
     return made;
+}
+
+/// The lobe of clear coats, once a host states one. Its passes are the surfaces' own, which are rehearsed. `again`: the
+/// settings are others.
+Result<void> FrameStages::makeCoat(bool again) {
+    if (!stages_.plan.coat)
+        return {};
+    if (!coat_) {
+        GLINT_TRY(made, CoatLobe::create(stages_));
+        coat_ = std::move(made);
+    }
+    return coat_->make(
+        {scene_.scene, scene_.surfaces, scene_.shade, planarSource_ ? planarSource_->planar() : nullptr, probes()},
+        again);
+}
+
+/// What the plan keeps of the previous frame.
+Result<void> FrameStages::makePrevious() {
+    if (!stages_.plan.previousColors && !stages_.plan.previousEnds)
+        return {};
+    GLINT_CHECK(outputs_.makePrevious());
+    return colors_.remember();
 }
 
 /// What the stages that every frame has need for the plan.
 Result<void> FrameStages::makeFixed(const PlanInputs& inputs) {
     const FramePlan& plan = stages_.plan;
     GLINT_CHECK(trace_->make());
-    if (plan.previousColors) {
-        GLINT_CHECK(outputs_.makePrevious());
-        GLINT_CHECK(colors_.remember());
-    }
+    GLINT_CHECK(makePrevious());
     if (inputs.settings.rays.enabled || plan.denoise)
         GLINT_CHECK(tables_->makeNoise(stages_.gpu));
     GLINT_CHECK(resolve_->make());
@@ -134,8 +156,12 @@ Result<void> FrameStages::setInputs(const GBuffer& gbuffer, const EnvironmentMap
     PlanInputs next = planInputs();
     next.setImages(gbuffer, environment);
     GLINT_CHECK(change(next, false));
-    if (RaysSource* const rays = raysSource(); rays && environment.cube.view != host_.environment.cube.view)
-        rays->environmentChanged();
+    if (environment.cube.view != host_.environment.cube.view) {
+        if (RaysSource* const rays = raysSource())
+            rays->environmentChanged();
+        if (coat_)
+            coat_->environmentChanged();
+    }
     if (InputChecker* const checker = inputChecker();
         checker && (!host_.isSet() || gbuffer.conventions != host_.conventions()))
         checker->restart();
@@ -169,6 +195,8 @@ Result<void> FrameStages::takeSources(FrameStages& old) {
 }
 
 void FrameStages::restartAccumulation() {
+    if (coat_)
+        coat_->restartAccumulation();
     RaysSource* const rays = raysSource();
     if (!rays)
         return;
@@ -179,12 +207,16 @@ void FrameStages::restartAccumulation() {
 Result<void> FrameStages::setRays(GivenScene given) {
     std::swap(scene_, given);
     RaysSource* const rays = raysSource();
-    if (rays)
-        if (const Result<void> set = giveScene(*rays); !set) {
-            std::swap(scene_, given);
-            return set.error();
-        }
-    replan();
+    replan(); // paths may end in the previous picture, now that there are paths
+    Result<void> set = makePrevious();
+    if (set && rays)
+        set = giveScene(*rays);
+    if (!set) {
+        std::swap(scene_, given);
+        replan();
+        return set.error();
+    }
+    GLINT_CHECK(makeCoat(false));
     return rays ? rehearseAlone(*rays) : Result<void>();
 }
 
@@ -203,6 +235,7 @@ Result<void> FrameStages::setPlanar(PlanarState& planar) {
     }
     GLINT_CHECK(planarSource_->setPlanar(planar));
     replan();
+    GLINT_CHECK(makeCoat(false));
     return rehearseAlone(*planarSource_);
 }
 
@@ -213,6 +246,7 @@ Result<void> FrameStages::setProbes(ProbesState& probes) {
     }
     GLINT_CHECK(probesSource_->setProbes(probes));
     replan();
+    GLINT_CHECK(makeCoat(false));
     GLINT_CHECK(rehearseAlone(*probesSource_));
     Refraction* const refraction = optional_.find<Refraction>();
     if (!refraction)

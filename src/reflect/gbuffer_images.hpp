@@ -40,7 +40,7 @@ inline bool byColors(const GBuffer& gbuffer) {
 
 } // namespace needed
 
-constexpr std::array<GBufferImage, 9> kGBufferImages = {{
+constexpr std::array<GBufferImage, 10> kGBufferImages = {{
     {"depth", &GBuffer::depth, &Inputs::depth, needed::always, ImageRole::Depth, true, false},
     {"normal", &GBuffer::normal, &Inputs::normal, needed::always, ImageRole::Color, true, false},
     {"material", &GBuffer::material, &Inputs::material, needed::byColors, ImageRole::Color, true, false},
@@ -52,6 +52,7 @@ constexpr std::array<GBufferImage, 9> kGBufferImages = {{
     {"transparentDepth", &GBuffer::transparentDepth, &Inputs::transparentDepth, needed::never, ImageRole::Depth, false,
      false},
     {"motion", &GBuffer::motion, &Inputs::motion, needed::never, ImageRole::Color, false, false},
+    {"coatNormal", &GBuffer::coatNormal, &Inputs::coatNormal, needed::never, ImageRole::Color, true, false},
 }};
 
 /// A scalar of the material: GBuffer states the image that holds it.
@@ -75,6 +76,9 @@ constexpr std::array<MaterialScalar, Inputs::kScalars> kMaterialScalars = {{
     {"metallic", &GBuffer::metallic, &Inputs::metallic, needed::byMetals, true},
     {"specular", &GBuffer::specular, &Inputs::specular, needed::byMetals, true},
     {"occlusion", &GBuffer::occlusion, &Inputs::occlusion, needed::always, false},
+    {"f90", &GBuffer::f90, &Inputs::f90, needed::byRoughness, true},
+    {"coat", &GBuffer::coat, &Inputs::coat, needed::always, true},
+    {"coatRoughness", &GBuffer::coatRoughness, &Inputs::coatRoughness, needed::always, true},
 }};
 
 /// True if both are one image, seen through one view.

@@ -21,24 +21,42 @@ struct Inputs {
     gpu::Image motion;             ///< may be absent
     gpu::Image environment;        ///< cube; may be absent
     gpu::Image environmentDiffuse; ///< cube; may be absent
+    gpu::Image coatNormal;         ///< may be absent
     // Images of the material's scalars; absent where an image above holds the scalar, or no image does.
     gpu::Image roughness;
     gpu::Image metallic;
     gpu::Image specular;
     gpu::Image occlusion;
+    gpu::Image f90;
+    gpu::Image coat;
+    gpu::Image coatRoughness;
 
     /// A scalar's number: its place in kMaterialScalars (gbuffer_images.hpp).
-    static constexpr size_t kScalars = 4;
-    enum Scalar : uint8_t { Roughness, Metallic, Specular, Occlusion };
+    static constexpr size_t kScalars = 7;
+    enum Scalar : uint8_t { Roughness, Metallic, Specular, Occlusion, F90, Coat, CoatRoughness };
     /// The image that holds each scalar; null: it is read from no image.
     std::array<gpu::Image Inputs::*, kScalars> scalars = {};
     /// The image that holds the scalar, otherwise `absent`, which is then not read.
     gpu::Image& scalar(Scalar which, gpu::Image& absent) { return scalars[which] ? this->*scalars[which] : absent; }
 };
 
-/// True if F0 and coverage must be computed: the host's material image does not hold them.
+/// True if the host states something else than `constant`, which the scalar has without a statement.
+inline bool isStated(const MaterialChannel& scalar, float constant) {
+    return scalar.scale != 0 || scalar.bias != constant;
+}
+
+/// True if the host states F90, which is 1 otherwise.
+inline bool statesF90(const GBuffer& gbuffer) {
+    return isStated(gbuffer.f90, 1) && gbuffer.conventions.material != MaterialKind::Standard;
+}
+
+inline bool hasCoat(const GBuffer& gbuffer) {
+    return isStated(gbuffer.coat, 0);
+}
+
+/// True if F0, F90 and coverage must be computed: the host's material image does not hold them.
 inline bool resolvesMaterial(const GBuffer& gbuffer) {
-    return gbuffer.depth.samples > 1 || gbuffer.conventions.material != MaterialKind::F0Roughness;
+    return gbuffer.depth.samples > 1 || gbuffer.conventions.material != MaterialKind::F0Roughness || statesF90(gbuffer);
 }
 
 class Host {

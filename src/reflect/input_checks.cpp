@@ -82,7 +82,7 @@ Result<void> checkHostImage(const gpu::Context& context, const HostImage& image,
     if (image.samples != wanted)
         return invalidArgument(
             "the G-buffer's `{}` has {} samples a pixel, but must have {}: depth, normal, material, baseColor, "
-            "roughness, metallic and specular have the same number, all others 1",
+            "coatNormal and the material's scalars but occlusion have the same number, all others 1",
             known.name, image.samples, wanted);
     return {};
 }

@@ -44,6 +44,8 @@ struct Prepared {
     gpu::Image& backViewZ;
     bool backFacesKnown;
     bool backFacesInPlace;
+    /// RG32UI: the clear coat over `surface`; in the coat's own passes the surface below; without coats `surface`.
+    gpu::Image& otherLobe;
 };
 
 /// What a march may meet: the surfaces of `Prepared`, or the transparent ones in front of them

@@ -54,6 +54,10 @@ struct HostStructs {
         c.metallic = channel(gbuffer.metallic);
         c.specular = channel(gbuffer.specular);
         c.occlusion = channel(gbuffer.occlusion);
+        c.f90 = channel(gbuffer.f90);
+        c.coat = channel(gbuffer.coat);
+        c.coatRoughness = channel(gbuffer.coatRoughness);
+        c.coatNormal = image(gbuffer.coatNormal);
         c.litRadiance = image(gbuffer.litRadiance);
         c.fallbackSpecular = image(gbuffer.fallbackSpecular);
         conventions = toC(gbuffer.conventions);

@@ -27,6 +27,7 @@ struct Variation {
     bool debug = false;      ///< views, inspection, the check of inputs, statistics
     bool probes = true;
     bool edges = false; ///< the layer has pixels that it covers in part
+    bool coat = false;  ///< surfaces have a clear coat
 };
 
 /// One room and all that a host can provide of it.
@@ -92,6 +93,10 @@ GBuffer FullHost::gbufferFor(const Variation& variation, glm::uvec2 size) {
         gbuffer.depth = keep(samples(size, VK_FORMAT_R32_SFLOAT, glm::vec4(0.02f)));
         gbuffer.normal = keep(samples(size, VK_FORMAT_R32G32_SFLOAT, glm::vec4(0)));
         gbuffer.material = keep(samples(size, VK_FORMAT_R32G32B32A32_SFLOAT, glm::vec4(0.5f)));
+    }
+    if (variation.coat) {
+        gbuffer.coat = {.scale = 0, .bias = 1};
+        gbuffer.coatNormal = gbuffer.normal;
     }
     gbuffer.fallbackSpecular = keep(image(size, VK_FORMAT_R32G32B32A32_SFLOAT, 0.1f));
     gbuffer.motion = keep(image(size, VK_FORMAT_R32G32B32A32_SFLOAT, 0));
@@ -194,6 +199,8 @@ std::vector<Variation> variations() {
         {"a layer without probes", {}, RayBackend::Query, false, true, false, false, false},
         {"views and rays", {{"rays.enabled", "true"}}, RayBackend::Query, false, true, false, true},
         {"the check of inputs with several samples a pixel", {}, RayBackend::Query, true, true, false, true},
+        {.name = "a clear coat", .settings = {{"rays.enabled", "true"}}, .coat = true},
+        {.name = "a clear coat with several samples a pixel", .samples = true, .coat = true},
         {"inspection with linear", {{"screen.march", "linear"}}, RayBackend::Query, false, true, false, true},
         {"inspection with adaptive", {{"screen.march", "adaptive"}}, RayBackend::Query, false, true, false, true},
         {"inspection with proxy", {{"screen.march", "proxy"}}, RayBackend::Query, false, true, false, true},

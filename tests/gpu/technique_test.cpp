@@ -40,6 +40,7 @@ protected:
         Settings settings;
         settings.screen.march = technique().march;
         settings.fade.border = FadeBorder::None_;
+        settings.fade.uncertain = false; // certainty_test.cpp
         settings.screen.inferred = 0;    // the marchers' own answers; guesses are less exact (outcome_test.cpp)
         settings.probes.enabled = false; // only their volumes are used
         return settings;
@@ -110,6 +111,57 @@ TEST_P(TechniqueTest, reflectionLandsWithinOnePixelOfThePrediction) {
             }
         EXPECT_GT(predicted, size.x * size.y / 8);
         EXPECT_GE(hits, predicted * 99 / 100) << technique().name;
+    }
+}
+
+TEST_P(TechniqueTest, raysFromJustAboveTheFloorReachTheWall) {
+    // Close to the floor, almost all of a ray's way is within a pixel of its end on screen, its hit too.
+    SyntheticCamera camera;
+    camera.position = {0, 0.002, 3};
+    camera.target = {0, 0.3, 0};
+    camera.near = 0.001;
+    const uint32_t width = 96;
+    const uint32_t height = 64;
+    const Picture picture = trace(mirrorAndWall, camera, width, height, plainSettings());
+    size_t floor = 0;
+    size_t hits = 0;
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) {
+            const auto shown = mirrorAndWall(camera.position, camera.rayThrough(x, y, width, height));
+            if (!shown || shown->f0.x == 0)
+                continue;
+            ++floor;
+            hits += picture.weight[(y * width + x) * 4] > 0;
+        }
+    EXPECT_GT(floor, 500u);
+    EXPECT_GE(hits, technique().walks ? floor * 995 / 1000 : floor / 2) << technique().name;
+}
+
+TEST_P(TechniqueTest, theFloorMirrorsTheWallFromTheirContactOn) {
+    if (!technique().walks)
+        GTEST_SKIP() << "one lookup cannot detect the wall where its pixel shows the floor";
+    const uint32_t width = 64;
+    const uint32_t height = 160;
+    Settings settings = plainSettings();
+    settings.adaptive.steps = 12; // of many pixels each
+    for (const double up : {0.4, 0.41, 0.42, 0.43, 0.44, 0.9}) {
+        SyntheticCamera camera;
+        camera.position.y = up;
+        const Picture picture = trace(mirrorAndWall, camera, width, height, settings);
+        const auto isFloor = [&](uint32_t x, uint32_t y) {
+            const auto shown = mirrorAndWall(camera.position, camera.rayThrough(x, y, width, height));
+            return shown && shown->f0.x > 0;
+        };
+        for (uint32_t x = 0; x < width; ++x) {
+            uint32_t first = 0;
+            while (first < height && !isFloor(x, first))
+                ++first;
+            ASSERT_LT(first, height - 4);
+            for (uint32_t y = first; y < first + 4; ++y)
+                ASSERT_GT(picture.weight[(y * width + x) * 4], 0)
+                    << technique().name << " at " << x << "," << y << ", the floor begins at " << first << ", eye at "
+                    << up;
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 #include "lab/cli/compare/comparison_output.hpp"
 
+#include "lab/cli/compare/certainty_text.hpp"
 #include "lab/cli/compare/exact_report.hpp"
 #include "lab/cli/compare/hits_report.hpp"
 #include "lab/cli/render/render_output.hpp"
@@ -47,8 +48,10 @@ std::string exactText(const measure::MirrorError& exact) {
 
 std::string referenceText(const measure::ReferenceError& error) {
     return fmt::format(
-        "  from the reference: PSNR {:.1f} dB, {:.1f} on mirrors; relative MSE {:.2e}, {:.2e} on mirrors\n", error.psnr,
-        error.psnrMirrors, error.relativeMse, error.relativeMseMirrors);
+        "  from the reference: displayed error {:.2e}, {:.0f} % of it in the worst 0.1 % of the pixels; relative "
+        "MSE {:.2e}, {:.0f} % of it; {:.2e} on mirrors; PSNR {:.1f} dB, {:.1f} on mirrors\n",
+        error.displayed.mean, 100 * error.displayed.share, error.relativeMse, 100 * error.radiance.share,
+        error.relativeMseMirrors, error.psnr, error.psnrMirrors);
 }
 
 std::string sceneRaysText(const Statistics::SceneRays& scene) {
@@ -86,7 +89,10 @@ Json configJson(const measure::ConfigFigures& config) {
     if (config.exact)
         json["exact"] = exactJson(*config.exact);
     if (config.reference)
-        json["reference"] = {{"psnr", finite(config.reference->psnr)},
+        json["reference"] = {{"displayedError", config.reference->displayed.mean},
+                             {"displayedWorstShare", config.reference->displayed.share},
+                             {"relativeMseWorstShare", config.reference->radiance.share},
+                             {"psnr", finite(config.reference->psnr)},
                              {"psnrMirrors", finite(config.reference->psnrMirrors)},
                              {"relativeMse", config.reference->relativeMse},
                              {"relativeMseMirrors", config.reference->relativeMseMirrors},
@@ -133,6 +139,7 @@ std::string comparisonText(const measure::Comparison& comparison) {
         text += fmt::format("  outcomes {}\n", sharesText(all.outcomes, config.stats, all.rays));
         text += fmt::format("  missed   {}, of visible truths\n",
                             sharesText(all.missedByOutcome, config.stats, all.visibleTruths));
+        text += statedText(all);
         if (config.exact)
             text += exactText(*config.exact);
         if (config.reference)

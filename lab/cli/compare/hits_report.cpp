@@ -21,6 +21,14 @@ Json countsJson(const std::array<uint64_t, kCount>& counts, const OutcomeNames& 
     return json;
 }
 
+/// By stated weight, from 0 to 1 in equal bins.
+Json statedJson(const measure::HitFigures& figures) {
+    Json bins = Json::array();
+    for (const measure::AnswerShare& bin : figures.stated)
+        bins.push_back({{"answers", bin.answers}, {"stated", bin.meanStated()}, {"right", bin.share()}});
+    return bins;
+}
+
 } // namespace
 
 Json hitFiguresJson(const measure::HitFigures& figures, const OutcomeNames& outcomeNames) {
@@ -53,6 +61,7 @@ Json hitFiguresJson(const measure::HitFigures& figures, const OutcomeNames& outc
         distances[name] = figures.wrongPlaceByDistance[i];
     }
     json["wrongPlaceByDistance"] = std::move(distances);
+    json["stated"] = statedJson(figures);
     return json;
 }
 

@@ -25,6 +25,7 @@ void showProgress(uint32_t done, uint32_t frames) {
 Result<void> renderPictures(const RenderOptions& options, const render::RenderFunction& render) {
     GLINT_TRY(job, makeRenderJob(options));
     GLINT_CHECK(checkOutputs(inputFiles(options), outputFiles(options)));
+    lookAt(job, options);
     job.progress = showProgress;
     GLINT_TRY(result, render(job));
     for (const std::string& note : result.notes)

@@ -4,6 +4,7 @@
 #include "lab/cli/render/render_output.hpp"
 #include "lab/scene/builtin/builtin.hpp"
 #include "lab/scene/images/image_file.hpp"
+#include "lab/session/frame_mean.hpp"
 #include "lab/session/settled_frames.hpp"
 #include "lab/session/views.hpp"
 
@@ -172,6 +173,15 @@ render::SettingsRequest settingsRequest(const RenderOptions& options) {
     return request;
 }
 
+namespace {
+
+void addSmoothFrames(render::RenderJob& job, const RenderOptions& options) {
+    if (!options.frames && render::accumulates(job))
+        job.frames = std::max(job.frames, render::kSmoothFrames);
+}
+
+} // namespace
+
 Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     render::RenderJob job;
     job.scene = options.scene;
@@ -197,6 +207,8 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     job.frames = options.frames       ? static_cast<uint32_t>(*options.frames)
                  : options.settle > 0 ? render::mostSettlingFrames(reflections)
                                       : render::settledFrames(reflections);
+    addSmoothFrames(job, options);
+    job.stillFrames = static_cast<uint32_t>(options.frames.value_or(0));
     if (!(options.settle >= 0 && options.settle <= 255))
         return invalidArgument("--settle {}: expected 0 to 255 levels", options.settle);
     job.settle = options.settle;
@@ -215,6 +227,13 @@ Result<render::RenderJob> makeRenderJob(const RenderOptions& options) {
         job.statistics = true;
     }
     return job;
+}
+
+void lookAt(render::RenderJob& job, const RenderOptions& options) {
+    const render::MeasureSettings& measured = job.settings.render.measure;
+    job.smoothStill = job.display && job.views == std::vector<std::string>{"composite"} && options.statsFile.empty() &&
+                      !measured.exact && !measured.hits;
+    addSmoothFrames(job, options);
 }
 
 } // namespace glint::cli

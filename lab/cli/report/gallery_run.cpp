@@ -130,6 +130,7 @@ Result<GalleryWork> planGallery(const GalleryPlan& plan, const gpu::DeviceInfo& 
         auto job = makeRenderJob(options);
         if (!job)
             return makeError(job.error().code, "picture {}: {}", entry.name, job.error().message);
+        lookAt(*job, options);
         job->statistics = true;
         job->passTimes = !device.software; // two pictures are rendered at the same time there
         work.gallery.pictures.push_back({entry.name, entry.title, options.scene, commandOf(entry, *job), {}});

@@ -8,7 +8,8 @@
 namespace glint::cli {
 namespace {
 
-constexpr std::array<std::string_view, 6> kPictures = {"composite", "difference", "flip", "outcome", "source", "hits"};
+constexpr std::array<std::string_view, 7> kPictures = {"composite", "difference", "flip", "worst",
+                                                       "outcome",   "source",     "hits"};
 
 /// An image before it is encoded.
 struct Picture {
@@ -23,8 +24,13 @@ struct Picture {
 std::array<std::vector<uint8_t>, kPictures.size()> picturesOf(const ReportScene& scene, size_t config) {
     const measure::ConfigFigures& figures = scene.comparison.configs[config];
     const measure::ComparisonMaps& maps = scene.maps[config];
-    return {figures.composite, maps.difference, maps.flip,
-            figures.outcome,   figures.source,  measure::classColors(figures.hits.classes)};
+    return {figures.composite,
+            maps.difference,
+            maps.flip,
+            maps.worst,
+            figures.outcome,
+            figures.source,
+            measure::classColors(figures.hits.classes)};
 }
 
 std::vector<Picture> allPictures(const std::vector<ReportScene>& scenes) {
@@ -40,7 +46,7 @@ std::vector<Picture> allPictures(const std::vector<ReportScene>& scenes) {
         for (size_t config = 0; config < comparison.configs.size(); ++config) {
             const auto made = picturesOf(scenes[i], config);
             for (size_t picture = 0; picture < kPictures.size(); ++picture)
-                add(configPictureName(i, config, kPictures[picture]), made[picture], picture >= 3);
+                add(configPictureName(i, config, kPictures[picture]), made[picture], picture >= 4);
         }
     }
     return pictures;

@@ -6,7 +6,7 @@
 
 namespace glint::cli {
 
-/// The images of each config: "composite", "difference", "flip", "outcome", "source", "hits".
+/// The images of each config: "composite", "difference", "flip", "worst", "outcome", "source", "hits".
 std::span<const std::string_view> configPictures();
 
 struct ReportPictures {

@@ -46,8 +46,8 @@ public:
     }
 
 private:
-    render::FramePlan framePlan(bool draw, bool reflect) {
-        render::FramePlan plan;
+    render::FrameRequest framePlan(bool draw, bool reflect) {
+        render::FrameRequest plan;
         plan.draw = draw;
         plan.reflect = reflect;
         plan.blend = false;

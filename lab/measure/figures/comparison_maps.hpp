@@ -14,6 +14,9 @@ constexpr float kBrightDifference = 0.25f;
 struct ComparisonMaps {
     std::vector<uint8_t> difference; ///< the largest difference of a channel, as a part of kBrightDifference
     std::vector<uint8_t> flip;
+    /// The image, dark, with the worst pixels of displayed error (blue), of relative error (orange), or of both
+    /// (white); without a reference the image alone.
+    std::vector<uint8_t> worst;
     double flipMean = 0;
     std::vector<double> flipMeans; ///< of the further seeds (ConfigFigures::seeds)
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace glint::measure {
 namespace {
@@ -31,6 +32,11 @@ double meanError(std::span<const float> reference, std::span<const float> test, 
     return colors > 0 ? sum / static_cast<double>(colors) : 0;
 }
 
+double relativeError(double reference, double test) {
+    constexpr double kEpsilon = 0.01;
+    return (test - reference) * (test - reference) / (reference * reference + kEpsilon);
+}
+
 void checkSizes([[maybe_unused]] const DisplayPicture& reference, [[maybe_unused]] const DisplayPicture& test) {
     GLINT_ASSERT(reference.width == test.width && reference.height == test.height, "{} x {} and {} x {}",
                  reference.width, reference.height, test.width, test.height);
@@ -50,9 +56,37 @@ int largestDifference(const DisplayPicture& reference, const DisplayPicture& tes
 } // namespace
 
 double relativeMse(std::span<const float> reference, std::span<const float> test, std::span<const uint8_t> mask) {
-    constexpr double kBrightest = 16, kEpsilon = 0.01;
-    return meanError(reference, test, mask, kBrightest,
-                     [](double r, double t) { return (t - r) * (t - r) / (r * r + kEpsilon); });
+    return meanError(reference, test, mask, kBrightestRelative, relativeError);
+}
+
+std::vector<double> relativeErrors(std::span<const float> reference, std::span<const float> test, double brightest) {
+    GLINT_ASSERT(!reference.empty() && reference.size() % 4 == 0 && test.size() == reference.size(), "{} and {} floats",
+                 reference.size(), test.size());
+    std::vector<double> errors(reference.size() / 4, 0.0);
+    for (size_t i = 0; i < reference.size(); ++i)
+        if (i % 4 != 3)
+            errors[i / 4] += relativeError(std::clamp<double>(reference[i], 0, brightest),
+                                           std::clamp<double>(test[i], 0, brightest)) /
+                             3;
+    return errors;
+}
+
+WorstPixels worstPixels(std::span<const double> errors) {
+    GLINT_ASSERT(!errors.empty(), "no pixels");
+    const auto count = std::max<size_t>(1, static_cast<size_t>(kWorstShare * static_cast<double>(errors.size())));
+    WorstPixels worst;
+    worst.pixels.resize(errors.size());
+    std::iota(worst.pixels.begin(), worst.pixels.end(), 0u);
+    const auto end = worst.pixels.begin() + static_cast<std::ptrdiff_t>(count);
+    std::ranges::partial_sort(worst.pixels, end, std::ranges::greater(), [&](uint32_t i) { return errors[i]; });
+    worst.pixels.resize(count);
+    const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
+    double ofWorst = 0;
+    for (const uint32_t i : worst.pixels)
+        ofWorst += errors[i];
+    worst.mean = sum / static_cast<double>(errors.size());
+    worst.share = sum > 0 ? ofWorst / sum : 0;
+    return worst;
 }
 
 double psnr(std::span<const float> reference, std::span<const float> test, std::span<const uint8_t> mask) {

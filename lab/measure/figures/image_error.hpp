@@ -17,6 +17,27 @@ namespace glint::measure {
 /// Sampling and Reconstruction using Greedy Error Minimization".
 double relativeMse(std::span<const float> reference, std::span<const float> test, std::span<const uint8_t> mask = {});
 
+/// Relative errors are of radiance up to this.
+constexpr double kBrightestRelative = 16;
+/// And of what a display shows: what is brighter than its white is white.
+constexpr double kDisplayWhite = 1;
+
+/// Returns the relative squared error of each pixel, the mean of its colours; their mean over the pixels is
+/// relativeMse. `brightest`  radiance is clamped to [0, brightest] first
+std::vector<double> relativeErrors(std::span<const float> reference, std::span<const float> test, double brightest);
+
+/// The pixels that hold most of an error.
+struct WorstPixels {
+    double mean = 0;              ///< error of all pixels
+    double share = 0;             ///< of the sum of all errors, in these pixels; 0 without errors
+    std::vector<uint32_t> pixels; ///< the worst first
+};
+
+constexpr double kWorstShare = 0.001; ///< of all pixels
+
+/// Returns the worst kWorstShare of the pixels, at least one. `errors`: relativeErrors, not empty.
+WorstPixels worstPixels(std::span<const double> errors);
+
 /// Returns the peak signal-to-noise ratio in dB: 10 log10(1 / mean squared error) with linear radiance clamped to [0,
 /// 1], peak 1. Arguments as above. Returns infinity for equal images, and if the mask excludes all pixels; NaN as
 /// above.

@@ -277,7 +277,7 @@ private:
     /// Draws the first frame's view once without reflections, so that the first frame shows no motion.
     Result<void> standAtStart() {
         GLINT_CHECK(moveTo(0));
-        render::FramePlan draw;
+        render::FrameRequest draw;
         draw.reflect = false;
         GLINT_TRY(times, session_.renderFrame(0, draw));
         return {};

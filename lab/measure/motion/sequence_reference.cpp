@@ -31,7 +31,7 @@ Result<void> SequenceReference::render(render::ReflectionSession& session) {
     for (size_t seed = 0; seed < 2; ++seed) {
         session.restartAccumulation(seeds_[seed]);
         for (uint32_t i = 0; i < frames_; ++i) {
-            render::FramePlan plan;
+            render::FrameRequest plan;
             // Transparent surfaces are blended over the last one only.
             plan.draw = (seed == 0 && i == 0) || i + 1 == frames_;
             const auto index = static_cast<uint32_t>(moments_.size()) * frames_ + i;

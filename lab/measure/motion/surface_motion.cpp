@@ -1,7 +1,7 @@
 #include "lab/measure/motion/surface_motion.hpp"
 
-#include "lab/measure/figures/parallel.hpp"
 #include "lab/measure/truth/pixel_camera.hpp"
+#include "lab/scene/for_each_row.hpp"
 
 #include <cmath>
 #include <limits>
@@ -48,7 +48,7 @@ Result<std::unique_ptr<SurfaceTracker::Moment>> SurfaceTracker::look(double seco
     const PixelCamera camera(view);
     moment->items.assign(size_t(view.width) * view.height, -1);
     moment->hits.resize(moment->items.size());
-    forEachRow(view.height, [&](uint32_t y) {
+    scene::forEachRow(view.height, [&](uint32_t y) {
         for (uint32_t x = 0; x < view.width; ++x) {
             const PixelRay ray = camera.ray(glm::dvec2(x, y) + 0.5);
             const size_t p = size_t(y) * view.width + x;
@@ -110,7 +110,7 @@ Result<SurfaceMotion> SurfaceTracker::advance(double seconds, const render::View
     SurfaceMotion motion;
     if (prev_ && prev_->pose.items.size() == now->pose.items.size()) {
         motion.resize(now->items.size());
-        forEachRow(view.height, [&](uint32_t y) {
+        scene::forEachRow(view.height, [&](uint32_t y) {
             for (size_t p = size_t(y) * view.width; p < size_t(y + 1) * view.width; ++p)
                 motion[p] =
                     now->items[p] < 0 ? PixelOrigin{0, SurfaceOrigin::None} : originOf(now->hits[p], now->items[p]);

@@ -75,7 +75,7 @@ Result<void> ComparedView::useSeed(uint32_t seed) {
 /// times of that one.
 Result<render::FrameTimes> ComparedView::timeFrames(EffectTimes& measured, const render::ProgramSettings& settings,
                                                     uint32_t frames) {
-    render::FramePlan effect;
+    render::FrameRequest effect;
     effect.draw = false;
     effect.afterOpaque = [this](gpu::Frame& frame, render::GBuffer& gbuffer) { floor_.record(frame, gbuffer); };
     uint32_t index = 0;
@@ -138,7 +138,7 @@ Result<void> ComparedView::measureHits(ConfigFigures& figures) {
         GLINT_TRY(view, session_.readView(name));
         traced.views.push_back(std::move(view));
     }
-    GLINT_TRY(hits, truth_.judge(session_.inputs(), session_.view(), traced));
+    GLINT_TRY(hits, truth_.judge(session_.inputs(), session_.view(), traced, statesCertainty(figures.settings)));
     figures.hits = std::move(hits);
     return {};
 }

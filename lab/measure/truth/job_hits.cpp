@@ -28,6 +28,11 @@ std::vector<float> copyOf(std::span<const float> values) {
 
 } // namespace
 
+bool statesCertainty(const render::ProgramSettings& settings) {
+    const ScreenSettings& screen = settings.reflections.screen;
+    return screen.enabled && screen.march != March::Proxy && screen.resolutionScale >= 1;
+}
+
 render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
     render::ProgramSettings all = settings;
     Settings& reflections = all.reflections;
@@ -35,13 +40,17 @@ render::ProgramSettings hitSettings(const render::ProgramSettings& settings) {
     reflections.reflect.roughnessFadeStart = 1;
     reflections.reflect.maxRoughness = 1;
     reflections.rough.factor = 0;
-    reflections.denoise.enabled = false;                    // rays along the mirror direction
-    all.render.display.antialias = render::Antialias::None; // one surface per pixel
+    reflections.denoise.enabled = false; // rays along the mirror direction
+    reflections.blur.strength = 0;
+    reflections.debug.certainty = statesCertainty(settings);
+    if (reflections.debug.certainty)
+        reflections.screen.targetFormat = TargetFormat::Rgba16f; // numbers above 1
+    all.render.display.antialias = render::Antialias::None;      // one surface per pixel
     return all;
 }
 
 std::vector<std::string> hitViews() {
-    return {"depth", "normal", "reflectivity", "ray", "roughness"};
+    return {"depth", "normal", "reflectivity", "ray", "roughness", "color"};
 }
 
 render::RenderJob hitJob(const render::RenderJob& job) {
@@ -56,11 +65,12 @@ render::RenderJob hitJob(const render::RenderJob& job) {
 
 Result<HitReport> measureHits(const render::RenderJob& job, const render::RenderResult& result) {
     GLINT_TRY(inputs, render::loadJobInputs(job));
-    return TruthKeeper().judge(inputs, render::makeView(inputs.camera, result.width, result.height), result);
+    return TruthKeeper().judge(inputs, render::makeView(inputs.camera, result.width, result.height), result,
+                               statesCertainty(job.settings));
 }
 
 Result<HitReport> TruthKeeper::judge(const render::JobInputs& inputs, const render::View& view,
-                                     const render::RenderResult& traced) {
+                                     const render::RenderResult& traced, bool knowsCertainty) {
     const std::vector<float> material = materialOf(traced);
     const GBufferPicture gbuffer = {viewOf(traced, "depth"), viewOf(traced, "normal"), material};
     if (!oracle_) {
@@ -72,7 +82,10 @@ Result<HitReport> TruthKeeper::judge(const render::JobInputs& inputs, const rend
         truths_ = traceTruth(*oracle_, view, gbuffer);
         gbuffer_ = std::move(now);
     }
-    return judgeHits(view, gbuffer, truths_, viewOf(traced, "ray"));
+    std::span<const float> certainty;
+    if (knowsCertainty)
+        certainty = viewOf(traced, "color");
+    return judgeHits(view, gbuffer, truths_, viewOf(traced, "ray"), certainty);
 }
 
 } // namespace glint::measure

@@ -9,6 +9,10 @@
 
 namespace glint::measure {
 
+/// True if each ray of a frame with these settings states how certain its answer is, and no pixel mixes the answers of
+/// several.
+bool statesCertainty(const render::ProgramSettings& settings);
+
 /// Returns these settings with every reflective pixel traced along its mirror direction: no threshold, no roughness
 /// cut, no jitter, one sample per pixel. Hits are measured with them.
 render::ProgramSettings hitSettings(const render::ProgramSettings& settings);
@@ -30,9 +34,10 @@ public:
     /// `inputs`  the same scene and pose in every call
     /// `view`    the view that `traced` was rendered with
     /// `traced`  must have hitViews
+    /// `knowsCertainty`  statesCertainty of its settings
     /// Errors: Unsupported if the CPU cannot trace rays.
     Result<HitReport> judge(const render::JobInputs& inputs, const render::View& view,
-                            const render::RenderResult& traced);
+                            const render::RenderResult& traced, bool knowsCertainty);
 
 private:
     std::optional<RayOracle> oracle_;

@@ -1,8 +1,8 @@
 #include "lab/measure/truth/ray_hits.hpp"
 
 #include "base/assert.hpp"
-#include "lab/measure/figures/parallel.hpp"
 #include "lab/measure/truth/pixel_camera.hpp"
+#include "lab/scene/for_each_row.hpp"
 
 #include <algorithm>
 
@@ -12,9 +12,13 @@ namespace {
 constexpr double kRightPX = 2;
 constexpr double kRightShare = 0.01; ///< of the ray's length, in 3D
 
+constexpr double kGuessShare = 0.1; ///< as kRightShare, of answers that are no hits
+constexpr float kSameWay = 0.9f;    ///< cosine between normals
+
 struct Verdict {
     HitClass hitClass = HitClass::NoRay;
-    float errorPX = 0; ///< of hits whose true hit is visible
+    float errorPX = 0;        ///< of hits whose true hit is visible
+    bool answerRight = false; ///< of any outcome with an answer
 };
 
 struct ReportedRay {
@@ -23,6 +27,17 @@ struct ReportedRay {
     uint32_t lookups;
 };
 
+/// What the tracer knows of an answer.
+struct StatedAnswer {
+    size_t kind; ///< kAnswer*
+    double right;
+};
+
+bool isAnswer(uint32_t outcome) {
+    return outcome == shared::kOutcomeHit || outcome == shared::kOutcomeSide || outcome == shared::kOutcomeBackFace ||
+           outcome == shared::kOutcomeInferred;
+}
+
 ReportedRay reportedRay(std::span<const float> rays, size_t pixel) {
     const float* ray = rays.data() + 4 * pixel;
     return {{ray[0], ray[1]},
@@ -30,20 +45,46 @@ ReportedRay reportedRay(std::span<const float> rays, size_t pixel) {
             static_cast<uint32_t>(ray[3])};
 }
 
+StatedAnswer statedAnswer(std::span<const float> certainty, size_t pixel) {
+    const float* answer = certainty.data() + 4 * pixel;
+    return {std::min(static_cast<size_t>(std::max(answer[0], 0.0f)), size_t{shared::kAnswerKinds - 1}),
+            std::clamp(static_cast<double>(answer[1]), 0.0, 1.0)};
+}
+
 bool wasTraced(uint32_t outcome) {
     return outcome != shared::kOutcomeNone && outcome < shared::kOutcomeBelowThreshold;
 }
 
-/// True if the visible surface at `px` is near the true hit, by distance in space.
-bool nearInSpace(const PixelCamera& camera, const GBufferPicture& gbuffer, const RayTruth& truth,
-                 const glm::dvec2& px) {
+size_t pixelAt(const PixelCamera& camera, const glm::dvec2& px) {
     const auto x = std::min(static_cast<uint32_t>(px.x), camera.width() - 1);
     const auto y = std::min(static_cast<uint32_t>(px.y), camera.height() - 1);
-    const auto viewZ = static_cast<double>(gbuffer.viewZ[4 * (size_t(y) * camera.width() + x)]);
+    return size_t(y) * camera.width() + x;
+}
+
+/// True if the visible surface at `px` is within `share` of the ray's length of the true hit, in space.
+bool nearInSpace(const PixelCamera& camera, const GBufferPicture& gbuffer, const RayTruth& truth, const glm::dvec2& px,
+                 double share) {
+    const auto viewZ = static_cast<double>(gbuffer.viewZ[4 * pixelAt(camera, px)]);
     if (viewZ <= 0)
         return false;
     const glm::dvec3 positionWS = camera.position(camera.ray(px), viewZ);
-    return glm::distance(positionWS, glm::dvec3(truth.positionWS)) <= kRightShare * static_cast<double>(truth.distance);
+    return glm::distance(positionWS, glm::dvec3(truth.positionWS)) <= share * static_cast<double>(truth.distance);
+}
+
+/// True if what the picture shows at `px` is what the exact ray meets. `rightHit`: the verdict on a hit.
+bool isRightAnswer(const PixelCamera& camera, const GBufferPicture& gbuffer, std::span<const RayTruth> truths,
+                   const RayTruth& truth, const ReportedRay& reported, bool rightHit) {
+    if (!isAnswer(reported.outcome) || truth.met.item < 0)
+        return false;
+    const glm::dvec2 px = reported.hitUV * glm::dvec2(camera.width(), camera.height());
+    const size_t pixel = pixelAt(camera, px);
+    if (!(truths[pixel].shown == truth.met))
+        return false;
+    if (reported.outcome == shared::kOutcomeHit)
+        return rightHit;
+    const float* normal = gbuffer.normalWS.data() + 4 * pixel;
+    return glm::dot(glm::vec3(normal[0], normal[1], normal[2]), truth.normalWS) > kSameWay ||
+           nearInSpace(camera, gbuffer, truth, px, kGuessShare);
 }
 
 Verdict judge(const PixelCamera& camera, const GBufferPicture& gbuffer, const RayTruth& truth,
@@ -58,13 +99,23 @@ Verdict judge(const PixelCamera& camera, const GBufferPicture& gbuffer, const Ra
         return {HitClass::FalseHit};
     const glm::dvec2 px = reported.hitUV * glm::dvec2(camera.width(), camera.height());
     const double error = glm::distance(px, glm::dvec2(truth.px));
-    const bool right = error <= kRightPX || nearInSpace(camera, gbuffer, truth, px);
+    const bool right = error <= kRightPX || nearInSpace(camera, gbuffer, truth, px, kRightShare);
     return {right ? HitClass::Right : HitClass::WrongPlace, static_cast<float>(error)};
 }
 
 /// Gathers pixels into figures.
 class Tally {
 public:
+    void add(const Verdict& verdict, const StatedAnswer& stated) {
+        const auto count = [&](AnswerShare& share) {
+            ++share.answers;
+            share.right += verdict.answerRight;
+            share.stated += stated.right;
+        };
+        count(figures_.byKind[stated.kind]);
+        count(figures_.stated[std::min(static_cast<size_t>(stated.right * kStatedBins), kStatedBins - 1)]);
+    }
+
     void add(const RayTruth& truth, const ReportedRay& reported, const Verdict& verdict) {
         ++figures_.rays;
         ++figures_.outcomes[reported.outcome];
@@ -128,15 +179,21 @@ size_t bandOf(float perceptualRoughness) {
 } // namespace
 
 HitReport judgeHits(const render::View& view, const GBufferPicture& gbuffer, std::span<const RayTruth> truths,
-                    std::span<const float> rays) {
+                    std::span<const float> rays, std::span<const float> certainty) {
     const size_t pixels = size_t(view.width) * view.height;
     GLINT_ASSERT(truths.size() == pixels && rays.size() == 4 * pixels, "{} truths, {} floats of rays for {} pixels",
                  truths.size(), rays.size(), pixels);
+    GLINT_ASSERT(certainty.empty() || certainty.size() == 4 * pixels, "{} floats of certainty for {} pixels",
+                 certainty.size(), pixels);
     const PixelCamera camera(view);
     std::vector<Verdict> verdicts(pixels);
-    forEachRow(view.height, [&](uint32_t y) {
-        for (size_t i = size_t(y) * view.width; i < (size_t(y) + 1) * view.width; ++i)
-            verdicts[i] = judge(camera, gbuffer, truths[i], reportedRay(rays, i));
+    scene::forEachRow(view.height, [&](uint32_t y) {
+        for (size_t i = size_t(y) * view.width; i < (size_t(y) + 1) * view.width; ++i) {
+            const ReportedRay reported = reportedRay(rays, i);
+            verdicts[i] = judge(camera, gbuffer, truths[i], reported);
+            verdicts[i].answerRight =
+                isRightAnswer(camera, gbuffer, truths, truths[i], reported, verdicts[i].hitClass == HitClass::Right);
+        }
     });
 
     HitReport report;
@@ -148,8 +205,14 @@ HitReport judgeHits(const render::View& view, const GBufferPicture& gbuffer, std
         if (truths[i].kind == TruthKind::NoRay)
             continue;
         const ReportedRay reported = reportedRay(rays, i);
+        Tally& band = bands[bandOf(gbuffer.material[4 * i + 3])];
         all.add(truths[i], reported, verdicts[i]);
-        bands[bandOf(gbuffer.material[4 * i + 3])].add(truths[i], reported, verdicts[i]);
+        band.add(truths[i], reported, verdicts[i]);
+        if (certainty.empty() || !isAnswer(reported.outcome))
+            continue;
+        const StatedAnswer stated = statedAnswer(certainty, i);
+        all.add(verdicts[i], stated);
+        band.add(verdicts[i], stated);
     }
     report.all = all.take();
     for (size_t band = 0; band < bands.size(); ++band)

@@ -1,8 +1,8 @@
 #include "lab/measure/truth/ray_truth.hpp"
 
 #include "base/assert.hpp"
-#include "lab/measure/figures/parallel.hpp"
 #include "lab/measure/truth/pixel_camera.hpp"
+#include "lab/scene/for_each_row.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,26 +38,35 @@ struct Tracer {
         return static_cast<double>(gbuffer.viewZ[4 * (size_t(y) * camera.width() + x)]);
     }
 
+    static MetSurface surfaceOf(const std::optional<OracleHit>& hit) {
+        return hit ? MetSurface{static_cast<int>(hit->item), hit->material} : MetSurface{};
+    }
+
     RayTruth trace(uint32_t x, uint32_t y) const {
         RayTruth truth;
         const size_t i = 4 * (size_t(y) * camera.width() + x);
         const double startZ = viewZ(x, y);
         const float f0 = std::max({gbuffer.material[i], gbuffer.material[i + 1], gbuffer.material[i + 2]});
-        if (startZ <= 0 || !(f0 > kLeastF0))
+        if (startZ <= 0)
+            return truth;
+        const PixelRay eye = camera.ray(glm::dvec2(x, y) + 0.5);
+        const std::optional<OracleHit> start = oracle.trace(eye.originWS, eye.directionWS, 0);
+        truth.shown = surfaceOf(start);
+        if (!(f0 > kLeastF0))
             return truth;
         const glm::dvec3 normalWS =
             glm::normalize(glm::dvec3(gbuffer.normalWS[i], gbuffer.normalWS[i + 1], gbuffer.normalWS[i + 2]));
-        const PixelRay eye = camera.ray(glm::dvec2(x, y) + 0.5);
         const glm::dvec3 startWS = camera.position(eye, startZ);
         const glm::dvec3 directionWS = glm::normalize(glm::reflect(eye.directionWS, normalWS));
         const std::optional<OracleHit> hit = oracle.trace(startWS, directionWS, kStartSkip * startZ);
-        const std::optional<OracleHit> start = oracle.trace(eye.originWS, eye.directionWS, 0);
         truth.dips = start && glm::dot(directionWS, start->geometricNormalWS) < 0;
         truth.kind = TruthKind::Nothing;
         if (!hit)
             return truth;
         truth.positionWS = glm::vec3(hit->positionWS);
         truth.distance = static_cast<float>(hit->distance);
+        truth.normalWS = glm::vec3(hit->normalWS);
+        truth.met = surfaceOf(hit);
         classify(truth, *hit);
         return truth;
     }
@@ -91,7 +100,7 @@ std::vector<RayTruth> traceTruth(const RayOracle& oracle, const render::View& vi
                  "{} floats of depth for {} pixels", gbuffer.viewZ.size(), pixels);
     const Tracer tracer = {oracle, PixelCamera(view), gbuffer};
     std::vector<RayTruth> truths(pixels);
-    forEachRow(view.height, [&](uint32_t y) {
+    scene::forEachRow(view.height, [&](uint32_t y) {
         for (uint32_t x = 0; x < view.width; ++x)
             truths[size_t(y) * view.width + x] = tracer.trace(x, y);
     });

@@ -21,6 +21,13 @@ enum class TruthKind : uint8_t {
 };
 constexpr size_t kTruthKinds = 6;
 
+/// What a ray meets: an item of the pose and its material; none: no triangle.
+struct MetSurface {
+    int item = -1;
+    int material = -1;
+    bool operator==(const MetSurface&) const = default;
+};
+
 struct RayTruth {
     TruthKind kind = TruthKind::NoRay;
     bool dips = false;           ///< an interpolated shading normal sends the ray below its own triangle
@@ -28,6 +35,9 @@ struct RayTruth {
     float distance = 0;          ///< metres along the ray; 0 with NoRay and Nothing
     glm::vec2 px = glm::vec2(0); ///< pixels, centres at .5; 0 if the hit is not in front of the camera
     glm::vec3 positionWS = glm::vec3(0);
+    glm::vec3 normalWS = glm::vec3(0);
+    MetSurface met;   ///< by the exact ray
+    MetSurface shown; ///< by the eye's ray through the pixel's centre, also with NoRay
 };
 
 /// A G-buffer as its views: four floats per pixel, rows from the top.

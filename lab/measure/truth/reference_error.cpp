@@ -1,7 +1,5 @@
 #include "lab/measure/truth/reference_error.hpp"
 
-#include "lab/measure/figures/image_error.hpp"
-
 #include <algorithm>
 
 namespace glint::measure {
@@ -15,6 +13,8 @@ ReferencePicture::ReferencePicture(std::vector<float> radiance, std::span<const 
 
 ReferenceError ReferencePicture::errorOf(std::span<const float> picture) const {
     ReferenceError error;
+    error.displayed = worstPixels(relativeErrors(radiance_, picture, kDisplayWhite));
+    error.radiance = worstPixels(relativeErrors(radiance_, picture, kBrightestRelative));
     error.psnr = psnr(radiance_, picture);
     error.psnrMirrors = psnr(radiance_, picture, mirrors_);
     error.relativeMse = relativeMse(radiance_, picture);

@@ -1,6 +1,7 @@
 // The error of an image against a reference: over all pixels, over mirrors, and by roughness.
 #pragma once
 
+#include "lab/measure/figures/image_error.hpp"
 #include "lab/measure/motion/motion_frame.hpp"
 
 #include <cstdint>
@@ -23,6 +24,8 @@ struct ReferenceError {
     double psnrMirrors = 0; ///< dB, of mirrors: reflective pixels with perceptual roughness up to kMirrorRoughness
     double relativeMse = 0; ///< of all pixels
     double relativeMseMirrors = 0;
+    WorstPixels displayed; ///< relative squared error of what a display shows: radiance up to its white
+    WorstPixels radiance;  ///< the same of radiance: its mean is relativeMse
     uint64_t mirrorPixels = 0;
     ByBand<BandError> bands =
         {}; ///< reflective pixels; their limits are those of the hits (lab/measure/truth/ray_hits.hpp)

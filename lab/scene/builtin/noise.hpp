@@ -8,7 +8,11 @@
 namespace glint::scene::builtin {
 
 /// A well-mixed 32-bit hash (Jarzynski, Olano 2020, "Hash Functions for GPU Rendering": PCG).
-uint32_t hash(uint32_t value);
+inline uint32_t hash(uint32_t value) {
+    const uint32_t state = value * 747796405u + 2891336453u;
+    const uint32_t word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737u;
+    return (word >> 22) ^ word;
+}
 /// [0, 1).
 float hashUnit(uint32_t x, uint32_t y, uint32_t seed);
 

@@ -1,5 +1,7 @@
 #include "lab/scene/builtin/paint.hpp"
 
+#include "lab/scene/for_each_row.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,25 +24,26 @@ Image paint(const std::string& name, int size, bool srgb, const std::function<gl
     Image image;
     image.name = name;
     image.width = image.height = static_cast<uint32_t>(size);
-    image.rgba.reserve(static_cast<size_t>(size) * static_cast<size_t>(size) * 4);
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            const glm::vec2 uv = (glm::vec2(x, y) + 0.5f) / static_cast<float>(size);
-            const glm::vec3 c = color(uv);
+    image.rgba.resize(size_t{4} * image.width * image.height);
+    forEachRow(image.height, [&](uint32_t y) {
+        uint8_t* out = image.rgba.data() + size_t{4} * image.width * y;
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const glm::vec3 c = color((glm::vec2(x, y) + 0.5f) / static_cast<float>(size));
             for (int k = 0; k < 3; ++k)
-                image.rgba.push_back(toByte(srgb ? toSrgb(c[k]) : c[k]));
-            image.rgba.push_back(255);
+                *out++ = toByte(srgb ? toSrgb(c[k]) : c[k]);
+            *out++ = 255;
         }
-    }
+    });
     return image;
 }
 
 std::vector<float> heightsOf(int size, const std::function<float(const glm::vec2& uv)>& at) {
-    std::vector<float> heights;
-    heights.reserve(static_cast<size_t>(size) * static_cast<size_t>(size));
-    for (int y = 0; y < size; ++y)
-        for (int x = 0; x < size; ++x)
-            heights.push_back(at((glm::vec2(x, y) + 0.5f) / static_cast<float>(size)));
+    const auto side = static_cast<uint32_t>(size);
+    std::vector<float> heights(size_t{side} * side);
+    forEachRow(side, [&](uint32_t y) {
+        for (uint32_t x = 0; x < side; ++x)
+            heights[size_t{side} * y + x] = at((glm::vec2(x, y) + 0.5f) / static_cast<float>(size));
+    });
     return heights;
 }
 

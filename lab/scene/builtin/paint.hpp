@@ -12,10 +12,10 @@
 namespace glint::scene::builtin {
 
 /// Fills a square image of `size` pixels a side; the callback gets uv in [0, 1) at pixel centres, v from the top, and
-/// returns linear values. `srgb`: they are encoded as sRGB.
+/// returns linear values, from several threads at once. `srgb`: they are encoded as sRGB.
 Image paint(const std::string& name, int size, bool srgb, const std::function<glm::vec3(const glm::vec2& uv)>& color);
 
-/// Evaluates heights for `normalMap` at the same places: size * size, rows from the top.
+/// Evaluates heights for `normalMap` at the same places, from several threads: size * size, rows from the top.
 std::vector<float> heightsOf(int size, const std::function<float(const glm::vec2& uv)>& at);
 
 /// The position of a point in a tiled image.

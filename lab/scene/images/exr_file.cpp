@@ -87,7 +87,7 @@ Result<HdrImage> readPixels(std::string_view bytes, const std::string& name) {
     file.setFrameBuffer(frameBuffer);
     file.readPixels(window.min.y, window.max.y);
     for (glm::vec3& pixel : image.rgb)
-        pixel = {asRadiance(pixel.r), asRadiance(pixel.g), asRadiance(pixel.b)};
+        pixel = {asEnvironmentRadiance(pixel.r), asEnvironmentRadiance(pixel.g), asEnvironmentRadiance(pixel.b)};
     return image;
 }
 

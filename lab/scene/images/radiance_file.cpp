@@ -17,7 +17,8 @@ glm::vec3 decodeRgbe(const Rgbe& p) {
     if (p[3] == 0)
         return glm::vec3(0);
     const float scale = std::ldexp(1.0f, p[3] - (128 + 8)); // mantissas are 8-bit fractions, the exponent's bias is 128
-    return {asRadiance(float(p[0]) * scale), asRadiance(float(p[1]) * scale), asRadiance(float(p[2]) * scale)};
+    return {asEnvironmentRadiance(float(p[0]) * scale), asEnvironmentRadiance(float(p[1]) * scale),
+            asEnvironmentRadiance(float(p[2]) * scale)};
 }
 
 class Decoder {

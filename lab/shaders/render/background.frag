@@ -1,4 +1,4 @@
-// The environment and the sun's disc, where no surface is drawn.
+// The environment and its suns' discs, where no surface is drawn.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -16,8 +16,9 @@ vec3 backgroundRadiance(vec3 directionWS) {
         return vec3(0.0);
     vec3 turned = rotateToEnvironment(directionWS, view.constants.environmentRotation);
     vec3 radiance = textureLod(environmentRadiance, turned, 0.0).rgb * view.constants.environmentStrength;
-    if (dot(directionWS, view.constants.sunDirWS) > view.constants.sunCosRadius)
-        radiance += view.constants.sunRadiance;
+    for (uint i = 0u; i < kMaxSuns; ++i)
+        if (dot(directionWS, view.constants.suns[i].directionWS) > view.constants.suns[i].cosRadius)
+            radiance += view.constants.suns[i].radiance;
     return min(radiance, vec3(65000.0)); // the largest half is 65504
 }
 

@@ -14,7 +14,11 @@ vec4 litRadiance(Lighting lighting) {
     return vec4(min(total, kLargest), min(meanComponent(totalRadiance(lighting)), kLargest.r));
 }
 
+/// The environment's light that reflections replace: with GLINT_LOBES also the clear coat's.
 vec4 fallbackSpecular(Lighting lighting) {
+#ifdef GLINT_LOBES
+    lighting.environmentSpecular += lighting.coatSpecular;
+#endif
     return vec4(min(lighting.environmentSpecular, kLargest), 1.0);
 }
 

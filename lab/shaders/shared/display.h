@@ -30,6 +30,11 @@ struct ViewConstants {
     uint kind;  ///< kView...
 };
 
+struct MeanConstants {
+    uint2 size;  ///< pixels
+    uint frames; ///< whose mean it is, with the frame that is added
+};
+
 struct FxaaConstants {
     uint2 size; ///< pixels
 };

@@ -6,6 +6,15 @@
 
 GLINT_SHARED_BEGIN
 
+GLINT_CONSTANT(uint, kMaxSuns, 4u);
+
+/// The disc of a sun or lamp of the environment, in the background.
+struct SunDisc {
+    float3 directionWS; ///< unit, towards it
+    float cosRadius;    ///< cosine of the disc's angular radius; 2: no disc
+    float3 radiance;
+};
+
 struct RenderView {
     float4x4 worldToClip;
     float4x4 clipToWorld;
@@ -21,16 +30,14 @@ struct RenderView {
     float2 environmentRotation; ///< cos and sin of the angle about +Y
     float environmentStrength;
     uint environmentVisible; ///< 1: drawn as the background
-    float3 sunDirWS;         ///< unit, towards the sun
-    float sunCosRadius;      ///< cosine of the disc's angular radius; 2: no sun
-    float4 clipPlaneWS;      ///< surfaces are drawn where dot(xyz, positionWS) + w > 0
-    float3 sunRadiance;      ///< of the disc
-    uint highlights;         ///< 1: smooth surfaces show lights' highlights
+    SunDisc suns[kMaxSuns];
+    float4 clipPlaneWS; ///< surfaces are drawn where dot(xyz, positionWS) + w > 0
+    uint highlights;    ///< 1: smooth surfaces show lights' highlights
 };
 
 GLINT_SHARED_END
 
 #ifdef __cplusplus
-static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * 36);
+static_assert(sizeof(glint::shared::RenderView) == 3 * 64 + 4 * (29 + 4 * 7));
 #endif
 #endif

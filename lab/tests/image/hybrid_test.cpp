@@ -17,7 +17,9 @@ protected:
         Statistics::SceneRays rays;
     };
     static Drawn drawExact(std::vector<std::string> assignments) {
-        assignments.insert(assignments.begin(), {"fade.border=none", "rays.enabled=true"});
+        // Bounces are counted: no estimate of what further ones would bring.
+        assignments.insert(assignments.begin(),
+                           {"fade.border=none", "rays.enabled=true", "rays.environmentOcclusion=false"});
         render::RenderJob job;
         job.scene = "builtin:exact";
         job.camera = "front";
@@ -69,8 +71,8 @@ TEST_F(HybridTest, MirrorsOfTheHallAreAlmostThoseOfRaysAlone) {
         assignments.insert(assignments.begin(), {"rays.enabled=true", "lights.shadows=rays"});
         render::RenderJob job;
         job.scene = "builtin:hall";
-        job.width = 640;
-        job.height = 360;
+        job.width = 320;
+        job.height = 180;
         job.views = {"composite", "roughness", "reflectivity"};
         job.statistics = true;
         job.settings = settingsOf(std::move(assignments));
@@ -81,7 +83,7 @@ TEST_F(HybridTest, MirrorsOfTheHallAreAlmostThoseOfRaysAlone) {
     std::vector<uint8_t> mirrors;
     for (size_t i = 0; i < alone.views[0].rgba.size(); i += 4)
         mirrors.push_back(alone.views[2].rgba[i] > 0 && alone.views[1].rgba[i] <= 0.01f);
-    ASSERT_GT(std::ranges::count(mirrors, uint8_t{1}), 10000);
+    ASSERT_GT(std::ranges::count(mirrors, uint8_t{1}), 2500);
     EXPECT_GT(measure::psnr(alone.views[0].rgba, hybrid.views[0].rgba, mirrors), 40);
     EXPECT_LT(hybrid.stats.scene.rays, alone.stats.scene.rays);
 }

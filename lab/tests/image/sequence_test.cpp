@@ -149,7 +149,7 @@ TEST_F(SequenceTest, MotionVectorsAreThoseOfExactRays) {
     const scene::Camera start = session.inputs().camera;
     measure::SurfaceTracker tracker(*session.inputs().scene);
     render::GBuffer* gbuffer = nullptr;
-    render::FramePlan plan;
+    render::FrameRequest plan;
     plan.afterOpaque = [&](gpu::Frame&, render::GBuffer& drawn) { gbuffer = &drawn; };
     measure::SurfaceMotion exact;
     for (const uint32_t frame : {0u, 1u}) {

@@ -68,12 +68,12 @@ protected:
 };
 
 TEST_F(SourcesTest, MoreAreNotWorseInAHall) {
-    expectMoreIsNotWorse(errors(hallJob(160, 90)));
+    expectMoreIsNotWorse(errors(hallJob(96, 54)));
 }
 
 TEST_F(SourcesTest, MoreAreNotWorseInTheOpen) {
     GLINT_NEED_ASSET(path, "scenes/stage1.glb");
-    expectMoreIsNotWorse(errors(openJob(path, 160, 90)));
+    expectMoreIsNotWorse(errors(openJob(path, 96, 54)));
 }
 
 } // namespace sources_test

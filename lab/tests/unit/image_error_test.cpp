@@ -102,5 +102,28 @@ TEST(DisplayDifference, AToleranceOfWholeBytesAllowsThem) {
     }
 }
 
+TEST(WorstPixels, HoldTheirShareOfTheError) {
+    // 2000 pixels: two are the worst thousandth. One is off by far, one that a display shows as white.
+    std::vector<float> reference(4 * 2000, 0.5f);
+    std::vector<float> test = reference;
+    const auto set = [](std::vector<float>& image, size_t pixel, float value) {
+        std::fill_n(image.begin() + static_cast<std::ptrdiff_t>(4 * pixel), 3, value);
+    };
+    for (size_t pixel = 100; pixel < 200; ++pixel)
+        set(test, pixel, 0.6f);
+    set(reference, 7, 1.5f);
+    set(test, 7, 9.0f);
+    set(test, 1234, 1.5f);
+    const double small = 0.01 / 0.26, bright = 7.5 * 7.5 / 2.26, wide = 1.0 / 0.26, shown = 0.25 / 0.26;
+    const WorstPixels radiance = worstPixels(relativeErrors(reference, test, kBrightestRelative));
+    EXPECT_EQ(radiance.pixels, (std::vector<uint32_t>{7, 1234}));
+    EXPECT_NEAR(radiance.share, (bright + wide) / (bright + wide + 100 * small), 1e-5);
+    EXPECT_NEAR(radiance.mean, relativeMse(reference, test), 1e-9);
+    const WorstPixels displayed = worstPixels(relativeErrors(reference, test, kDisplayWhite));
+    EXPECT_EQ(displayed.pixels.front(), 1234u);
+    EXPECT_NEAR(displayed.share, (shown + small) / (shown + 100 * small), 1e-5);
+    EXPECT_EQ(worstPixels(relativeErrors(reference, reference, kDisplayWhite)).share, 0);
+}
+
 } // namespace image_error_test
 } // namespace glint::measure

@@ -84,10 +84,13 @@ TEST(Radiance, SignsOfTheSizeFlip) {
     }
 }
 
-TEST(Radiance, HugeRadianceIsClampedToWhatAGpuImageHolds) {
+TEST(Radiance, HugeRadianceStaysFiniteAndIsNotCutToWhatAHalfHolds) {
     const auto image = decodeRadiance(radianceHeader("-Y 1 +X 1") + "\xff\x01\x80\xff", "a.hdr", kMaxPixels);
     ASSERT_TRUE(image.ok());
-    EXPECT_EQ(image->rgb[0], glm::vec3(kMaxRadiance));
+    EXPECT_EQ(image->rgb[0], glm::vec3(1e12f));
+    const auto sun = decodeRadiance(radianceHeader("-Y 1 +X 1") + "\x80\x80\x80\x93", "a.hdr", kMaxPixels);
+    ASSERT_TRUE(sun.ok());
+    EXPECT_EQ(sun->rgb[0], glm::vec3(262144));
 }
 
 TEST(Radiance, BrokenHeadersAreErrors) {
@@ -184,7 +187,7 @@ TEST_F(ImageFileTest, ExrHalvesAreClampedNotInfinite) {
     const std::vector<float> color = {1e9f, 65519, 1};
     const ExrLayer layer{"", "RGB", true, color, 3};
     ASSERT_TRUE(writeExr(folder_ + "a.exr", 1, 1, {&layer, 1}).ok());
-    EXPECT_EQ(readHdrImage(folder_ + "a.exr")->rgb[0], glm::vec3(kMaxRadiance, kMaxRadiance, 1));
+    EXPECT_EQ(readHdrImage(folder_ + "a.exr")->rgb[0], glm::vec3(kMaxRadiance, kMaxRadiance, 1)); // halves in the file
 }
 
 TEST_F(ImageFileTest, ExrOfTheSamePixelsIsTheSameBytes) {

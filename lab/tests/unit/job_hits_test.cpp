@@ -51,7 +51,7 @@ protected:
 TEST_F(TruthKeeperTest, JudgesAsIfItHadTracedTheTruthEachTime) {
     TruthKeeper keeper;
     const auto expectFresh = [&](const char* what) {
-        const HitReport kept = std::move(keeper.judge(inputs_, view_, result_)).value();
+        const HitReport kept = std::move(keeper.judge(inputs_, view_, result_, false)).value();
         const HitReport fresh = std::move(measureHits(job_, result_)).value();
         EXPECT_EQ(kept.classes, fresh.classes) << what;
         EXPECT_EQ(kept.all.visibleTruths, fresh.all.visibleTruths) << what;

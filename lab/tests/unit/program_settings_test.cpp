@@ -53,7 +53,7 @@ TEST_F(ProgramSettingsTest, SamplesUnderRayQueryAreRays) {
     const auto loaded = loadSettings({{}, "ray-query", "", {"samples=4"}});
     ASSERT_TRUE(loaded.ok()) << loaded.error().message;
     EXPECT_EQ(loaded->reflections.rays.samples, 4);
-    EXPECT_EQ(loaded->render.display.antialias, Antialias::None);
+    EXPECT_EQ(loaded->render.display.antialias, Antialias::Auto);
     EXPECT_EQ(errorOf({{}, "", "", {"samples=4"}}), "--set samples=4: 'samples' is a name in several systems: write "
                                                     "'babylon:samples' or 'ray-query:samples'");
 }
@@ -67,8 +67,9 @@ TEST_F(ProgramSettingsTest, NumbersOfOtherSystemsPickAChoice) {
     EXPECT_EQ(antialias("samples=1"), Antialias::None);
     EXPECT_EQ(antialias("samples=4"), Antialias::Msaa4);
     EXPECT_EQ(antialias("babylon:samples=4"), Antialias::Msaa4);
-    EXPECT_EQ(errorOf({{}, "", "", {"babylon:samples=3"}}),
-              "--set babylon:samples=3: babylon:samples: expected 1, 4, none, fxaa or msaa4, got '3'");
+    EXPECT_EQ(
+        errorOf({{}, "", "", {"babylon:samples=3"}}),
+        "--set babylon:samples=3: babylon:samples: expected 1, 4, auto, none, fxaa, msaa4 or accumulate, got '3'");
     const std::string page = settingsPage();
     EXPECT_NE(page.find("`babylon:samples` (1: none, 4: msaa4)"), page.npos);
 }

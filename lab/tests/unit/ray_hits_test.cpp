@@ -185,5 +185,32 @@ TEST_F(RayHitsTest, EachWayToBeWrongIsCountedAsWhatItIs) {
     EXPECT_EQ(classColors(report.classes).size(), 3 * report.classes.size());
 }
 
+TEST_F(RayHitsTest, StatedWeightsAreHeldAgainstTheShareOfRightAnswers) {
+    // Every second hit is where the ray starts, on the floor. Right ones state 0.95, the others 0.35; all are of one
+    // kind.
+    const std::vector<RayTruth> all = truths();
+    std::vector<float> certainty;
+    size_t count = 0;
+    const std::vector<float> reported = rays(all, [&](const RayTruth& truth, std::array<float, 4>& ray) {
+        const size_t pixel = certainty.size() / 4;
+        const bool wrong = truth.kind == TruthKind::Visible && ++count % 2 == 0;
+        if (wrong) {
+            ray[0] = (static_cast<float>(pixel % kWidth) + 0.5f) / kWidth;
+            ray[1] = (static_cast<float>(pixel / kWidth) + 0.5f) / kHeight;
+        }
+        certainty.insert(certainty.end(), {float(shared::kAnswerPlain), wrong ? 0.35f : 0.95f, 1, 1});
+    });
+    const HitFigures figures = judgeHits(view_, gbuffer(), all, reported, certainty).all;
+    const AnswerShare& plain = figures.byKind[shared::kAnswerPlain];
+    EXPECT_EQ(plain.answers, count);
+    EXPECT_NEAR(plain.share(), 0.5, 0.02);
+    EXPECT_NEAR(figures.stated[9].share(), 1, 0.02);
+    EXPECT_NEAR(figures.stated[9].meanStated(), 0.95, 1e-5);
+    EXPECT_EQ(figures.stated[3].right, 0u);
+    EXPECT_NEAR(figures.stated[3].meanStated(), 0.35, 1e-5);
+    EXPECT_EQ(figures.stated[0].answers, 0u);
+    EXPECT_EQ(judgeHits(view_, gbuffer(), all, reported).all.stated[9].answers, 0u) << "nothing is stated";
+}
+
 } // namespace ray_hits_test
 } // namespace glint::measure

@@ -8,7 +8,7 @@
 namespace glint::test {
 namespace render_doc_test {
 
-const std::string kScript = "still\nframe 200\nscreenshot before.png\nkey F9\nframe 2\nscreenshot after.png\n";
+const std::string kScript = "still\nquiet\nscreenshot before.png\nkey F9\nframe 2\nscreenshot after.png\n";
 
 TEST_F(WindowTest, AKeyCapturesOneFrameForRenderDoc) {
     if (std::string(GLINT_SANITIZE) != "")

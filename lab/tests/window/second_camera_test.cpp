@@ -7,8 +7,7 @@ namespace glint::test {
 namespace second_camera_test {
 
 TEST_F(WindowTest, ASecondCameraSeesTheRayAndTurnsByHand) {
-    const std::string quiet = "frame 190\n"; // no message is left
-    const auto shot = [&](const std::string& name) { return "still\n" + quiet + "screenshot " + name + ".png\n"; };
+    const auto shot = [](const std::string& name) { return "still\nquiet\nscreenshot " + name + ".png\n"; };
     std::ofstream(path("script.txt")) << "still\npicture before.png\nkey O\n" + shot("none") + "click 60 130\n" +
                                              shot("ray") + "move 10 215\n" + shot("same") +
                                              "drag 310 190 340 180\nmove 10 215\n" + shot("turned") +

@@ -47,7 +47,8 @@ protected:
     void SetUp() override;
     void TearDown() override;
 
-    /// `glint ARGUMENTS` in `folder_`, on the test's own display, with more of an environment.
+    /// `glint ARGUMENTS` in `folder_`, on the test's own display, with more of an environment; of two frames unless the
+    /// arguments say how many.
     std::unique_ptr<Running> start(std::vector<std::string> arguments, std::vector<std::string> environment = {});
     Ended run(std::vector<std::string> arguments) { return start(std::move(arguments))->wait(); }
     /// `glint view builtin:exact --size 320x180 --validate --script ...`, with more arguments.

@@ -14,9 +14,6 @@ namespace view_test {
 
 using testing::HasSubstr;
 
-/// Frames of a script until a message is gone that is no error.
-const std::string kQuiet = "frame 190\n";
-
 /// Of two files: a failure need not print a picture's bytes.
 bool same(const std::string& a, const std::string& b) {
     return !a.empty() && a == b;
@@ -94,7 +91,7 @@ TEST_F(WindowTest, PaletteChangesWhatItFinds) {
 }
 
 TEST_F(WindowTest, AskSplitZoomAndErrorOnTopOfEachOther) {
-    const auto shot = [](const std::string& name) { return "still\n" + kQuiet + "screenshot " + name + ".png\n"; };
+    const auto shot = [](const std::string& name) { return "still\nquiet\nscreenshot " + name + ".png\n"; };
     const Ended ended =
         runScript(shot("plain") + shot("same") + "click 160 140\n" + shot("ray") +
                       "key Home\nmove 170 120\nstill\nmove 100 150\nstill\nkey Escape\nkey B\n" + shot("split") +
@@ -114,12 +111,11 @@ TEST_F(WindowTest, DroppedFilesOpenOrSayWhatIsWrongWithThem) {
     std::ofstream(path("broken.glb")) << "glTF, but not for long";
     std::ofstream(path("broken.hdr")) << "#?RADIANCE";
     std::ofstream(path("words.txt")) << "words";
-    const Ended ended =
-        runScript("still\npicture before.png\n" + kQuiet + "screenshot plain.png\n" + kQuiet + "screenshot same.png\n" +
-                  kQuiet + "drop broken.glb\nframe 1\nscreenshot glb.png\n" + kQuiet +
-                  "drop broken.hdr\nframe 1\nscreenshot hdr.png\ndrop words.txt\nframe 1\n"
-                  "drop missing.gltf\nframe 1\nstill\npicture after.png\n"
-                  "drop builtin:mirror\nstill\npicture mirror.png\n");
+    const Ended ended = runScript("still\npicture before.png\nquiet\nscreenshot plain.png\nquiet\nscreenshot same.png\n"
+                                  "quiet\ndrop broken.glb\nframe 1\nscreenshot glb.png\nquiet\n"
+                                  "drop broken.hdr\nframe 1\nscreenshot hdr.png\ndrop words.txt\nframe 1\n"
+                                  "drop missing.gltf\nframe 1\nstill\npicture after.png\n"
+                                  "drop builtin:mirror\nstill\npicture mirror.png\n");
     ASSERT_EQ(ended.code, 0) << ended.error;
     EXPECT_TRUE(same(bytes("before.png"), bytes("after.png"))); // what was open stays open
     EXPECT_TRUE(same(bytes("plain.png"), bytes("same.png")));

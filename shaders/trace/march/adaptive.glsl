@@ -25,9 +25,19 @@ void narrow(Ray r, inout float from, inout Sample s, inout uint lookups) {
     float front = from;
     refine(r.screen, front, s, lookups);
     float halfPixel = 0.5 / screenPixels(r.screen);
-    s.share += halfPixel;
+    s.share = min(s.share + halfPixel, 1.0);
     s.rayZ = rayViewZ(r.screen, s.share);
     from = max(front - halfPixel, from);
+}
+
+/// Fraction of the line at which the ray leaves its own pixel. In there it goes behind the depth of the pixel's centre,
+/// which is that of its start: a search would end at that instead of at what stands beside.
+float endOfOwnPixel(Ray r) {
+    vec2 low = vec2(r.px);
+    ScreenRay ray = r.screen;
+    return clamp(min(shareInside(ray.startPX.x, ray.deltaPX.x, low.x, low.x + 1.0),
+                     shareInside(ray.startPX.y, ray.deltaPX.y, low.y, low.y + 1.0)),
+                 0.0, 1.0);
 }
 
 March march(Ray r) {
@@ -40,7 +50,7 @@ March march(Ray r) {
     uint steps = uint(clamp(ceil(pixels / settings.pixelSpacing), float(settings.baseSteps), float(most)));
 
     float startZ = rayViewZ(ray, 0.0);
-    Sample before = Sample(0.0, ray.startPX, startZ, startZ);
+    Sample before = Sample(min(endOfOwnPixel(r), end / float(steps)), ray.startPX, startZ, startZ);
     bool isInFront = true;
     bool nearlyThickEnough = false;
     for (uint i = 1u; i <= steps; ++i) {

@@ -7,13 +7,15 @@ Result<Composite> Composite::create(StageContext& stages) {
     Composite composite(stages);
     GLINT_TRY(pass, Pipeline::compute(stages.gpu, {"composite/composite", 0, {}}, Compile::Later));
     GLINT_TRY(combined, Pipeline::compute(stages.gpu, {"composite/combined", 0, {}}, Compile::Later));
+    GLINT_TRY(coated, Pipeline::compute(stages.gpu, {"composite/coated", 0, {}}, Compile::Later));
     composite.pass_ = std::move(pass);
+    composite.coatedPass_ = std::move(coated);
     composite.combinedPass_ = std::move(combined);
     return composite;
 }
 
 Result<void> Composite::make(bool combines) {
-    return (combines ? combinedPass_ : pass_).compile();
+    return (combines ? combinedPass_ : stages_->plan.coat ? coatedPass_ : pass_).compile();
 }
 
 shared::CompositeConstants Composite::constants() const {
@@ -35,8 +37,10 @@ void Composite::bind(gpu::Pass& pass, const HierarchyInputs& inputs, const Compo
 
 void Composite::record(gpu::Frame& frame, const HierarchyInputs& inputs, const Reflected& reflected,
                        const CompositeImages& images) {
-    gpu::Pass pass = frame.pass(pass_);
+    gpu::Pass pass = frame.pass(images.coat ? coatedPass_ : pass_);
     bind(pass, inputs, images);
+    if (images.coat)
+        pass.read("coatSurface", inputs.prepared.otherLobe).read("coatReflected", *images.coat);
     pass.read("frame", inputs.frame.constants)
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)

@@ -9,8 +9,9 @@
 namespace glint::reflect {
 
 struct CompositeImages {
-    gpu::Image& rayRecord; ///< the outcomes of the pixels' rays, for debug colours
-    gpu::Image& composite; ///< RGBA16F, written
+    gpu::Image& rayRecord;      ///< the outcomes of the pixels' rays, for debug colours
+    gpu::Image& composite;      ///< RGBA16F, written
+    gpu::Image* coat = nullptr; ///< what clear coats reflect (CoatLobe::record); null: there are none
 };
 
 class Composite {
@@ -35,6 +36,7 @@ private:
     StageContext* stages_;
     gpu::Pipeline pass_;
     gpu::Pipeline combinedPass_;
+    gpu::Pipeline coatedPass_;
 };
 
 } // namespace glint::reflect

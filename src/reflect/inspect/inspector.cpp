@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, shared::kSampleDecisionCount> kDecisionNa
     "front",    "behind", "empty",  "lookInto", "passes",   "hit",   "side",
     "backFace", "grazes", "nearly", "places",   "inferred", "beside"};
 constexpr std::array<std::string_view, shared::kLoggedFadeCount> kFadeNames = {
-    "roughness", "borderSmooth", "borderLinear", "distance", "iterations", "facingCamera", "backface", "inferred"};
+    "roughness",    "borderSmooth", "borderLinear", "distance", "iterations",
+    "facingCamera", "backface",     "inferred",     "uncertain"};
 
 constexpr std::array<std::string_view, shared::kProbeNoProxy + 1> kProxyNames = {"box", "sphere", "none"};
 

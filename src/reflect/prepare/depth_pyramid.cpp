@@ -70,7 +70,7 @@ void DepthPyramid::record(gpu::Frame& frame, const FrameInputs& inputs, const Pr
     pass.read("frame", inputs.constants)
         .read("viewZ", prepared.viewZ)
         .read("backViewZ", prepared.backViewZ, kTexels)
-        .read("surface", prepared.surface)
+        .read("surface", prepared.otherLobe) // of a coat rather than of bumpy paint: its corners are none
         .write("pyramid", cells_)
         .readWrite("tiles", tiles_)
         .push(constants);

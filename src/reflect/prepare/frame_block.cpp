@@ -31,6 +31,9 @@ void FrameBlock::begin(const View& view, const Host& host) {
     values_.constants.metallic = channel(gbuffer.metallic);
     values_.constants.specular = channel(gbuffer.specular);
     values_.constants.occlusion = channel(gbuffer.occlusion);
+    values_.constants.f90 = channel(gbuffer.f90);
+    values_.constants.coat = channel(gbuffer.coat);
+    values_.constants.coatRoughness = channel(gbuffer.coatRoughness);
     sameProjection_ = ((now.flags ^ before_.flags) & shared::kInputOrthographic) == 0;
     sameView_ = now.worldToView == before_.worldToView && now.viewToPixel == before_.viewToPixel;
 }
@@ -47,10 +50,14 @@ void FrameBlock::record(gpu::Frame& frame, const Host& host, const shared::Setti
     flag(static_cast<bool>(images.material), shared::kInputMaterial);
     flag(host.resolvesMaterial(), shared::kInputResolved);
     flag(host.hasManySamples(), shared::kInputSamples);
+    flag(statesF90(host.gbuffer), shared::kInputF90);
+    flag(stages_->plan.coat, shared::kInputCoat);
+    flag(static_cast<bool>(images.coatNormal), shared::kInputCoatNormal);
     flag(static_cast<bool>(images.motion), shared::kInputMotion);
     flag(host.gbuffer.occlusion.scale != 0 || host.gbuffer.occlusion.bias != 1, shared::kInputOcclusion);
     flag(settings.gbuffer.depthFormat == DepthFormat::Half, shared::kInputHalfDepth);
-    flag(previous.valid(), shared::kInputHistory);
+    flag(previous.valid() && stages_->plan.previousColors, shared::kInputHistory);
+    flag(previous.valid(), shared::kInputPrevious);
     const bool now = settings.screen.colorSource == ColorSource::Current; // the previous image lacks them
     flag(host.conventions().highlightsInAlpha && !settings.screen.highlights && now, shared::kInputHighlights);
     flag(gammaBefore_, shared::kHistoryGamma);

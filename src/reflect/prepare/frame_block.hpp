@@ -30,6 +30,7 @@ public:
 
     gpu::Buffer& buffer() { return buffer_; }
     const shared::FrameConstants& values() const { return values_.constants; }
+    const FrameBlockValues& whole() const { return values_; } ///< without what the GPU writes
 
 private:
     explicit FrameBlock(StageContext& stages) : stages_(&stages) {}

@@ -10,10 +10,14 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
     GLINT_TRY(surface, Pipeline::compute(stages.gpu, {"prepare/surface", 0, {}}, Compile::Later));
     GLINT_TRY(classified, Pipeline::compute(stages.gpu, {"prepare/classified", 0, {}}, Compile::Later));
     GLINT_TRY(surfaceSamples, Pipeline::compute(stages.gpu, {"prepare/surface_samples", 0, {}}, Compile::Later));
+    GLINT_TRY(coated, Pipeline::compute(stages.gpu, {"prepare/coated", 0, {}}, Compile::Later));
+    GLINT_TRY(coatedSamples, Pipeline::compute(stages.gpu, {"prepare/coated_samples", 0, {}}, Compile::Later));
     GLINT_TRY(backFaces, Pipeline::compute(stages.gpu, {"prepare/back_faces", 0, {}}, Compile::Later));
     prepare->surfacePass_ = std::move(surface);
     prepare->classifiedPass_ = std::move(classified);
     prepare->surfaceSamplesPass_ = std::move(surfaceSamples);
+    prepare->coatedPass_ = std::move(coated);
+    prepare->coatedSamplesPass_ = std::move(coatedSamples);
     prepare->backFacesPass_ = std::move(backFaces);
     const uint32_t w = stages.width();
     const uint32_t h = stages.height();
@@ -27,11 +31,13 @@ Result<std::unique_ptr<Prepare>> Prepare::create(StageContext& stages) {
 Result<void> Prepare::make() {
     const FramePlan& plan = stages_.plan;
     const bool converts = plan.backFaces && !plan.backFacesInPlace;
-    if (!plan.manySamples)
+    if (!plan.manySamples && !plan.coat)
         GLINT_CHECK((plan.classifiesEarly ? classifiedPass_ : surfacePass_).compile());
     if (converts)
         GLINT_CHECK(backFacesPass_.compile());
     GLINT_CHECK(makeEdge(plan.manySamples));
+    if (plan.coat)
+        GLINT_CHECK(makeCoat());
     GLINT_CHECK(makeMaterial(plan.resolvesMaterial));
     return makeBackFaces(converts);
 }
@@ -62,13 +68,25 @@ Result<void> Prepare::makeBackFaces(bool wanted) {
 }
 
 Result<void> Prepare::makeEdge(bool manySamples) {
-    if (manySamples)
+    if (manySamples && !stages_.plan.coat)
         GLINT_CHECK(surfaceSamplesPass_.compile());
     const glm::uvec2 size = sizeIf(manySamples);
     GLINT_TRY(made, growImage(stages_, edge_, {"glint/edge", VK_FORMAT_R32G32B32A32_UINT, size.x, size.y, kCleared}));
     if (made)
         blank_.ask();
     return {};
+}
+
+Result<void> Prepare::makeCoat() {
+    GLINT_CHECK(passFor(stages_.plan.manySamples).compile());
+    return makeImage(stages_.gpu, coatSurface_,
+                     {"glint/coatSurface", VK_FORMAT_R32G32_UINT, stages_.width(), stages_.height()});
+}
+
+gpu::Pipeline& Prepare::passFor(bool manySamples) {
+    if (stages_.plan.coat)
+        return manySamples ? coatedSamplesPass_ : coatedPass_;
+    return manySamples ? surfaceSamplesPass_ : surfacePass_;
 }
 
 void Prepare::clear(gpu::Frame& frame) {
@@ -82,6 +100,8 @@ void Prepare::clear(gpu::Frame& frame) {
 void Prepare::rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ) {
     recordSurface(frame, inputs, viewZ, surfacePass_);
     recordSurface(frame, inputs, viewZ, surfaceSamplesPass_);
+    recordSurface(frame, inputs, viewZ, coatedPass_);
+    recordSurface(frame, inputs, viewZ, coatedSamplesPass_);
     Rays none;
     recordBackFaces(frame, inputs, viewZ, none);
 }
@@ -100,11 +120,17 @@ void Prepare::recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::I
         .read("roughness", host.scalar(Inputs::Roughness, material), kTexels)
         .read("metallic", host.scalar(Inputs::Metallic, material), kTexels)
         .read("specular", host.scalar(Inputs::Specular, material), kTexels)
+        .read("f90", host.scalar(Inputs::F90, material), kTexels)
         .write("viewZ", viewZ)
         .write("surface", surface_)
         .write("resolvedMaterial", resolvedMaterial_);
-    if (&pipeline == &surfaceSamplesPass_)
+    if (&pipeline == &surfaceSamplesPass_ || &pipeline == &coatedSamplesPass_)
         pass.write("edge", edge_);
+    if (&pipeline == &coatedPass_ || &pipeline == &coatedSamplesPass_)
+        pass.read("coat", host.scalar(Inputs::Coat, material), kTexels)
+            .read("coatRoughness", host.scalar(Inputs::CoatRoughness, material), kTexels)
+            .read("coatNormal", host.coatNormal ? host.coatNormal : host.normal, kTexels)
+            .write("coatSurface", coatSurface_);
     if (bindMore)
         bindMore(pass);
     pass.dispatch(stages_.extent.x, stages_.extent.y);
@@ -134,7 +160,8 @@ Prepared Prepare::prepared(Host& host, gpu::Image& viewZ) {
             edge_,
             stages_.plan.backFacesInPlace ? host.images.backDepth : backViewZ_,
             stages_.plan.backFaces,
-            stages_.plan.backFacesInPlace};
+            stages_.plan.backFacesInPlace,
+            hasCoats() ? coatSurface_ : surface_};
 }
 
 glm::uvec2 Prepare::backFaceGroups() const {

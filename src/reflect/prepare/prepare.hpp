@@ -23,7 +23,7 @@ public:
     void rehearse(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ);
     /// Writes `viewZ` and the images of `prepared`, except back faces.
     void record(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ) {
-        recordSurface(frame, inputs, viewZ, inputs.host.depth.desc().samples > 1 ? surfaceSamplesPass_ : surfacePass_);
+        recordSurface(frame, inputs, viewZ, passFor(inputs.host.depth.desc().samples > 1));
     }
     /// The same with the work of trace/classify, whose outputs `bindClasses` binds. For hosts with one sample per
     /// pixel.
@@ -44,6 +44,9 @@ private:
     Result<void> makeMaterial(bool resolves);
     Result<void> makeBackFaces(bool wanted);
     Result<void> makeEdge(bool manySamples);
+    Result<void> makeCoat();
+    gpu::Pipeline& passFor(bool manySamples);
+    bool hasCoats() const { return stages_.plan.coat && coatSurface_; }
     void recordSurface(gpu::Frame& frame, const FrameInputs& inputs, gpu::Image& viewZ, gpu::Pipeline& pipeline,
                        const Bind& bindMore = {});
 
@@ -51,10 +54,13 @@ private:
     gpu::Pipeline surfacePass_;
     gpu::Pipeline classifiedPass_;
     gpu::Pipeline surfaceSamplesPass_; ///< for hosts with several samples per pixel
+    gpu::Pipeline coatedPass_;         ///< these two for hosts that state a clear coat
+    gpu::Pipeline coatedSamplesPass_;
     gpu::Pipeline backFacesPass_;
     gpu::Image surface_;
     gpu::Image resolvedMaterial_; ///< RGBA16F: F0, coverage; one texel where the host's own image holds F0
     gpu::Image edge_;
+    gpu::Image coatSurface_; ///< RG32UI: Prepared::otherLobe; absent until a host states a clear coat
     gpu::Image backViewZ_;
     gpu::Standing blank_;       ///< edge_ and backViewZ_ are initialized
     gpu::Standing noBackFaces_; ///< backViewZ_ is cleared

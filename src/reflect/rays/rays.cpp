@@ -226,11 +226,15 @@ shared::RaysConstants RaysSource::constants(const Inputs& host, uint32_t before)
     constants.before = before;
     const auto flag = [&](bool on, uint32_t bit) { constants.flags |= on ? bit : 0; };
     flag(rays.alphaTest, shared::kRaysAlphaTest);
-    flag(rays.lobe == RayLobe::Mirror || (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1), shared::kRaysMirror);
+    flag(rays.lobe == RayLobe::Cone, shared::kRaysCone);
+    flag(rays.lobe == RayLobe::Mirror || rays.lobe == RayLobe::Cone ||
+             (rays.lobe == RayLobe::MirrorIfOne && rays.samples == 1),
+         shared::kRaysMirror);
     flag(host.environment && settings.sky.enabled, shared::kRaysEnvironment);
     flag(static_cast<bool>(host.environmentDiffuse), shared::kRaysEnvironmentDiffuse);
     flag(rays.accumulate, shared::kRaysAccumulate);
     flag(rays.environmentOcclusion, shared::kRaysEnvironmentOcclusion);
+    flag(stages_.plan.previousEnds, shared::kRaysPreviousEnds);
     flag(branches(), shared::kRaysBranches);
     flag(samplesLights() && !denoises(settings), shared::kRaysSampleLights);
     // The denoiser uses a pixel's answer as the light along its one ray.
@@ -259,6 +263,7 @@ void RaysSource::record(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("surface", inputs.prepared.surface)
         .read("screenRecord", inputs.screenRecord)
         .read("rayRates", inputs.frame.rayRates, kTexels)
+        .read("otherLobe", inputs.prepared.otherLobe)
         .write("raysRadianceWeight", radianceWeight_)
         .write("raysRecord", record_);
     lister_.bind(inputs.earlier.bind(list)).dispatch(stages_.extent.x, stages_.extent.y);
@@ -330,14 +335,21 @@ void RaysSource::recordShaded(gpu::Frame& frame, const RaysInputs& inputs) {
 
 void RaysSource::recordPaths(gpu::Frame& frame, const RaysInputs& inputs, bool sampleLights) {
     Inputs& host = inputs.frame.host;
+    gpu::Image& black = inputs.frame.standIns.black;
+    const std::optional<PreviousFrame>& previous = inputs.previous;
+    const std::array<gpu::Image*, 3> previousImages = {previous ? &previous->color : &black,
+                                                       previous ? &previous->viewZ : &black,
+                                                       host.motion ? &host.motion : &black};
     gpu::Pass pass = frame.pass(sampleLights ? reflectLights_ : reflect_);
     bindShading(pass, inputs.frame, inputs.prepared)
         .read("screenRecord", inputs.screenRecord)
+        .read("otherLobe", inputs.prepared.otherLobe)
         .read("material", inputs.prepared.material, kTexels)
         .read("instancesBefore", instancesBefore_)
         .read("metaBefore", inputs.frame.historyMeta, kTexels)
+        .read("previousImages", previousImages, kTexels)
         .read("litRadiance", host.litRadiance, kTexels)
-        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : inputs.frame.standIns.black, kTexels)
+        .read("fallbackSpecular", host.fallbackSpecular ? host.fallbackSpecular : black, kTexels)
         .write("raysRadianceWeight", radianceWeight_, 0, true)
         .readWrite("raysRecord", record_)
         .write("mirroredSurface", mirroredSurface_)
@@ -378,6 +390,7 @@ void RaysSource::recordHits(gpu::Frame& frame, const RaysInputs& inputs) {
         .read("viewZ", inputs.prepared.viewZ)
         .read("surface", inputs.prepared.surface)
         .read("rays", rays_.list)
+        .read("otherLobe", inputs.prepared.otherLobe)
         .read("screenRecord", inputs.screenRecord)
         .read("blueNoise", inputs.frame.standIns.blueNoise)
         .write("raysRecord", record_, 0, true)

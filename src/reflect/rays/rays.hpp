@@ -12,6 +12,8 @@
 #include "shared/hierarchy.h"
 #include "shared/rays_constants.h"
 
+#include <optional>
+
 namespace glint::reflect {
 
 /// Inputs from the frame.
@@ -21,6 +23,7 @@ struct RaysInputs {
     EarlierAnswers earlier;
     gpu::Image& screenRecord; ///< outcomes of the screen's rays
     bool sameView;            ///< same view as the previous frame
+    std::optional<PreviousFrame> previous;
 };
 
 /// Created when the settings first enable it.

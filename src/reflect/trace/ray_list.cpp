@@ -46,7 +46,8 @@ void RayLister::begin(gpu::Frame& frame) {
 
 void RayLister::list(gpu::Frame& frame, Rays& rays, uint32_t width, uint32_t height, const IfAny& ifAny) {
     const glm::uvec2 tiles = tilesOf(width, height);
-    const shared::RayListConstants constants = {tiles, ifAny.pyramidGroups, ifAny.backFaceGroups};
+    const shared::RayListConstants constants = {tiles, ifAny.pyramidGroups, ifAny.backFaceGroups,
+                                                ifAny.always ? 1u : 0u};
     frame.pass(list_)
         .read("rayTiles", tiles_)
         .read("rayBlocks", blocks_)

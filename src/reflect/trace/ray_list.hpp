@@ -29,6 +29,7 @@ public:
     struct IfAny {
         glm::uvec2 pyramidGroups = glm::uvec2(0);
         glm::uvec2 backFaceGroups = glm::uvec2(0);
+        bool always = false; ///< also without a ray
     };
     /// Records the second pass, after a first pass over `width` x `height` pixels.
     void list(gpu::Frame& frame, Rays& rays, uint32_t width, uint32_t height, const IfAny& ifAny);

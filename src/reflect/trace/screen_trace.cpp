@@ -75,7 +75,7 @@ void ScreenTrace::begin(bool whole) {
 
 void ScreenTrace::rehearse(gpu::Frame& frame, const TraceInputs& inputs, glm::uvec2 backFaceGroups) {
     classify(frame, inputs.frame, inputs.prepared);
-    list(frame, backFaceGroups);
+    list(frame, backFaceGroups, false);
     for (const Technique& technique : techniques())
         recordMarch(frame, technique, marchers_[indexOf(technique)], inputs, target());
 }
@@ -89,13 +89,13 @@ void ScreenTrace::classify(gpu::Frame& frame, const FrameInputs& inputs, const P
     beginClasses(frame);
     gpu::Pass pass = frame.pass(classify_);
     pass.read("frame", inputs.constants).read("viewZ", prepared.viewZ).read("surface", prepared.surface);
-    pass.read("rayRates", inputs.rayRates, kTexels);
+    pass.read("rayRates", inputs.rayRates, kTexels).read("otherLobe", prepared.otherLobe);
     bindClasses(pass).dispatch(width_, height_);
 }
 
-void ScreenTrace::list(gpu::Frame& frame, glm::uvec2 backFaceGroups) {
+void ScreenTrace::list(gpu::Frame& frame, glm::uvec2 backFaceGroups, bool always) {
     const glm::uvec2 pyramidGroups = (stages_.extent + shared::kPyramidTile - 1u) / shared::kPyramidTile;
-    lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups});
+    lister_.list(frame, rays_, width_, height_, {pyramidGroups, backFaceGroups, always});
 }
 
 Traced ScreenTrace::record(gpu::Frame& frame, const TraceInputs& inputs) {

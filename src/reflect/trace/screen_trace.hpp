@@ -27,8 +27,9 @@ public:
     gpu::Pass& bindClasses(gpu::Pass& pass) { return lister_.bind(writeTraced(pass, target())); }
     /// Finds the pixels that need a ray.
     void classify(gpu::Frame& frame, const FrameInputs& inputs, const Prepared& prepared);
-    /// Lists them. `backFaceGroups`: Prepare::backFaceGroups.
-    void list(gpu::Frame& frame, glm::uvec2 backFaceGroups);
+    /// Lists them. `backFaceGroups`: Prepare::backFaceGroups. `always`: what rays march through is made also without
+    /// any.
+    void list(gpu::Frame& frame, glm::uvec2 backFaceGroups, bool always);
     /// Marches the listed rays.
     Traced record(gpu::Frame& frame, const TraceInputs& inputs);
     /// Clears the images while the screen source is off: no ray was traced.

@@ -106,6 +106,8 @@ uint32_t flagsOf(const Settings& settings, bool backFacesKnown) {
     flag(settings.fade.iterations, shared::kFadeIterations);
     flag(settings.fade.facingCamera, shared::kFadeFacingCamera);
     flag(settings.fade.backface, shared::kFadeBackface);
+    flag(settings.fade.uncertain, shared::kTraceUncertain);
+    flag(settings.debug.certainty, shared::kTraceCertainty);
     flag(denoises(settings), shared::kTraceLobe);
     flag(ConePicture::wanted(settings), shared::kTraceCones);
     flag(ConePicture::wanted(settings) && !LobeMean::wanted(settings), shared::kTraceConesAtHits);
@@ -156,12 +158,14 @@ gpu::Pass& writeTraced(gpu::Pass& pass, TraceTarget out) {
 
 void recordMarch(gpu::Frame& frame, const Technique& technique, const gpu::Pipeline& pipeline, TraceInputs inputs,
                  TraceTarget out) {
+    gpu::Image& environment = inputs.frame.host.environment;
     gpu::Pass pass = frame.pass(pipeline);
     pass.read("frame", inputs.frame.constants)
         .read("rays", inputs.rays.list)
         .read("viewZ", inputs.prepared.viewZ)
         .read("backViewZ", inputs.met.backViewZ, kTexels)
         .read("surface", inputs.prepared.surface)
+        .read("environment", environment ? environment : inputs.frame.standIns.blackCube)
         .read("blueNoise", inputs.frame.standIns.blueNoise);
     readHitColor(pass, inputs);
     if (inputs.log)

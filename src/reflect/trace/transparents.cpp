@@ -52,7 +52,7 @@ void TransparentTrace::record(gpu::Frame& frame, const StageInputs& stage) {
     Inputs& host = inputs.frame.host;
     const Prepared& solid = inputs.prepared;
     const bool backFacesKnown = solid.backFacesKnown && stages_.settings().screen.backfaceTransparents;
-    const Prepared seen = {viewZ_, surface_, solid.material, solid.edge, backViewZ_, backFacesKnown, false};
+    const Prepared seen = {viewZ_, surface_, solid.material, solid.edge, backViewZ_, backFacesKnown, false, surface_};
     std::optional<PreviousFrame> previous;
     if (inputs.previous)
         previous.emplace(

@@ -59,6 +59,7 @@ Settings LibraryTest::plainSettings(March march) {
     settings.screen.thicknessMode = ThicknessMode::Constant;
     settings.screen.thickness = 0.1f;
     settings.screen.inferred = 0;
+    settings.fade.uncertain = false; // certainty_test.cpp
     settings.denoise.enabled = false;
     settings.rough.cones = false;
     settings.screen.selfCollisionSkip = 1;

@@ -57,7 +57,8 @@ constexpr bool PlanInputs::*kSwitches[] = {&PlanInputs::views,
                                            &PlanInputs::scene,
                                            &PlanInputs::shadesHits,
                                            &PlanInputs::mirrors,
-                                           &PlanInputs::probes};
+                                           &PlanInputs::probes,
+                                           &PlanInputs::coat};
 
 /// Settings that presets do not have.
 std::vector<Settings> manySettings() {
@@ -108,10 +109,10 @@ TEST(FramePlan, everyPresetHasItsPasses) {
         {"compute-ssr", all(anyScreen, {"keepsRecord", "upsample"}, "sky")},
         {"fast", all(anyScreen, {"keepsRecord", "upsample", "pyramid", "cones"})},
         {"hdrp", all(anyScreen, {"classifiesEarly", "pyramid", "cones", "previousColors"})},
-        {"hybrid", all(anyScreen, all(hiz, {"rays", "classifiesEarly", "cones", "keepsRecord"}))},
-        {"quality", all(anyScreen, all(denoised, {"rays", "followsPaths", "sampleLights"}))},
-        {"ray-query", all(anyRays, {"backFaces", "backFacesInPlace"})},
-        {"real-time", all(anyScreen, all(denoised, {"rays", "followsPaths", "ratesRays"}))},
+        {"hybrid", all(anyScreen, all(hiz, {"rays", "classifiesEarly", "cones", "keepsRecord", "previousEnds"}))},
+        {"quality", all(anyScreen, all(denoised, {"rays", "followsPaths", "sampleLights", "previousEnds"}))},
+        {"ray-query", all(anyRays, {"backFaces", "backFacesInPlace", "previousEnds"})},
+        {"real-time", all(anyScreen, all(denoised, {"rays", "followsPaths", "ratesRays", "previousEnds"}))},
         {"reference", all(anyRays, {"backFaces", "backFacesInPlace", "sampleLights"})},
     };
     for (const std::string_view name : presetNames()) {
@@ -165,9 +166,11 @@ TEST(FramePlan, decisionsAgreeWithEachOther) {
         ASSERT_TRUE(implies(plan.followsPlaces, plan.findsChange && plan.screen));
         ASSERT_TRUE(implies(plan.findsChange || plan.ratesRays || plan.stabilizes, plan.denoise));
         ASSERT_TRUE(implies(plan.sampleLights || plan.interpolatesRays, plan.rays && !plan.shadesHits));
+        ASSERT_TRUE(implies(plan.previousEnds, plan.rays && !plan.shadesHits && plan.composites));
         ASSERT_TRUE(implies(plan.backFacesInPlace, plan.backFaces && !plan.manySamples));
         ASSERT_TRUE(implies(plan.layers, plan.composites && plan.pyramid));
         ASSERT_TRUE(implies(inputs.reflectionOutput || inputs.manySamples, plan.combines));
+        ASSERT_TRUE(implies(plan.coat, inputs.coat && plan.combines && plan.composites && !plan.classifiesEarly));
     });
 }
 

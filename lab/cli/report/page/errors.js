@@ -11,11 +11,13 @@ function errorSection(scene) {
       marks: scene.configs.map((config, i) => ({index: i, name: config.name,
         value: config.reference.bands[band] ? config.reference.bands[band].relativeMse : null}))})),
   });
-  return [chart,
+  const whole = table(`Error of the whole image against ${scene.reference}`, ["settings", "displayed error", "of it in the worst 0.1 %",
+    "relative MSE", "of it in the worst 0.1 %", "FLIP, mean", "PSNR, dB", "PSNR of mirrors, dB"],
+    scene.configs.map((config, i) => [h("span", {}, key(i), config.name), digits(config.reference.displayedError),
+      percent(config.reference.displayedWorstShare), digits(config.reference.relativeMse),
+      percent(config.reference.relativeMseWorstShare), digits(config.flip), fixed(config.reference.psnr, 1),
+      fixed(config.reference.psnrMirrors, 1)]));
+  return [whole, chart,
     table(`Error against ${scene.reference}, by roughness`, ["settings", "surfaces", "pixels", "relative MSE"],
-      bandRows(scene.configs, config => config.reference.bands, band => [grouped(band.pixels), digits(band.relativeMse)])),
-    table(`Error of the whole image against ${scene.reference}`, ["settings", "FLIP, mean", "PSNR, dB", "PSNR of mirrors, dB",
-      "relative MSE"],
-      scene.configs.map((config, i) => [h("span", {}, key(i), config.name), digits(config.flip), fixed(config.reference.psnr, 1),
-        fixed(config.reference.psnrMirrors, 1), digits(config.reference.relativeMse)]))];
+      bandRows(scene.configs, config => config.reference.bands, band => [grouped(band.pixels), digits(band.relativeMse)]))];
 }

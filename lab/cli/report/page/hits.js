@@ -23,7 +23,22 @@ function hitsSection(scene) {
   const wrong = found.length ? table("Wrong hits, by where the true hit is", ["the true hit is",
     ...scene.configs.map((config, i) => `${letter(i)}: hits`)],
     found.map(name => [places[name], ...scene.configs.map(({hits}) => grouped(hits.wrongByTruth[name] || 0))])) : null;
-  return [main, ended, wrong];
+  return [main, ended, wrong, statedTable(scene)];
+}
+
+/** Stated weights of answers against the share of right ones: equal where weights are probabilities. */
+function statedTable(scene) {
+  const configs = scene.configs.map(({hits}) => ({bins: hits.stated || [],
+    answers: (hits.stated || []).reduce((sum, bin) => sum + bin.answers, 0)}));
+  const bins = [...Array(10).keys()].filter(i => configs.some(({bins, answers}) => answers && bins[i].answers >= answers / 1000));
+  if (!bins.length) return null;
+  return table("Stated weight of answers, and the share of them that is right", ["stated weight",
+    ...scene.configs.flatMap((config, i) => [`${letter(i)}: answers`, `${letter(i)}: stated`, `${letter(i)}: right`])],
+    bins.map(i => [`${i / 10} to ${(i + 1) / 10}`, ...configs.flatMap(({bins, answers}) => {
+      const some = answers && bins[i].answers > 0;
+      return [percent(some ? bins[i].answers / answers : 0), fixed(some ? bins[i].stated : null, 3),
+        fixed(some ? bins[i].right : null, 3)];
+    })]));
 }
 
 /** Wrong mirror pixels against the exact picture, where the scene has one. */

@@ -25,6 +25,10 @@ function mapsSection(data, scene) {
     difference: config => [h("b", {}, "Difference"), `largest difference of a channel from ${base}`, ramp(data, "none", "a quarter or more")],
     flip: config => [h("b", {}, config.flip === undefined ? "FLIP" : `FLIP, mean ${digits(config.flip)}`),
       `what a person sees to differ from ${base}`, ramp(data, "0", "1")],
+    worst: config => [h("b", {}, "Worst pixels"), config.reference
+      ? `the worst 0.1 % of the pixels hold ${percent(config.reference.displayedWorstShare)} of the displayed error (blue) and `
+        + `${percent(config.reference.relativeMseWorstShare)} of the relative error (orange; white: both)`
+      : "known with a reference only"],
     outcome: config => [h("b", {}, "Outcomes"), "how each ray ended, by pixels", legend(data.legends.outcome, shares(config.outcomes))],
     source: config => [h("b", {}, "Sources"), "which source answered most", legend(data.legends.source)],
     hits: config => [h("b", {}, "Hits"), "each mirror ray against the exact one", legend(data.legends.hits)],

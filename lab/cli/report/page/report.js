@@ -18,9 +18,9 @@ function showReport(data) {
     const pictures = scenePictures(scene), composite = scene.configs[0].pictures.composite;
     const sides = [pictures[0], pictures.find(picture => picture.name === composite)];
     section(named("Images"), named("Images"), splitView(data, pictures, sides));
+    section(named("Error"), named("Error"), errorSection(scene));
     section(named("Maps"), named("Maps"), mapsSection(data, scene));
     section(named("Rays against exact rays"), named("Hits"), [...hitsSection(scene), ...exactSection(scene)]);
-    section(named("Error by roughness"), named("Error"), errorSection(scene));
     section(named("Time"), named("Time"), timesSection(scene, data.clock));
     if (scene.motion) section(named("Motion"), named("Motion"), motionSection(data, scene));
     section(named("Settings and commands"), named("Settings"), settingsSection(scene));

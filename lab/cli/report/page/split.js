@@ -3,7 +3,7 @@ function scenePictures(scene) {
   const pictures = Object.entries(scene.pictures).map(([label, name]) => ({group: "images", label, name}));
   scene.configs.forEach((config, i) =>
     pictures.push({group: "images", label: `${letter(i)} ${config.name}`, name: config.pictures.composite}));
-  const words = {difference: "difference", flip: "FLIP", outcome: "outcomes", source: "sources", hits: "hits"};
+  const words = {difference: "difference", flip: "FLIP", worst: "worst pixels", outcome: "outcomes", source: "sources", hits: "hits"};
   for (const [map, word] of Object.entries(words))
     scene.configs.forEach((config, i) =>
       pictures.push({group: "maps", label: `${word} of ${letter(i)} ${config.name}`, name: config.pictures[map]}));

@@ -5,6 +5,8 @@
 // sample of all, the other sensible rule, widens objects by a pixel; measured against an image with sixteen times the
 // pixels it is farther off.) The surface's fraction of the pixel is its coverage. The nearest of the other samples is
 // kept as the pixel's second surface, whose reflection composite finds beside it.
+//
+// GLINT_COAT: for hosts that state a clear coat, which becomes a surface of its own (lib/coat.glsl).
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
@@ -13,6 +15,7 @@
 #include "lib/edge.glsl"
 #include "lib/host_surface.glsl"
 #include "lib/math.glsl"
+#include "lib/packed_coverage.glsl"
 #include "lib/surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -29,6 +32,13 @@ layout(set = 0, binding = 8, rgba32ui) uniform writeonly uimage2D edge;
 layout(set = 0, binding = 9) uniform sampler2DMS roughness;
 layout(set = 0, binding = 10) uniform sampler2DMS metallic;
 layout(set = 0, binding = 11) uniform sampler2DMS specular;
+layout(set = 0, binding = 12) uniform sampler2DMS f90;
+#ifdef GLINT_COAT
+layout(set = 0, binding = 13) uniform sampler2DMS coat;
+layout(set = 0, binding = 14) uniform sampler2DMS coatRoughness;
+layout(set = 0, binding = 15) uniform sampler2DMS coatNormal;
+layout(set = 0, binding = 16, rg32ui) uniform writeonly uimage2D coatSurface;
+#endif
 
 #define GLINT_HOST_SAMPLER sampler2DMS
 #include "prepare/load_material.glsl"
@@ -51,7 +61,8 @@ float slopeOverPixel(ivec2 px, HostSurface here) {
 /// Being too strict is harmless: a surface split in two finds its own reflection again.
 bool sameSurface(HostSurface a, HostSurface b, float depthTolerance) {
     return abs(a.viewZ - b.viewZ) <= depthTolerance && dot(a.normalVS, b.normalVS) > 0.95 &&
-           maxComponent(abs(a.f0 - b.f0)) < 1.0 / 128.0 && abs(a.perceptualRoughness - b.perceptualRoughness) < 1.0 / 64.0;
+           maxComponent(abs(a.f0 - b.f0)) < 1.0 / 128.0 && abs(a.f90 - b.f90) < 1.0 / 16.0 &&
+           abs(a.perceptualRoughness - b.perceptualRoughness) < 1.0 / 64.0;
 }
 
 float depthTolerance(ivec2 px, HostSurface here) {
@@ -61,6 +72,7 @@ float depthTolerance(ivec2 px, HostSurface here) {
 /// The samples that show one surface.
 struct Group {
     HostSurface surface;
+    int index; // of the sample that stands for them
     float depthTolerance;
     int members;    // 0: the background
     float depthSum; // of a value that is linear on screen over a plane: 1 / viewZ, or viewZ of an orthographic camera
@@ -68,7 +80,7 @@ struct Group {
 
 Group groupOf(ivec2 px, int index, int count) {
     HostSurface surface = loadSample(px, index);
-    Group group = Group(surface, depthTolerance(px, surface), 0, 0.0);
+    Group group = Group(surface, index, depthTolerance(px, surface), 0, 0.0);
     for (int i = 0; surface.viewZ < kBackgroundZ && i < count; ++i) {
         HostSurface other = loadSample(px, i);
         if (other.viewZ < kBackgroundZ && sameSurface(surface, other, group.depthTolerance)) {
@@ -126,7 +138,10 @@ void main() {
     float reflectivity = here.viewZ < kBackgroundZ ? maxComponent(here.f0) : 0.0;
     uvec2 packed = packSurface(Surface(here.normalVS, here.perceptualRoughness, reflectivity));
     imageStore(surface, px, uvec4(packed, 0u, 0u));
-    imageStore(resolvedMaterial, px, vec4(here.f0, coverage));
+    imageStore(resolvedMaterial, px, vec4(here.f0, packedCoverage(frame.constants, coverage, here.f90)));
+#ifdef GLINT_COAT
+    imageStore(coatSurface, px, uvec4(packSurface(loadCoat(px, front.index, here)), 0u, 0u));
+#endif
     if (coverage < 1.0)
         imageStore(edge, px, packEdge(secondSurface(px, front, count)));
 }

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace glint::measure {
+namespace glint::scene {
 
 /// Calls `work(row)` for each row in [0, rows), from several threads at once, and returns when all are done. Work on
 /// different rows must not touch the same data, and must not throw.
@@ -25,4 +25,4 @@ void forEachRow(uint32_t rows, const Work& work) {
     run();
 }
 
-} // namespace glint::measure
+} // namespace glint::scene
