@@ -12,6 +12,7 @@
 #include "hierarchy/answers.glsl"
 #include "lib/camera.glsl"
 #include "lib/fades.glsl"
+#include "lib/lobe_shape.glsl"
 #include "lib/math.glsl"
 #include "lib/nearness.glsl"
 #include "lib/sanitize.glsl"
@@ -22,7 +23,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(scalar, set = 0, binding = 9) readonly buffer PlanarBlock {
     PlanarRecord list[];
-} mirrors;
+}
+mirrors;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D planarAnswer; // radiance, weight
 layout(set = 1, binding = 0) uniform sampler2D pictures[];
 layout(push_constant, scalar) uniform PushBlock {
@@ -136,47 +138,71 @@ float fadeBorder(vec2 px, vec2 startPx) {
     return inside.x * inside.y;
 }
 
-/// Mean of the image over an ellipse that holds half of the weight: `longPx` to each side along `along`, `shortPx`
-/// across, both in the image's own pixels.
-vec3 meanOver(PlanarRecord mirror, vec2 px, vec2 along, float longPx, float shortPx) {
-    uint picture = 2u * mirror.picture;
-    const float kTexelRadius = 0.7; // of a mip's texel, radius that holds half of its weight
-    const int kMostTaps = 4;        // to each side
-    float fineMip = log2(max(shortPx / kTexelRadius, 1.0));
-    int taps = int(clamp(ceil(longPx / (exp2(fineMip) * kTexelRadius)), 1.0, float(kMostTaps)));
-    float mip = clamp(max(fineMip, log2(max(longPx / (float(taps) * kTexelRadius), 1.0))), 0.0, mirror.lastMip);
-    vec3 sum = vec3(0.0);
-    float total = 0.0;
-    for (int i = -taps; i <= taps; ++i) {
-        float t = 2.0 * float(i) / float(taps + 1); // to twice the radius
-        float weight = exp2(-t * t);
-        vec2 uv = (px + along * (t * longPx)) / mirror.size;
-        vec4 texel = textureLod(pictures[nonuniformEXT(picture)], uv, mip);
-        sum += weight * texel.a * texel.rgb;
-        total += weight * texel.a;
-    }
-    return sum / total;
+/// Turn of the direction to what the image shows from pixel to pixel of the image, if that is infinitely far; what is
+/// near turns by more, from a place on the mirror: over the part of the way that comes after the mirror.
+mat2 pictureTurns(PlanarRecord mirror, LobeAxes axes, vec3 hitVS) {
+    vec2 pixel = frame.constants.uvToView.xy / mirror.size / (isOrthographic(frame.constants) ? 1.0 : length(hitVS));
+    float scale = isOrthographic(frame.constants) ? 1.0 : -hitVS.z;
+    return mat2(alongAxes(axes, vec3(pixel.x * scale, 0.0, 0.0)), alongAxes(axes, vec3(0.0, pixel.y * scale, 0.0)));
 }
 
-/// The mirror's image as a surface of `alpha` reflects it, around `framePx`, where it shows `atVS`, `way` metres from
-/// the surface. GGX half vectors deviate by a slope s with the fraction s^2 / (s^2 + alpha^2) of their weight below s,
-/// and turn the ray by twice that; by less across the plane of incidence, times the cosine of incidence. Two Gaussians
-/// together approximate that long-tailed fraction, within 0.03.
-vec3 pictureRadiance(PlanarRecord mirror, vec2 framePx, vec3 atVS, vec3 directionVS, float way, float alpha) {
-    vec2 toPicture = mirror.size * frame.constants.invSize;
-    vec2 px = framePx * toPicture;
-    float pixelVS = pixelExtent(frame.constants, frame.constants.uvToView, -atVS.z).y / toPicture.y;
-    float longPx = 2.0 * alpha * way / pixelVS;
-    if (longPx <= 0.25)
-        return textureLod(pictures[nonuniformEXT(2u * mirror.picture)], px / mirror.size, 0.0).rgb;
-    float cosine = max(abs(dot(directionVS, mirror.normalVS)), 0.05);
-    vec3 inPlaneVS = normalizeOr(mirror.normalVS - directionVS * dot(directionVS, mirror.normalVS), vec3(0.0));
-    vec4 asideH = frame.constants.viewToPixel * vec4(atVS + inPlaneVS * (0.01 * way), 1.0);
-    vec2 along = asideH.xy / asideH.w - framePx;
-    along = dot(along, along) > 0.0 ? normalize(along) : vec2(0.0, 1.0);
-    vec3 near = meanOver(mirror, px, along, 0.75 * longPx, 0.75 * longPx * cosine);
-    vec3 far = meanOver(mirror, px, along, 2.2 * longPx, 2.2 * longPx * cosine);
-    return mix(far, near, 0.62);
+/// The part of the way from the eye that comes after the mirror, of what is bright in a texel. All pixels of the mirror
+/// see it at the end of a way of one length; this pixel's surface is `before` metres from the eye.
+float partBehind(vec4 texel, float before) {
+    float bright = meanComponent(texel.rgb);
+    if (bright <= 1e-6 || isOrthographic(frame.constants))
+        return 1.0;
+    return clamp(1.0 - before * texel.a / bright, 0.02, 1.0);
+}
+
+/// What a pixel of the mirror sees of the image.
+struct Sight {
+    vec2 px;       // of the image
+    float before;  // metres from the eye to the mirror
+    LobeAxes axes; // of the lobe around the ray that continues through the mirror
+    mat2 turns;    // pictureTurns
+};
+
+/// Adds one of the Gaussians that make the lobe, whose `ellipse` was made for `part`: what of it lies on the image.
+void addPart(inout vec4 sum, PlanarRecord mirror, Sight sight, float share, LobeEllipse ellipse, float part) {
+    const int kMostToSide = 6;
+    LobeTaps taps = lobeTaps(ellipse, kMostToSide, mirror.lastMip);
+    vec4 light = vec4(0.0);
+    float whole = 0.0;
+    for (int i = -taps.side; i <= taps.side; ++i) {
+        vec2 offset = float(i) * taps.spacing * ellipse.along;
+        float weight = tapWeight(taps, i) * facetVisible(sight.axes, (sight.turns * offset).x / part);
+        whole += weight;
+        vec2 at = sight.px + offset;
+        if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, mirror.size)))
+            continue;
+        vec4 texel = textureLod(pictures[nonuniformEXT(2u * mirror.picture)], at / mirror.size, taps.mip);
+        float away = float(i) * taps.spacing / max(ellipse.longPX, 1e-3);
+        light +=
+            weight * narrowerLobe(ellipse, taps, away, partBehind(texel, sight.before) / part) * vec4(texel.rgb, 1.0);
+    }
+    sum += whole > 0.0 ? share / whole * light : vec4(0.0);
+}
+
+/// The mirror's image as a surface of `alpha` reflects it.
+vec3 pictureRadiance(PlanarRecord mirror, Sight sight, float alpha) {
+    const float kSharp = 0.2; // pixels
+    vec2 uv = sight.px / mirror.size;
+    vec3 sharp = textureLod(pictures[nonuniformEXT(2u * mirror.picture)], uv, 0.0).rgb;
+    if (lobeEllipse(sight.turns, lobeWidths(sight.axes, alpha, kLobeParts - 1)).longPX <= kSharp)
+        return sharp;
+    vec4 sum = vec4(0.0);
+    float widest = 0.0;
+    for (int i = 0; i < kLobeParts; ++i) {
+        LobeEllipse ellipse = lobeEllipse(sight.turns, lobeWidths(sight.axes, alpha, i));
+        float mip = min(lobeMip(sqrt(ellipse.longPX * ellipse.shortPX)), mirror.lastMip);
+        float part = partBehind(textureLod(pictures[nonuniformEXT(2u * mirror.picture)], uv, mip), sight.before);
+        ellipse.longPX *= part;
+        ellipse.shortPX *= part;
+        addPart(sum, mirror, sight, kLobeShares[i], ellipse, part);
+        widest = max(widest, ellipse.longPX);
+    }
+    return mix(sharp, sum.rgb / max(sum.a, 1e-6), sum.a > 0.0 ? smoothstep(kSharp, 3.0 * kSharp, widest) : 0.0);
 }
 
 vec4 answer(ivec2 px, float z) {
@@ -202,8 +228,13 @@ vec4 answer(ivec2 px, float z) {
         float hitZ = min(pictureZ(mirror, hitPx), 1.0e6);
         vec3 hitVS = viewPosition(frame.constants, hitPx * frame.constants.invSize, hitZ);
         float alpha = here.perceptualRoughness * here.perceptualRoughness;
-        vec3 radiance =
-            pictureRadiance(mirror, hitPx, hitVS, directionVS, distance(hitVS, positionVS), alpha);
+        float metres = distance(hitVS, positionVS);
+        LobeAxes axes = lobeAxes(directionVS, reflect(here.normalVS, mirror.normalVS));
+        mat2 turns = pictureTurns(mirror, axes, hitVS);
+        if (isOrthographic(frame.constants))
+            turns /= max(metres, 1e-3);
+        Sight sight = Sight(hitPx * mirror.size * frame.constants.invSize, length(positionVS), axes, turns);
+        vec3 radiance = pictureRadiance(mirror, sight, alpha);
         return vec4(sanitize(radiance), weight * fadeBorder(hitPx, centerPx));
     }
     return vec4(0.0);

@@ -42,6 +42,7 @@ const float kOtherSurface = 0.01;
 
 /// Half of a wide lobe lies farther than this off its ray's hit, in distances between traced pixels.
 const float kWideLobe = 0.5;
+const float kWideFar = 2.0;
 
 /// True if rays start from pixels of this surface.
 bool reflects(Place here) {
@@ -272,17 +273,25 @@ float sharpShare(Place here, ivec2 px) {
     return 1.0 - clamp(reach * sourceSize.y / frame.constants.size.y, 0.0, 1.0);
 }
 
-/// True where the answers of the four are means over lobes (cones) so wide that a mixture of them is as good as the answer
-/// of the pixel's own ray, at any of the places that they met. Where some of them missed, the mixture fades.
-bool lobesOverlap(Place here, vec3 directionVS, FourRays rays) {
+/// True where the answers of the four are means over lobes (resolve/lobe, cones) so wide that a mixture of them is as
+/// good as the answer of the pixel's own ray, at any of the places that they hit. Rays that miss hinder nothing: their
+/// answers are means of what is beside them, and fade.
+bool lobesOverlap(Place here, vec3 directionVS, ivec2 corner) {
     LobeCone cone = coneOf(here, directionVS);
-    bool wide = rays.traced && cone.alpha > 0.0;
-    for (int i = 0; i < 4 && wide; ++i) {
-        vec3 hitVS = here.positionVS + directionVS * rays.distances[i];
-        wide = rays.weights[i] <= 0.0 ||
-               coneRadius(cone, hitVS, rays.distances[i]) >= kWideLobe * frame.constants.traceScale.y;
+    if (cone.alpha <= 0.0)
+        return false;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 tracePX = corner + ivec2(i & 1, i >> 1);
+        if (!isTracePixel(frame.constants, tracePX))
+            continue;
+        RayRecord ray = rayOf(tracePX);
+        if (!isAnswered(ray.outcome))
+            continue;
+        vec3 hitVS = here.positionVS + directionVS * ray.hitDistance;
+        if (coneRadius(cone, hitVS, ray.hitDistance) < kWideLobe * frame.constants.traceScale.y)
+            return false;
     }
-    return wide;
+    return true;
 }
 
 /// The unblurred answer, premultiplied.
@@ -293,7 +302,10 @@ vec4 sharpAnswer(Place here, ivec2 px) {
         return vec4(0.0); // nothing that rays from here may meet is shown
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
     bool aims = settings.roughnessFactor <= 0.0 && any(lessThan(frame.constants.traceSize, frame.constants.size));
-    bool overlap = aims && lobesOverlap(here, directionVS, rays);
+    // Of what is far, lobes so wide overlap: misses beside it have means of it, too.
+    bool isMean = aims && coneOf(here, directionVS).alpha > 0.0 &&
+                  lobePixels(here.perceptualRoughness, 0.0, 0.0) >= kWideFar * frame.constants.traceScale.y;
+    bool overlap = aims && lobesOverlap(here, directionVS, corner);
     Aimed aimed = Aimed(kNotAimed, vec2(0.0), 0.0);
     if (aims && rays.hit && !overlap)
         aimed = aimAmongHits(here, directionVS, px, corner, rays);
@@ -301,7 +313,7 @@ vec4 sharpAnswer(Place here, ivec2 px) {
         vec4 mean;
         Tap four[4] = takeFour(traced, frame.constants.traceSize, here, px, corner, rays.traced);
         bool mixed = mixFour(four, px, frame.constants.traceScale, mean);
-        if (overlap && mixed)
+        if (mixed && (overlap || isMean))
             return mean;
         if (overlap && rays.hit) // a thin thing, from which none of the four rays started
             aimed = aimAmongHits(here, directionVS, px, corner, rays);

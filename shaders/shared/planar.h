@@ -22,10 +22,6 @@ struct PlanarRecord {
     uint padding;
 };
 
-struct PlanarTakeConstants {
-    float4 planeVS; // of the mirror, in the mirrored view space: dot(xyz, positionVS) + w > 0 on the side that reflects
-};
-
 struct PlanarConstants {
     uint before; // bit s: source s (shared/hierarchy.h) is asked before this one
     uint steps;

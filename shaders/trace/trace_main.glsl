@@ -4,6 +4,7 @@
 #include "lib/fades.glsl"
 #include "lib/noise.glsl"
 #include "lib/trace_pixel.glsl"
+#include "trace/behind_hidden.glsl"
 #include "trace/hit_color.glsl"
 #include "trace/infer_border.glsl"
 #include "trace/certainty.glsl"
@@ -61,6 +62,44 @@ bool meetsFirst(ivec2 tracePX, inout RayRecord record, inout March end, out vec3
     vec2 shownPX;
     bool nearer = !isAnswered(solid.outcome) || record.hitDistance < solid.hitDistance;
     return nearer && hasHistory(frame.constants) && previousRadiance(floorToInt(end.hitPX), radiance, shownPX);
+}
+
+/// True if a ray at `rayZ` is seen to both sides of what hides it at `px`, no farther off than it is behind that: a
+/// body is taken to be as thick as it is wide.
+bool passesThin(ivec2 px, float hidingZ, float rayZ) {
+    float behind = (rayZ - hidingZ) / pixelExtent(frame.constants, frame.constants.uvToView, hidingZ).y;
+    float most = min(max(behind, 2.0), 0.25 * frame.constants.size.y);
+    for (float reach = 2.0; reach <= most; reach *= 2.0)
+        for (int axis = 0; axis < 2; ++axis) {
+            ivec2 offset = axis == 0 ? ivec2(int(reach), 0) : ivec2(0, int(reach));
+            ivec2 low = px - offset;
+            ivec2 high = px + offset;
+            if (all(greaterThanEqual(low, ivec2(0))) && all(lessThan(high, ivec2(frame.constants.size))) &&
+                texelFetch(metViewZ, low, 0).r >= rayZ && texelFetch(metViewZ, high, 0).r >= rayZ)
+                return true;
+        }
+    return false;
+}
+
+/// Weight of an answer by what the ray passed behind before.
+float behindHidden(Ray ray, March end, vec3 radiance) {
+    float weight = 1.0;
+#ifndef GLINT_ONE_TEXEL_A_HIT
+    if (!end.passedBehind || end.firstBehind >= end.share || isOn(kTraceBackDepth))
+        return weight;
+    const int kPlaces = 6;
+    for (int i = 0; i < kPlaces; ++i) {
+        float share = mix(end.firstBehind, end.share, float(i) / float(kPlaces));
+        ivec2 px = floorToInt(ray.screen.startPX + ray.screen.deltaPX * share);
+        float hidingZ = texelFetch(metViewZ, px, 0).r;
+        float rayZ = rayViewZ(ray.screen, share);
+        if (hidingZ >= rayZ || passesThin(px, hidingZ, rayZ))
+            continue;
+        float roughness = unpackSurface(texelFetch(metSurface, px, 0).xy).perceptualRoughness;
+        weight = min(weight, weightBehind(meanComponent(radiance), meanComponent(shownRadiance(px, roughness))));
+    }
+#endif
+    return weight;
 }
 
 /// What a marcher's end leaves open: which surface covers a hit's place beside a crease, and what a ray without an answer
@@ -147,15 +186,21 @@ void main() {
         return; // the answer of the march among the frame's surfaces remains
     if (hit) {
         float VoR = dot(-viewDirection(frame.constants, ray.originVS), ray.directionVS);
+        float trust = 1.0;
         LobeCone cone = makeCone(ray.directionVS, origin.normalVS, origin.perceptualRoughness);
         if (!kAmongTransparents) {
             // Many rays of a wide lobe meet one pixel: its mean has all of their light, thin lamps' too. A mirror shows each
             // pixel by itself, and a ray from beside meets a part of the surface that the eye does not see.
             bool mayTakeMean = end.outcome == kOutcomeHit && !isMirror(origin.perceptualRoughness);
             vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
-            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, cone, end.lookups);
+            bool blursLater = cone.alpha > 0.0 && !isOn(kTraceConesAtHits); // resolve/lobe
+            LobeCone atHit = cone;
+            atHit.alpha = blursLater ? 0.0 : cone.alpha;
+            answer.rgb = hitRadiance(end.hitPX, mayTakeMean, ray.originVS, hitVS, atHit, end.lookups);
+            if (blursLater)
+                trust = behindHidden(ray, end, answer.rgb);
         }
-        answer.a = hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
+        answer.a = trust * hitWeight(end, record.hitUV, record.hitDistance, ray, origin.perceptualRoughness, VoR);
         if (judgesAnswers())
             weighAnswer(ray, origin, cone, end, record, answer);
     }

@@ -2,6 +2,7 @@
 
 #include "reflect/denoise/denoises.hpp"
 #include "reflect/rays/path_end.hpp"
+#include "reflect/resolve/lobe_mean.hpp"
 #include "reflect/trace/cone_picture.hpp"
 #include "reflect/trace/technique.hpp"
 #include "reflect/trace/transparents.hpp"
@@ -22,7 +23,7 @@ bool keepsRecord(const PlanInputs& inputs) {
     const Settings& settings = inputs.settings;
     return inputs.statistics || inputs.views || inputs.inspection || settings.debug.outcome || settings.rays.enabled ||
            !tracesEveryPixel(inputs) || denoises(settings) || settings.blur.strength > 0 ||
-           TransparentTrace::wanted(settings);
+           TransparentTrace::wanted(settings) || LobeMean::wanted(settings);
 }
 
 void planSources(FramePlan& plan, const PlanInputs& inputs) {

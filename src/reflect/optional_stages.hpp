@@ -8,6 +8,7 @@
 #include "reflect/inspect/inspector.hpp"
 #include "reflect/rays/rays.hpp"
 #include "reflect/refraction/refraction.hpp"
+#include "reflect/resolve/lobe_mean.hpp"
 #include "reflect/stage_list.hpp"
 #include "reflect/trace/cone_picture.hpp"
 #include "reflect/trace/transparents.hpp"
@@ -16,6 +17,7 @@ namespace glint::reflect {
 
 using OptionalStages = StageList<ConePicture,      // trace/picture
                                  TransparentTrace, // trace/transparents
+                                 LobeMean,         // resolve/lobe
                                  RaysSource,       // rays/...
                                  Denoiser,         // denoise/...
                                  Refraction,       // refraction/...

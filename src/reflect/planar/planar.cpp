@@ -57,9 +57,8 @@ Result<std::unique_ptr<PlanarState>> PlanarState::create(gpu::Context& context, 
     GLINT_CHECK(checkMirrors(desc.mirrors));
     std::unique_ptr<PlanarState> state(new PlanarState(context));
     state->conventions_ = desc.conventions;
-    GLINT_TRY(take, gpu::Pipeline::compute(context, {"planar/take", sizeof(shared::PlanarTakeConstants), {}}));
-    GLINT_TRY(takeSamples,
-              gpu::Pipeline::compute(context, {"planar/take_samples", sizeof(shared::PlanarTakeConstants), {}}));
+    GLINT_TRY(take, gpu::Pipeline::compute(context, {"planar/take", 0, {}}));
+    GLINT_TRY(takeSamples, gpu::Pipeline::compute(context, {"planar/take_samples", 0, {}}));
     GLINT_TRY(shrink, gpu::Pipeline::compute(context, {"planar/shrink", 0, {}}));
     GLINT_TRY(constants,
               gpu::Buffer::create(context, {"planar/frame", sizeof(FrameBlockValues),
@@ -155,17 +154,12 @@ Result<void> PlanarState::record(VkCommandBuffer commands, uint32_t mirror, cons
 void PlanarState::take(gpu::Frame& frame, Slot& slot, gpu::Image& radiance, gpu::Image& depth,
                        const shared::FrameConstants& constants) {
     frame.update(frameConstants_, &constants, sizeof(constants)); // the passes below read no settings
-    const glm::dmat4 worldToView(constants.worldToView);
-    const glm::dvec3 normalVS = glm::dmat3(worldToView) * glm::normalize(glm::dvec3(toVec(slot.mirror.normalWS)));
-    const glm::dvec3 centerVS(worldToView * glm::dvec4(glm::dvec3(toVec(slot.mirror.centerWS)), 1));
-    const shared::PlanarTakeConstants take = {glm::vec4(normalVS, -glm::dot(normalVS, centerVS))};
     frame.pass(depth.desc().samples > 1 ? takeSamples_ : take_)
         .read("frame", frameConstants_)
         .read("hostRadiance", radiance)
         .read("hostDepth", depth, gpu::SamplerKind::NearestClamp)
         .write("radiance", slot.radiance)
         .write("viewZ", slot.viewZ)
-        .push(take)
         .dispatch(slot.viewZ.width(), slot.viewZ.height());
     for (uint32_t mip = 1; mip < slot.radiance.desc().mips; ++mip)
         frame.pass(shrink_)

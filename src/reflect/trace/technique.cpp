@@ -2,6 +2,7 @@
 
 #include "base/assert.hpp"
 #include "reflect/denoise/denoises.hpp"
+#include "reflect/resolve/lobe_mean.hpp"
 #include "reflect/stage.hpp"
 #include "reflect/trace/cone_picture.hpp"
 
@@ -109,6 +110,7 @@ uint32_t flagsOf(const Settings& settings, bool backFacesKnown) {
     flag(settings.debug.certainty, shared::kTraceCertainty);
     flag(denoises(settings), shared::kTraceLobe);
     flag(ConePicture::wanted(settings), shared::kTraceCones);
+    flag(ConePicture::wanted(settings) && !LobeMean::wanted(settings), shared::kTraceConesAtHits);
     flag(settings.screen.thicknessMode == ThicknessMode::Backface && backFacesKnown, shared::kTraceBackDepth);
     return flags;
 }

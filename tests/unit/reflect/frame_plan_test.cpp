@@ -218,10 +218,11 @@ TEST(FramePlan, theListDescribesItsStages) {
     };
     Settings settings = preset("hdrp");
     settings.screen.transparents = true;
-    EXPECT_EQ(rows(settings),
-              (std::map<std::string_view, bool>{{"trace/picture", true}, {"trace/transparents", true}}));
+    EXPECT_EQ(rows(settings), (std::map<std::string_view, bool>{
+                                  {"resolve/lobe", true}, {"trace/picture", true}, {"trace/transparents", true}}));
     EXPECT_EQ(rows(preset("quality")),
-              (std::map<std::string_view, bool>{{"trace/picture", false}, {"trace/transparents", false}}));
+              (std::map<std::string_view, bool>{
+                  {"resolve/lobe", false}, {"trace/picture", false}, {"trace/transparents", false}}));
 }
 
 } // namespace
