@@ -80,7 +80,7 @@ GLINT_CONSTANT(uint, kInputHighlights, 524288);
 
 GLINT_CONSTANT(uint, kInputAlpha, 1048576);     // the roughness channel holds alpha, perceptual roughness squared
 GLINT_CONSTANT(uint, kInputOcclusion, 2097152); // the host states ambient occlusion
-GLINT_CONSTANT(uint, kInputPrevious, 8388608); // the previous frame's picture is bound: hasPrevious
+GLINT_CONSTANT(uint, kInputPrevious, 134217728); // the previous frame's picture is bound: hasPrevious
 GLINT_CONSTANT(uint, kInputSamples, 4194304);   // the host has several samples a pixel
 GLINT_CONSTANT(uint, kInputF90, 8388608);       // the host states F90
 GLINT_CONSTANT(uint, kInputCoat, 16777216);     // the host states a clear coat

@@ -255,7 +255,7 @@ TEST_F(CoatTest, ScenesWithoutCoatsHaveNoPassesForThem) {
     Rectangles scene;
     scene.add({-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, {{"pbrMetallicRoughness", pbr(1, 0.1)}});
     scene.look({0, 1.4f, 3.2f}, 0.35f);
-    render::RenderJob plain = job({"screen.enabled=false"}, 1);
+    render::RenderJob plain = job({}, 1);
     const auto decides = [&] {
         const render::RenderResult result = must(render::runJob(device(), plain));
         return std::ranges::any_of(result.stats.plan, [](const FrameDecision& decision) {

@@ -169,7 +169,9 @@ TEST_F(ScenesTest, theDefaultMarcherFindsNineteenOfTwenty) {
         const measure::HitReport report = must(measure::measureHits(job, run(job)));
         EXPECT_GE(report.all.precision(), 0.95) << scene; // .956 in the hall; .943 while rims had no backs
         EXPECT_GE(report.all.recall(), 0.95) << scene;
-        EXPECT_LE(report.all.lookupsMean, 24) << scene;
+        // 24.08 in the hall, where rays close above the floor go on to their hits instead of losing them half a pixel
+        // before.
+        EXPECT_LE(report.all.lookupsMean, 24.2) << scene;
     }
 }
 

@@ -31,7 +31,8 @@ inline render::ProgramSettings referenceOf(render::ProgramSettings settings, uin
 }
 
 /// As displayed, with all sources available: planar mirrors are searched for, and two bounces are traced, as probes
-/// have them.
+/// have them. Without fade.uncertain, which gives the next source pixels where the screen's answer may be much too bright:
+/// that makes the relative error least, and errors here are means of displayed differences (certainty_test has the rule).
 inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     render::RenderJob job;
     job.scene = "builtin:hall";
@@ -39,7 +40,7 @@ inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     job.height = height;
     job.display = true;
     job.planar = render::MirrorSearch::Auto;
-    job.settings = settingsOf({"rays.bounces=2"});
+    job.settings = settingsOf({"rays.bounces=2", "fade.uncertain=false"});
     job.settings.render.environment.strength = scene::findBuiltin("hall")->environmentStrength; // as in our programs
     return job;
 }

@@ -66,7 +66,7 @@ TEST(ReportPage, HasEveryImageThatItNames) {
     const nlohmann::json data = dataOf(test::must(reportPage(madeUpReport())));
     std::set<std::string> names;
     collectPictures(data["scenes"], names);
-    EXPECT_EQ(names.size(), 2u + 2 * 6 + 2 * 3); // of the scene, of two configs, three frames of each
+    EXPECT_EQ(names.size(), 2u + 2 * 7 + 2 * 3); // of the scene, of two configs, three frames of each
     for (const std::string& name : names)
         EXPECT_TRUE(data["images"].contains(name)) << name;
     EXPECT_EQ(data["images"].size(), names.size());
