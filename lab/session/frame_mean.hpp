@@ -23,9 +23,9 @@ struct MeanStep {
 };
 
 /// Of frame `frame` of `frames`. The mean is that of the last kSmoothFrames frames, or of all without a history, whose
-/// first frames have noise that later ones have not. Shifts are Halton's points in bases 2 and 3 (Halton 1960). The first
-/// frame of the mean, which a viewer in motion shows alone, has none, nor has the last one: its other images are those
-/// of the camera itself.
+/// first frames have noise that later ones have not. Shifts are Halton's points in bases 2 and 3 (Halton 1960). The
+/// first frame of the mean, which a viewer in motion shows alone, has none, nor has the last one: its other images are
+/// those of the camera itself.
 MeanStep meanStep(const RenderJob& job, uint32_t frame, uint32_t frames);
 
 /// How many frames are added to a mean after a picture has settled in `frames` (RenderJob::settle): as many again, from
