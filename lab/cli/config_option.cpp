@@ -72,6 +72,10 @@ Result<render::RenderJob> makeConfigJob(const RenderOptions& options, const std:
     auto job = makeRenderJob(one);
     if (!job && job.error().message.starts_with("--set "))
         return makeError(job.error().code, "--config {}: {}", printable(config), job.error().message.substr(6));
+    if (job && job->settings.render.display.antialias == render::Antialias::Accumulate)
+        return invalidArgument("--config {}: display.antialias accumulate is for glint render and glint view; what "
+                               "compares settings measures single frames: none, fxaa or msaa4",
+                               printable(config));
     return job;
 }
 

@@ -34,7 +34,7 @@ MeanStep meanStep(const RenderJob& job, uint32_t frame, uint32_t frames) {
     step.adds = true;
     step.restarts = frame == first;
     if (frame > first && frame + 1 < frames)
-        step.shiftPX = glm::vec2(radicalInverse(frame - first, 2), radicalInverse(frame - first, 3)) - 0.5f;
+        step.jitterPX = glm::vec2(radicalInverse(frame - first, 2), radicalInverse(frame - first, 3)) - 0.5f;
     return step;
 }
 
@@ -42,25 +42,20 @@ uint32_t smoothFramesAfter(uint32_t frames) {
     return std::clamp(frames, 4u, kSmoothFrames);
 }
 
-Result<FrameMean> FrameMean::create(gpu::Context& context) {
-    FrameMean mean(context);
-    GLINT_TRY(add, gpu::Pipeline::compute(context, {"display/add_to_mean", sizeof(shared::MeanConstants), {}}));
-    GLINT_TRY(encode, gpu::Pipeline::compute(context, {"display/encode_mean", sizeof(shared::MeanConstants), {}}));
-    mean.add_ = std::move(add);
-    mean.encode_ = std::move(encode);
-    return mean;
-}
-
-Result<void> FrameMean::resize(uint32_t width, uint32_t height) {
+Result<void> FrameMean::prepare(gpu::Context& context, uint32_t width, uint32_t height) {
     if (radiance_ && radiance_.width() == width && radiance_.height() == height)
         return {};
+    GLINT_TRY(add, gpu::Pipeline::compute(context, {"display/add_to_mean", sizeof(shared::MeanConstants), {}}));
+    GLINT_TRY(encode, gpu::Pipeline::compute(context, {"display/encode_mean", sizeof(shared::MeanConstants), {}}));
     const auto make = [&](const char* name) {
         return gpu::Image::create(
-            *context_, {name, VK_FORMAT_R32G32B32A32_SFLOAT, width, height, 1, 1, gpu::ImageShape::Flat,
-                        VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
+            context, {name, VK_FORMAT_R32G32B32A32_SFLOAT, width, height, 1, 1, gpu::ImageShape::Flat,
+                      VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT});
     };
     GLINT_TRY(radiance, make("job/mean"));
     GLINT_TRY(displayed, make("job/mean displayed"));
+    add_ = std::move(add);
+    encode_ = std::move(encode);
     radiance_ = std::move(radiance);
     displayed_ = std::move(displayed);
     clear();

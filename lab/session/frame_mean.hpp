@@ -17,15 +17,15 @@ bool accumulates(const RenderJob& job);
 
 /// What a frame of an antialiased still does.
 struct MeanStep {
-    bool adds = false;                ///< it is drawn and added to the mean
-    bool restarts = false;            ///< the mean begins with it
-    glm::vec2 shiftPX = glm::vec2(0); ///< pixels, [-0.5, 0.5): of the camera
+    bool adds = false;                 ///< it is drawn and added to the mean
+    bool restarts = false;             ///< the mean begins with it
+    glm::vec2 jitterPX = glm::vec2(0); ///< pixels, [-0.5, 0.5): of the camera
 };
 
-/// Of frame `frame` of `frames`. The mean is that of the last kSmoothFrames frames, or of all without a history, whose
-/// first frames have noise that later ones have not. Shifts are Halton's points in bases 2 and 3 (Halton 1960). The first
-/// frame of the mean, which a viewer in motion shows alone, has none, nor has the last one: its other images are those
-/// of the camera itself.
+/// Returns what frame `frame` of `frames` does. With a history, whose first frames are noisier than the later ones, the
+/// last kSmoothFrames frames are averaged; without one, all frames. The camera's shifts are Halton's points in bases 2
+/// and 3 (Halton 1960). The first frame of the mean, which a viewer in motion shows alone, has none, nor has the last
+/// one: its other images are those of the camera itself.
 MeanStep meanStep(const RenderJob& job, uint32_t frame, uint32_t frames);
 
 /// How many frames are added to a mean after a picture has settled in `frames` (RenderJob::settle): as many again, from
@@ -34,11 +34,11 @@ uint32_t smoothFramesAfter(uint32_t frames);
 
 class FrameMean {
 public:
-    static Result<FrameMean> create(gpu::Context& context);
     void clear() { frames_ = 0; }
     uint32_t frames() const { return frames_; } ///< 0: there is no mean
-    /// Allocates for frames of this size; a new size clears the mean. Errors: OutOfMemory.
-    Result<void> resize(uint32_t width, uint32_t height);
+    /// Creates what `add` needs for frames of this size, at the first call also its passes; a new size clears the mean.
+    /// Errors: OutOfMemory.
+    Result<void> prepare(gpu::Context& context, uint32_t width, uint32_t height);
     /// `opacity`    its alpha is the frame's
     /// `displayed`  the frame as displayed, RGBA8 in sRGB
     void add(gpu::Frame& frame, gpu::Image& radiance, gpu::Image& opacity, gpu::Image& displayed);
@@ -47,9 +47,6 @@ public:
     void display(gpu::Frame& frame, gpu::Image& target);
 
 private:
-    explicit FrameMean(gpu::Context& context) : context_(&context) {}
-
-    gpu::Context* context_;
     gpu::Pipeline add_;
     gpu::Pipeline encode_;
     gpu::Image radiance_;

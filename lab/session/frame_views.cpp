@@ -6,8 +6,7 @@
 namespace glint::render {
 
 Result<FrameViews> FrameViews::create(gpu::Context& context) {
-    GLINT_TRY(mean, FrameMean::create(context));
-    FrameViews views(context, std::move(mean));
+    FrameViews views(context);
     GLINT_TRY(viewPass, ViewPass::create(context));
     views.viewPass_ = std::move(viewPass);
     GLINT_TRY(opacity, gpu::Pipeline::compute(context, {"render/opacity", sizeof(glm::uvec2), {}}));
@@ -43,7 +42,7 @@ void FrameViews::keepScene(gpu::Frame& frame, GBuffer& gbuffer) {
 Result<void> FrameViews::prepareMean(bool restart) {
     if (restart)
         mean_.clear();
-    return mean_.resize(scene_.width(), scene_.height());
+    return mean_.prepare(*context_, scene_.width(), scene_.height());
 }
 
 void FrameViews::addToMean(gpu::Frame& frame, HostFrame& host) {

@@ -37,7 +37,7 @@ public:
     Result<RenderedView> read(const std::string& name, HostFrame& host, Reflections& reflections, bool display);
 
 private:
-    FrameViews(gpu::Context& context, FrameMean&& mean) : context_(&context), mean_(std::move(mean)) {}
+    explicit FrameViews(gpu::Context& context) : context_(&context) {}
     Result<RenderedView> readComposite(HostFrame& host, bool display);
     Result<void> displayInto(RenderedView& view, HostFrame& host, gpu::Image& radiance);
     Result<void> displayInto(RenderedView& view, const std::function<void(gpu::Frame&)>& draw);

@@ -34,8 +34,8 @@ public:
     virtual Result<void> setSettings(const ProgramSettings& settings) = 0;
     virtual Result<void> resize(uint32_t width, uint32_t height) = 0;
     virtual Result<void> setCamera(const scene::Camera& camera) = 0;
-    /// Shifts what the next frames show to the right and down, pixels in [-0.5, 0.5]. A host that cannot ignores it.
-    virtual void setShift(glm::vec2 /*shiftPX*/) {}
+    /// Shifts the next frames to the right and down, pixels in [-0.5, 0.5]. A host that cannot be jittered ignores it.
+    virtual void setJitter(glm::vec2 /*jitterPX*/) {}
     /// Seed of the noise in images that the host draws with reflections of their own; most hosts draw none.
     virtual void setSeed(uint32_t /*seed*/) {}
     /// Returns true if `reflections` has been updated. Returns false if the sources were replaced: new Reflections must

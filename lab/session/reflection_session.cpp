@@ -118,35 +118,35 @@ std::vector<std::string> ReflectionSession::notes() const {
 }
 
 /// A host's frame: its opaque image, the reflections, then the surfaces blended over both.
-Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameRequest& plan) {
-    GLINT_ASSERT(plan.draw || drawn_, "the first frame has to be drawn");
+Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameRequest& request) {
+    GLINT_ASSERT(request.draw || drawn_, "the first frame has to be drawn");
     HostFrame& host = *objects_->host;
     Reflections& reflections = *objects_->reflections;
     FrameViews& views = objects_->views;
-    if (plan.draw)
-        host.setShift(plan.mean.shiftPX);
-    if (plan.mean.adds)
-        GLINT_CHECK(views.prepareMean(plan.mean.restarts));
+    if (request.draw)
+        host.setJitter(request.mean.jitterPX);
+    if (request.mean.adds)
+        GLINT_CHECK(views.prepareMean(request.mean.restarts));
     else
         views.endMean();
     const auto record = [&](VkCommandBuffer commands) -> Result<void> {
         gpu::Frame frame(*context_, commands, objects_->timers.get());
-        if (plan.draw)
+        if (request.draw)
             GLINT_CHECK(host.draw(frame, commands, index));
         GBuffer& g = host.gbuffer();
-        if (plan.draw)
+        if (request.draw)
             views.keepScene(frame, g);
-        if (plan.afterOpaque)
-            plan.afterOpaque(frame, g);
-        if (!plan.reflect)
+        if (request.afterOpaque)
+            request.afterOpaque(frame, g);
+        if (!request.reflect)
             return {};
         const glint::GBuffer lent = host.lend(frame);
         GLINT_CHECK(reflections.setInputs(lent, host.lendEnvironment(frame)));
         host.recordSources(commands);
         HostImage lit = reflections.record(commands, libraryView(host.view(), index, options_.seed));
-        if (plan.inspect) // before anything is blended over it
-            GLINT_CHECK(reflections.recordInspection(commands, (*plan.inspect)[0], (*plan.inspect)[1]));
-        const bool blends = plan.draw ? plan.blend : plan.blendAgain;
+        if (request.inspect) // before anything is blended over it
+            GLINT_CHECK(reflections.recordInspection(commands, (*request.inspect)[0], (*request.inspect)[1]));
+        const bool blends = request.draw ? request.blend : request.blendAgain;
         if (blends) {
             GLINT_TRY(over, host.drawLayers(frame, commands, reflections, lit));
             lit = over;
@@ -154,10 +154,10 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameReq
         views.setComposite(borrow(lit, "job/composite"));
         if (blends) {
             host.drawTransparent(frame, views.composite(), true);
-            if (plan.draw)
+            if (request.draw)
                 host.drawTransparent(frame, views.scene(), false);
         }
-        if (plan.mean.adds)
+        if (request.mean.adds)
             views.addToMean(frame, host);
         frame.hand(views.composite(), kSampled);
         return {};
@@ -169,11 +169,11 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameReq
     times.wallMs = millisecondsSince(start);
     GLINT_CHECK(recorded);
     drawn_ = true;
-    if (plan.draw)
+    if (request.draw)
         times.hostPasses = host.passTimes();
     for (const gpu::PassTime& time : objects_->timers->latest())
         times.hostPasses.emplace_back(time.name, time.milliseconds);
-    if (plan.reflect)
+    if (request.reflect)
         for (const PassTime& time : reflections.passTimes())
             times.effectPasses.emplace_back(time.name, time.milliseconds);
     for (const auto* passes : {&times.hostPasses, &times.effectPasses})

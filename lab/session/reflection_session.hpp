@@ -78,7 +78,7 @@ public:
     Result<void> setTime(double seconds);
 
     /// The first frame, and the first frame after a change of settings or size, must be drawn.
-    Result<FrameTimes> renderFrame(uint32_t index, const FrameRequest& plan = {});
+    Result<FrameTimes> renderFrame(uint32_t index, const FrameRequest& request = {});
 
     // Results of the last frame.
     /// As FrameViews::show, without read-back: for windows.

@@ -70,15 +70,15 @@ bool readsBlended(const Settings& settings) {
 /// Renders frame `i` of a job. `shown`: its picture counts.
 Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_t firstIndex, uint32_t i, bool shown,
                        const MeanStep& mean = {}) {
-    FrameRequest plan;
+    FrameRequest request;
     // The host's passes have a time besides that of the first frame, in which the driver compiles.
     const bool again = shown && (timesPasses(job) || !session.drawsAlike());
-    plan.draw = i == 0 || again || mean.adds || readsBlended(job.settings.reflections);
-    plan.blendAgain = shown;
-    plan.mean = mean;
+    request.draw = i == 0 || again || mean.adds || readsBlended(job.settings.reflections);
+    request.blendAgain = shown;
+    request.mean = mean;
     if (shown)
-        plan.inspect = job.inspect;
-    GLINT_CHECK(session.renderFrame(firstIndex + i, plan));
+        request.inspect = job.inspect;
+    GLINT_CHECK(session.renderFrame(firstIndex + i, request));
     return {};
 }
 

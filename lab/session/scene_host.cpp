@@ -86,13 +86,13 @@ Result<void> SceneHost::setCamera(const scene::Camera& camera) {
     return {};
 }
 
-void SceneHost::setShift(glm::vec2 shiftPX) {
-    if (shiftPX == parameters_.jitterPX)
+void SceneHost::setJitter(glm::vec2 jitterPX) {
+    if (jitterPX == parameters_.jitterPX)
         return;
     if (!parameters_.prevCamera) // at rest, which is the frame before with its own shift
         parameters_.prevCamera = parameters_.camera;
     parameters_.prevJitterPX = parameters_.jitterPX;
-    parameters_.jitterPX = shiftPX;
+    parameters_.jitterPX = jitterPX;
 }
 
 Result<bool> SceneHost::setTime(double seconds, Reflections& reflections) {

@@ -26,7 +26,7 @@ public:
     Result<void> setSettings(const ProgramSettings& settings) override;
     Result<void> resize(uint32_t width, uint32_t height) override;
     Result<void> setCamera(const scene::Camera& camera) override;
-    void setShift(glm::vec2 shiftPX) override;
+    void setJitter(glm::vec2 jitterPX) override;
     void setSeed(uint32_t seed) override { job_.seed = seed; }
     Result<bool> setTime(double seconds, Reflections& reflections) override;
     Result<bool> setMaterials(const scene::MaterialOverrides& overrides, Reflections& reflections) override;

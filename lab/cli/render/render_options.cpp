@@ -136,9 +136,10 @@ void addPictureOptions(CLI::App& command, RenderOptions& options) {
 }
 
 void addFrameOptions(CLI::App& command, RenderOptions& options) {
-    command.add_option("--frames", options.frames,
-                       "Frames to render; the last one counts (default: until the picture has settled, as the settings "
-                       "ask; 1 without a history)");
+    command.add_option(
+        "--frames", options.frames,
+        "Frames to render; the last one counts, or with display.antialias accumulate the mean of the last "
+        "16 (default: until the picture has settled, as the settings ask)");
     command.add_option("--preset", options.settings.preset, "Settings to start from: " + presetList());
     command.add_option("--settings", options.settings.file, "Settings file (JSON), stronger than the preset");
     command.add_option("--set", options.settings.assignments, "KEY=VALUE, strongest; may be repeated (glint settings)")
@@ -173,15 +174,6 @@ render::SettingsRequest settingsRequest(const RenderOptions& options) {
     return request;
 }
 
-namespace {
-
-void addSmoothFrames(render::RenderJob& job, const RenderOptions& options) {
-    if (!options.frames && render::accumulates(job))
-        job.frames = std::max(job.frames, render::kSmoothFrames);
-}
-
-} // namespace
-
 Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     render::RenderJob job;
     job.scene = options.scene;
@@ -207,7 +199,6 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options) {
     job.frames = options.frames       ? static_cast<uint32_t>(*options.frames)
                  : options.settle > 0 ? render::mostSettlingFrames(reflections)
                                       : render::settledFrames(reflections);
-    addSmoothFrames(job, options);
     job.stillFrames = static_cast<uint32_t>(options.frames.value_or(0));
     if (!(options.settle >= 0 && options.settle <= 255))
         return invalidArgument("--settle {}: expected 0 to 255 levels", options.settle);
@@ -233,7 +224,8 @@ void lookAt(render::RenderJob& job, const RenderOptions& options) {
     const render::MeasureSettings& measured = job.settings.render.measure;
     job.smoothStill = job.display && job.views == std::vector<std::string>{"composite"} && options.statsFile.empty() &&
                       !measured.exact && !measured.hits;
-    addSmoothFrames(job, options);
+    if (!options.frames && render::accumulates(job))
+        job.frames = std::max(job.frames, render::kSmoothFrames);
 }
 
 } // namespace glint::cli

@@ -67,8 +67,8 @@ Result<render::RenderJob> makePictureJob(const RenderOptions& options);
 /// Checks everything that can be checked before the scene is read, so that a long job does not fail at its end because
 /// of a misspelt name. Errors: InvalidArgument, InvalidInput or NotFound, each naming its option.
 Result<render::RenderJob> makeRenderJob(const RenderOptions& options);
-/// For a picture that people look at: a PNG of the composite alone, of which nothing is measured, is antialiased if
-/// display.antialias is auto.
+/// For an image that people look at: a PNG of the composite alone, of which nothing is measured, is antialiased if
+/// display.antialias is auto. With accumulate, too, the job renders enough frames unless the options say how many.
 void lookAt(render::RenderJob& job, const RenderOptions& options);
 
 } // namespace glint::cli

@@ -33,6 +33,14 @@ TEST(ConfigOption, APlusInAValueIsTheValues) {
     EXPECT_EQ(read("fast+screen.maxDistance=1e+3").assignments, Strings{"screen.maxDistance=1e+3"});
 }
 
+TEST(ConfigOption, AMeanOfFramesCannotBeCompared) {
+    const auto job = makeConfigJob({}, "builtin:exact", "fast,display.antialias=accumulate");
+    ASSERT_FALSE(job.ok());
+    EXPECT_EQ(job.error().code, ErrorCode::InvalidArgument);
+    EXPECT_EQ(job.error().message,
+              "--config fast,display.antialias=accumulate: display.antialias accumulate is for glint render and glint "
+              "view; what compares settings measures single frames: none, fxaa or msaa4");
+}
 TEST(ConfigOption, WhatCannotBeReadIsNamed) {
     for (const std::string text :
          {"", "slow", "babylon+", "babylon,", "fast,balanced", "fast+step", "=4", "a=1,,b=2"}) {

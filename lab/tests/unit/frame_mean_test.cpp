@@ -51,7 +51,7 @@ TEST(FrameMean, SamplesFillThePixelEvenly) {
     std::array<int, 4> quarters = {};
     glm::vec2 sum(0);
     for (uint32_t frame = 0; frame < render::kSmoothFrames; ++frame) {
-        const glm::vec2 shift = render::meanStep(job, frame, render::kSmoothFrames).shiftPX;
+        const glm::vec2 shift = render::meanStep(job, frame, render::kSmoothFrames).jitterPX;
         EXPECT_GE(std::min(shift.x, shift.y), -0.5f);
         EXPECT_LT(std::max(shift.x, shift.y), 0.5f);
         sum += shift;

@@ -32,7 +32,8 @@ std::vector<std::string> names(const json& stats) {
 /// program makes them. That both programs have the same passes is compared by name.
 TEST_F(WindowTest, TheHelpPanelSaysWhatStatsSay) {
     const std::vector<std::string> picture = {
-        "builtin:exact", "--size", "160x90", "--frames", "2", "--set", "screen.colorSource=previous"};
+        "builtin:exact",         "--size", "160x90", "--frames", "2", "--set", "screen.colorSource=previous", "--set",
+        "display.antialias=none"};
     std::ofstream(path("script.txt")) << "key H\nstill\nstats view.json\n";
     std::vector<std::string> view = {"view", "--validate", "--script", "script.txt"};
     std::vector<std::string> render = {"render", "-o", "r.png", "--stats", "render.json"};

@@ -12,7 +12,8 @@ namespace materials_panel_test {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::vector<std::string> kScene = {"builtin:mirror", "--size", "640x480"};
+/// Figures are of single frames: what `render --stats` writes is the last frame and no mean.
+const std::vector<std::string> kScene = {"builtin:mirror", "--size", "640x480", "--set", "display.antialias=none"};
 
 std::vector<std::string> command(const char* name, std::vector<std::string> options) {
     options.insert(options.begin(), kScene.begin(), kScene.end());
