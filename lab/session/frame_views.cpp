@@ -113,10 +113,13 @@ Result<RenderedView> FrameViews::read(const std::string& name, HostFrame& host, 
     view.rgba = std::move(rgba);
     if (info->kind == ViewKind::Radiance && display)
         GLINT_CHECK(displayInto(view, host, image));
-    if (!context_->submitAndWait(
-            [&](VkCommandBuffer commands) { gpu::Frame(*context_, commands).hand(image, kSampled); }))
-        return makeError(ErrorCode::DeviceLost, "view '{}' was lost with the device", name);
+    GLINT_CHECK(handBack(image));
     return view;
+}
+
+Result<void> FrameViews::handBack(gpu::Image& image) {
+    return context_->submitAndWait(
+        [&](VkCommandBuffer commands) { gpu::Frame(*context_, commands).hand(image, kSampled); });
 }
 
 Result<RenderedView> FrameViews::readComposite(HostFrame& host, bool display) {
@@ -136,6 +139,7 @@ Result<RenderedView> FrameViews::readComposite(HostFrame& host, bool display) {
         view.rgba[i] = scene[i];
     if (display)
         GLINT_CHECK(displayInto(view, host, composite_));
+    GLINT_CHECK(handBack(composite_)); // the next frame's paths may end in it
     return view;
 }
 

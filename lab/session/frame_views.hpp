@@ -39,6 +39,8 @@ public:
 private:
     explicit FrameViews(gpu::Context& context) : context_(&context) {}
     Result<RenderedView> readComposite(HostFrame& host, bool display);
+    /// Leaves an image as the library had left it.
+    Result<void> handBack(gpu::Image& image);
     Result<void> displayInto(RenderedView& view, HostFrame& host, gpu::Image& radiance);
     Result<void> displayInto(RenderedView& view, const std::function<void(gpu::Frame&)>& draw);
 

@@ -1,9 +1,11 @@
-// The next mip of the images of resolve/lobe_take.comp. What lies beyond the border counts as texels without a ray.
+// The next mip of the images of resolve/lobe_take.comp, each of half the size. What lies beyond the traced pixels counts as
+// texels without a ray, and the texels there, which filters reach, are 0: images of any size give the same means.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 
 #include "lib/lobe_mips.glsl"
+#include "shared/lobe_mean.h"
 #include "shared/trace_constants.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -16,29 +18,29 @@ layout(scalar, set = 0, binding = 11) readonly buffer RaysBlock {
     RayListHeader header;
 }
 rayList;
+layout(push_constant, scalar) uniform PushBlock {
+    LobeShrinkConstants mip;
+};
 
 void main() {
     ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 size = imageSize(lights);
-    if (any(greaterThanEqual(px, size)) || rayList.header.pictureGroups[0] == 0u)
+    if (any(greaterThanEqual(px, imageSize(lights))) || rayList.header.pictureGroups[0] == 0u)
         return;
-    ivec2 finerSize = imageSize(finerLights);
-    vec2 center = (vec2(px) + 0.5) * vec2(finerSize) / vec2(size); // sizes need not be even
-    ivec2 first = ivec2(floor(center - 0.5 * float(kLobeMipSide) + 0.5));
+    vec2 center = 2.0 * (vec2(px) + 0.5);
+    ivec2 first = 2 * px + 1 - kLobeMipSide / 2;
     vec4 light = vec4(0.0);
     vec4 place = vec4(0.0);
-    float total = 0.0;
-    for (int y = 0; y < kLobeMipSide; ++y)
+    bool isUsed = all(lessThan(px, ivec2(mip.used)));
+    for (int y = 0; y < kLobeMipSide && isUsed; ++y)
         for (int x = 0; x < kLobeMipSide; ++x) {
             ivec2 texel = first + ivec2(x, y);
+            if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, ivec2(mip.finerUsed))))
+                continue;
             vec2 along = vec2(texel) + 0.5 - center;
             float share = lobeMipWeight(along.x) * lobeMipWeight(along.y);
-            total += share;
-            if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, finerSize)))
-                continue;
             light += share * imageLoad(finerLights, texel);
             place += share * imageLoad(finerPlaces, texel);
         }
-    imageStore(lights, px, light / total);
-    imageStore(places, px, place / total);
+    imageStore(lights, px, light);
+    imageStore(places, px, place);
 }

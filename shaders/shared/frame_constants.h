@@ -80,12 +80,12 @@ GLINT_CONSTANT(uint, kInputHighlights, 524288);
 
 GLINT_CONSTANT(uint, kInputAlpha, 1048576);     // the roughness channel holds alpha, perceptual roughness squared
 GLINT_CONSTANT(uint, kInputOcclusion, 2097152); // the host states ambient occlusion
-GLINT_CONSTANT(uint, kInputPrevious, 134217728); // the previous frame's picture is bound: hasPrevious
 GLINT_CONSTANT(uint, kInputSamples, 4194304);   // the host has several samples a pixel
 GLINT_CONSTANT(uint, kInputF90, 8388608);       // the host states F90
 GLINT_CONSTANT(uint, kInputCoat, 16777216);     // the host states a clear coat
 GLINT_CONSTANT(uint, kInputCoatNormal, 33554432);
-GLINT_CONSTANT(uint, kLobeCoat, 67108864); // the passes' surface is the coat: its rays, answers and means
+GLINT_CONSTANT(uint, kLobeCoat, 67108864);       // the passes' surface is the coat: its rays, answers and means
+GLINT_CONSTANT(uint, kInputPrevious, 134217728); // the previous frame's picture is bound: hasPrevious
 
 GLINT_CONSTANT(uint, kHostMaterialF0Roughness, 0);
 GLINT_CONSTANT(uint, kHostMaterialMetallicRoughness, 1);

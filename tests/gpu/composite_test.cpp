@@ -533,7 +533,9 @@ TEST_F(HierarchyPassTest, skyGetsExactlyWhatTheScreenLeft) {
     TestEnvironment environment =
         TestEnvironment::make(gpu(), 64, 1, [](const glm::dvec3& d, uint32_t) { return glm::vec3(ramp(d)); });
     environment.map.strength = 1.5f;
-    const std::vector<Pixel> pixels = screenPixels(7);
+    std::vector<Pixel> pixels = screenPixels(7);
+    for (Pixel& pixel : pixels)
+        pixel.perceptualRoughness *= 0.09f; // of rougher ones' lobes the mirror direction is not the whole
     const Answer answer = combine(pixels, environment, {});
     for (uint32_t i = 0; i < pixels.size(); ++i) {
         const double w = pixels[i].answer.a;

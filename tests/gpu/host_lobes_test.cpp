@@ -203,8 +203,9 @@ TEST_F(HostLobesTest, ACoatMirrorsTheScreenWithItsOwnNormal) {
     must(made.setInputs(gbuffer));
     const Picture without = trace(made, camera_.view(kWidth, kHeight));
     for (uint32_t i = 0; i < kPixels; ++i)
-        if (film[i].x > 0)
+        if (film[i].x > 0) {
             ASSERT_EQ(without.composite[4 * i], 0) << i;
+        }
 }
 
 TEST_F(HostLobesTest, SeveralSamplesAPixel) {

@@ -31,6 +31,7 @@ protected:
         settings.denoise.enabled = false;
         settings.rays.enabled = true;
         settings.rays.interpolate = interpolate;
+        settings.rays.environmentOcclusion = false; // where a path ends is not shown by where it first hits
         return settings;
     }
 

@@ -59,7 +59,8 @@ protected:
         Settings settings;
         settings.screen.enabled = false;
         settings.rays.enabled = true;
-        settings.rays.transparents = 0; // drawOpaque draws none
+        settings.rays.transparents = 0;             // drawOpaque draws none
+        settings.rays.environmentOcclusion = false; // what is drawn reflects the environment, hidden or not
         return settings;
     }
 

@@ -134,8 +134,8 @@ std::vector<ReportScene> noisyScenes() {
     noise(comparison.withoutReflections);
     noise(comparison.referencePicture);
     for (size_t i = 0; i < 2; ++i) {
-        for (std::vector<uint8_t>* rgb :
-             {&comparison.configs[i].composite, &scenes[0].maps[i].difference, &scenes[0].maps[i].flip})
+        measure::ComparisonMaps& maps = scenes[0].maps[i];
+        for (std::vector<uint8_t>* rgb : {&comparison.configs[i].composite, &maps.difference, &maps.flip, &maps.worst})
             noise(*rgb);
         comparison.configs[i].outcome = comparison.configs[i].source = std::vector<uint8_t>(size_t(64) * 64 * 3, 7);
         comparison.configs[i].hits.classes.assign(size_t(64) * 64, measure::HitClass::Missed);

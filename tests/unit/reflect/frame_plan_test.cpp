@@ -71,6 +71,7 @@ std::vector<Settings> manySettings() {
     with("balanced", [](Settings& s) { s.refraction.enabled = false; });
     with("hdrp", [](Settings& s) { s.screen.transparents = true; });
     with("hdrp", [](Settings& s) { s.screen.enabled = false; });
+    with("hdrp", [](Settings& s) { s.rough.cones = false; });
     with("quality", [](Settings& s) { s.denoise.stabilizeSeconds = 0.2f; });
     with("quality", [](Settings& s) { s.denoise.antilag = Antilag::Gradient; });
     with("quality", [](Settings& s) { s.denoise.antilag = Antilag::Off; });
@@ -108,7 +109,7 @@ TEST(FramePlan, everyPresetHasItsPasses) {
         {"balanced", all(anyScreen, all(denoised, {"followsPlaces", "ratesRays"}))},
         {"compute-ssr", all(anyScreen, {"keepsRecord", "upsample"}, "sky")},
         {"fast", all(anyScreen, {"keepsRecord", "upsample", "pyramid", "cones"})},
-        {"hdrp", all(anyScreen, {"classifiesEarly", "pyramid", "cones", "previousColors"})},
+        {"hdrp", all(anyScreen, {"classifiesEarly", "keepsRecord", "pyramid", "cones", "previousColors"})},
         {"hybrid", all(anyScreen, all(hiz, {"rays", "classifiesEarly", "cones", "keepsRecord", "previousEnds"}))},
         {"quality", all(anyScreen, all(denoised, {"rays", "followsPaths", "sampleLights", "previousEnds"}))},
         {"ray-query", all(anyRays, {"backFaces", "backFacesInPlace", "previousEnds"})},
