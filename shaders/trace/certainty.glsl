@@ -154,13 +154,14 @@ vec3 nextAnswer(Ray r, vec3 beside, float perceptualRoughness) {
     return environmentRadiance(environment, directionWS, perceptualRoughness);
 }
 
-/// The weight of the least expected relative error. The truth is `answer` with the probability `right`, else `beside`;
-/// the weight that is left goes to `next`. Errors are relative as those of docs/truth.md: one lamp that is not there
-/// costs more than many dark places that are missed.
+/// The weight of the least expected error. The truth is `answer` with the probability `right`, else `beside`; the weight
+/// that is left goes to `next`. Errors count as a display shows them: below its white as they are, above it relative to the
+/// truth. So one lamp that is not there costs more than many dark places that are missed, but what is merely brighter than
+/// the rest is not lost.
 float leastError(float right, vec3 answer, vec3 beside, vec3 next) {
-    const float kDark = 0.01; // of the squared radiance
-    vec3 ifRight = right / (answer * answer + kDark);
-    vec3 ifWrong = (1.0 - right) / (beside * beside + kDark);
+    const float kDisplayWhite = 1.0; // squared radiance
+    vec3 ifRight = right / (answer * answer + kDisplayWhite);
+    vec3 ifWrong = (1.0 - right) / (beside * beside + kDisplayWhite);
     vec3 gain = answer - next;
     float most = dot(gain * gain, ifRight + ifWrong);
     float wanted = dot(gain, gain * ifRight + (beside - next) * ifWrong);
@@ -176,10 +177,10 @@ float certainWeight(Ray r, Certainty certainty, vec3 radiance, float perceptualR
     bool anyNext = (settings.flags & (kTraceNextSky | kTraceNextOther)) != 0u;
     if (!anyNext || !(certainty.known || nextTells))
         return 1.0;
-    const vec3 kWhite = vec3(16.0); // as relative errors are measured
-    vec3 next = min(nextAnswer(r, certainty.beside, perceptualRoughness), kWhite);
-    vec3 beside = min(certainty.beside, nextTells ? next : kWhite);
-    return leastError(certainty.right, min(radiance, kWhite), beside, next);
+    const vec3 kBrightest = vec3(2.0); // a display shows no more than its white; what glows counts a little more
+    vec3 next = min(nextAnswer(r, certainty.beside, perceptualRoughness), kBrightest);
+    vec3 beside = min(certainty.beside, nextTells ? next : kBrightest);
+    return leastError(certainty.right, min(radiance, kBrightest), beside, next);
 }
 
 #endif

@@ -129,9 +129,10 @@ bool judgesAnswers() {
 
 /// Lets the weight of an answer follow from how certain it is. `record`: rays through the scene may take its place.
 void weighAnswer(Ray ray, Surface origin, LobeCone cone, inout March end, inout RayRecord record, inout vec4 answer) {
-    // Over many rays of a lobe, or in a cone's mean, hits that are wrong by a pixel make up for each other. Nor does the mean
-    // depend on other answers that may be wrong by less than the cone's width.
-    bool sampled = isOn(kTraceLobe) && !isMirror(origin.perceptualRoughness);
+    // Over many rays of a lobe, in a cone's mean or in a blur, hits that are wrong by a pixel make up for each other. Nor does
+    // the mean depend on other answers that may be wrong by less than the cone's width.
+    bool averages = isOn(kTraceLobe) || frame.settings.blur.strength > 0.0;
+    bool sampled = averages && !isMirror(origin.perceptualRoughness);
     vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
     float radius = cone.alpha > 0.0 ? coneRadius(cone, hitVS, record.hitDistance) : 0.0;
     Certainty certainty = certaintyOf(ray, end, answer.rgb, sampled || blurredShare(radius) >= 1.0);

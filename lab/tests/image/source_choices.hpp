@@ -40,7 +40,7 @@ inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     job.height = height;
     job.display = true;
     job.planar = render::MirrorSearch::Auto;
-    job.settings = settingsOf({"rays.bounces=2", "fade.uncertain=false"});
+    job.settings = settingsOf({"rays.bounces=2"});
     job.settings.render.environment.strength = scene::findBuiltin("hall")->environmentStrength; // as in our programs
     return job;
 }

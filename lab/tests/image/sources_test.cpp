@@ -40,6 +40,7 @@ protected:
         const std::vector<uint8_t> reference = draw(session, referenceOf(job.settings, 16), 4);
         const auto errorOf = [&](unsigned sources, int samples, const std::string& name) {
             render::ProgramSettings settings = job.settings;
+            settings.reflections.fade.uncertain = false; // what that gives to the next source is a bet, and may be lost
             choose(settings, sources);
             settings.reflections.rays.samples = samples;
             const std::vector<uint8_t> picture = draw(session, settings, 1);
