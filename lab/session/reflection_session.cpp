@@ -6,6 +6,8 @@
 #include "gpu/memory.hpp"
 #include "lab/renderer/lending.hpp"
 
+#include <utility>
+
 namespace glint::render {
 
 Result<ReflectionSession> ReflectionSession::create(gpu::Context& context, const MakeHost& makeHost,
@@ -96,10 +98,12 @@ void ReflectionSession::restartAccumulation(uint32_t seed) {
 }
 
 Result<void> ReflectionSession::setCamera(const scene::Camera& camera) {
+    moved_ = true;
     return objects_->host->setCamera(camera);
 }
 
 Result<void> ReflectionSession::setTime(double seconds) {
+    moved_ = true;
     GLINT_TRY(sourcesFit, objects_->host->setTime(seconds, *objects_->reflections));
     return sourcesFit ? Result<void>() : makeReflections(*objects_);
 }
@@ -169,6 +173,8 @@ Result<FrameTimes> ReflectionSession::renderFrame(uint32_t index, const FrameReq
     times.wallMs = millisecondsSince(start);
     GLINT_CHECK(recorded);
     drawn_ = true;
+    if (request.draw)
+        moving_ = std::exchange(moved_, false);
     if (request.draw)
         times.hostPasses = host.passTimes();
     for (const gpu::PassTime& time : objects_->timers->latest())

@@ -72,6 +72,8 @@ public:
     void restartAccumulation(uint32_t seed);
     /// Replaces the overrides of the scene's materials. Errors: as create.
     Result<void> setMaterials(const scene::MaterialOverrides& overrides);
+    /// True if the frame that was drawn last holds motion: what rests then has to be drawn once more.
+    bool drewMotion() const { return moving_; }
     /// Sets the camera of the next frames; motion is relative to the previous frame's camera.
     Result<void> setCamera(const scene::Camera& camera);
     /// Poses the scene at another animation time. Errors: OutOfMemory, DeviceLost.
@@ -124,7 +126,9 @@ private:
     SessionOptions options_;
     std::unique_ptr<Objects> objects_;
     PassTimes passTimes_;
-    bool drawn_ = false; ///< the G-buffer holds a frame
+    bool drawn_ = false;  ///< the G-buffer holds a frame
+    bool moved_ = false;  ///< camera or scene did, since the frame that was drawn last
+    bool moving_ = false; ///< that frame holds motion
 };
 
 } // namespace glint::render

@@ -73,7 +73,7 @@ Result<void> renderOne(ReflectionSession& session, const RenderJob& job, uint32_
     FrameRequest request;
     // The host's passes have a time besides that of the first frame, in which the driver compiles.
     const bool again = shown && (timesPasses(job) || !session.drawsAlike());
-    request.draw = i == 0 || again || mean.adds || readsBlended(job.settings.reflections);
+    request.draw = i == 0 || again || session.drewMotion() || mean.adds || readsBlended(job.settings.reflections);
     request.blendAgain = shown;
     request.mean = mean;
     if (shown)

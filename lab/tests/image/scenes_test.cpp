@@ -227,6 +227,30 @@ TEST_F(ScenesTest, framesOfAStillLookAsIfAllWereDrawn) {
         }
 }
 
+/// The G-buffer of the frame after a jump holds motion, which the frames after that do not have.
+TEST_F(ScenesTest, aStillAfterTheCameraMovedLooksAsIfAllFramesWereDrawn) {
+    render::RenderJob job = makeJob("builtin:spheres", 96, 54, {"composite", "motion"}, {"denoise.enabled=true"});
+    job.frames = 4;
+    render::ReflectionSession session = must(render::openJob(device(), job));
+    scene::Camera camera = session.inputs().camera;
+    const auto jump = [&](bool drawsAll) {
+        camera.viewToWorld[3] += glm::vec4(0.5f, 0.25f, 0, 0);
+        must(session.setCamera(camera));
+        must(session.restart(0));
+        if (!drawsAll)
+            return must(render::runJob(session, job)).views;
+        for (uint32_t i = 0; i < job.frames; ++i)
+            must(session.renderFrame(i));
+        return std::vector{must(session.readView("composite")), must(session.readView("motion"))};
+    };
+    jump(true);
+    const auto still = jump(false);
+    camera.viewToWorld[3] -= glm::vec4(0.5f, 0.25f, 0, 0);
+    const auto allDrawn = jump(true);
+    EXPECT_EQ(still[0].rgba, allDrawn[0].rgba);
+    EXPECT_EQ(still[1].rgba, allDrawn[1].rgba);
+}
+
 TEST_F(ScenesTest, inspectingExplainsARayOfTheHall) {
     for (const char* march : {"linear", "adaptive", "hiz"}) {
         render::RenderJob job =
