@@ -16,10 +16,10 @@ struct Light {
     uint type;    ///< kLight...
     float3 color; ///< times intensity: candela (point, spot) or lux (directional)
     float3 positionWS;
-    float3 directionWS; ///< unit, direction in which the light travels
-    float range;        ///< metres; 0: infinite
+    float3 directionWS;  ///< unit, direction in which the light travels
+    float range;         ///< metres; 0: infinite
     float angularRadius; ///< radians, of the disc that a directional light is; 0: a point
-    float spotScale;    ///< cone falloff = saturate(cos * spotScale + spotOffset)^2
+    float spotScale;     ///< cone falloff = saturate(cos * spotScale + spotOffset)^2
     float spotOffset;
     uint castsShadow;       ///< 1: the fields below are set
     float4x4 worldToShadow; ///< -> xy in [0, 1] of the light's tile, reversed depth, w

@@ -80,7 +80,8 @@ TEST_P(AnimatedRaysTest, aPoseLaterIsAsIfMadeForIt) {
     job.width = 160;
     job.height = 90;
     job.views = {"composite"};
-    // Paths end in the environment: where they end in the previous frame, the two differ by what frames they had before.
+    // Paths end in the environment: where they end in the previous frame, the two differ by what frames they had
+    // before.
     job.settings = settingsOf({"screen.enabled=false", "rays.enabled=true", "lights.shadows=rays",
                                "rays.environmentOcclusion=false", std::string("rays.backend=") + GetParam()});
     render::ReflectionSession moved = must(render::openJob(device(), job));

@@ -31,8 +31,7 @@ inline render::ProgramSettings referenceOf(render::ProgramSettings settings, uin
 }
 
 /// As displayed, with all sources available: planar mirrors are searched for, and two bounces are traced, as probes
-/// have them. Without fade.uncertain, which gives the next source pixels where the screen's answer may be much too bright:
-/// that makes the relative error least, and errors here are means of displayed differences (certainty_test has the rule).
+/// have them.
 inline render::RenderJob hallJob(uint32_t width, uint32_t height) {
     render::RenderJob job;
     job.scene = "builtin:hall";

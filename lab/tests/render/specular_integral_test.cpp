@@ -180,8 +180,8 @@ struct Tried {
     double inStudio;
 };
 
-// As many frames as histories hold leave a noise of one to two percent in the mean of a strip's pixels leave a noise of one to two percent beside the three that rays are allowed. Lookups
-// are further off where a dark wall fills the lobe and a soft box its tail.
+// As many frames as histories hold leave a noise of one to two percent in a strip's mean, beside the three that rays
+// are allowed. Lookups are further off where a dark wall fills the lobe and a soft box its tail.
 const std::vector<Tried> kTried = {
     {"hybrid", "hybrid", {}, 1, 0.1, 0.22},
     {"fast", "fast", {}, 1, 0.1, 0.22},
