@@ -108,7 +108,8 @@ TEST_F(MemoryReportTest, WhatLaterSettingsNeedIsMadeThen) {
         camera, kWidth, kHeight);
     Settings plain;
     plain.denoise.enabled = false;
-    std::vector<std::pair<const char*, Settings>> steps(6, {"plain", plain});
+    plain.rough.cones = false; // their images are kept where they are larger, and filters round by images' sizes
+    std::vector<std::pair<const char*, Settings>> steps(7, {"plain", plain});
     steps[1] = {"half", plain};
     steps[1].second.screen.resolutionScale = 0.5f;
     steps[2] = {"blurred", plain};
@@ -116,6 +117,8 @@ TEST_F(MemoryReportTest, WhatLaterSettingsNeedIsMadeThen) {
     steps[3] = {"denoised", Settings()};
     steps[4] = {"outcomes", plain};
     steps[4].second.debug.outcome = true;
+    steps[5] = {"cones", plain};
+    steps[5].second.rough.cones = true;
     ReflectionsDesc desc = {kWidth, kHeight, plain};
     desc.framesInFlight = 1;
     Reflections changed = must(Reflections::create(library(), desc));

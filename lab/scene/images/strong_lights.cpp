@@ -30,7 +30,8 @@ public:
 
     glm::dvec3 direction(size_t pixel) const {
         const double phi = (double(pixel % width_) + 0.5) / width_ * 2 * kPi - kPi; // the centre is +X
-        const double theta = (double(pixel / width_) + 0.5) / height_ * kPi;
+        const size_t row = pixel / width_;
+        const double theta = (double(row) + 0.5) / height_ * kPi;
         return {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)};
     }
 
