@@ -117,7 +117,7 @@ float widthAt(Turns turns, float nearness) {
 /// Adds one of the Gaussians that make the lobe, whose `ellipse` was made for `nearness`.
 void addPart(inout LobeMean sum, float share, LobeEllipse ellipse, float nearness, Plane plane, LobeAxes axes,
              Turns turns, float before) {
-    const int kMostToSide = 6;
+    const int kMostToSide = 3;
     LobeTaps taps = lobeTaps(ellipse, kMostToSide, float(kLobeMips - 1u));
     mat2 turn = turns.mirror + nearness * turns.moved;
     float width = widthAt(turns, nearness);
@@ -183,14 +183,15 @@ void main() {
     if (!wasTraced(ray) || isMirror(here.perceptualRoughness))
         return;
     vec3 directionVS = reflect(viewDirection(frame.constants, here.positionVS), here.normalVS);
+    // The surface hardly ever shows all of a wide lobe. The frame around the hit shows more of it.
+    float narrow = 1.0 - smoothstep(kNarrowLobe, kWideLobe, here.perceptualRoughness);
     LobeAxes axes = lobeAxes(directionVS, here.normalVS);
     Turns turns;
     LobeMean mean = LobeMean(vec4(0.0), 0.0, 1.0);
     float radius = 0.0;
-    if (turnsAlong(0, px, here, directionVS, axes, turns) && turnsAlong(1, px, here, directionVS, axes, turns))
+    if (narrow > 0.0 && turnsAlong(0, px, here, directionVS, axes, turns) &&
+        turnsAlong(1, px, here, directionVS, axes, turns))
         mean = lobeMean(vec2(tracePX) + 0.5, here, axes, turns, radius);
-    // The surface hardly ever shows all of a wide lobe. The frame around the hit shows more of it.
-    float narrow = 1.0 - smoothstep(kNarrowLobe, kWideLobe, here.perceptualRoughness);
     float share = min(mean.known / (kEnough * mean.whole), 1.0) * smoothstep(0.2, 0.6, radius) * narrow;
 
     vec4 own = imageLoad(radianceWeight, tracePX);

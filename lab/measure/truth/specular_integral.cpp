@@ -51,7 +51,8 @@ glm::dvec3 specularIntegral(const scene::HdrImage& equirect, const ReflectingPoi
         for (uint32_t x = 0; x < equirect.width; ++x) {
             double weight = 0;
             for (int part = 0; part < parts * parts; ++part) {
-                const double partY = y + (part / parts + 0.5) / parts;
+                const int row = part / parts;
+                const double partY = y + (row + 0.5) / parts;
                 const double partX = x + (part % parts + 0.5) / parts;
                 weight += lobe(at, directionAt(partX, partY, equirect)) * std::sin(partY / equirect.height * kPi);
             }
