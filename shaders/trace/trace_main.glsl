@@ -131,13 +131,13 @@ bool judgesAnswers() {
 void weighAnswer(Ray ray, Surface origin, LobeCone cone, inout March end, inout RayRecord record, inout vec4 answer) {
     // Over many rays of a lobe, in a cone's mean or in a blur, hits that are wrong by a pixel make up for each other. Nor does
     // the mean depend on other answers that may be wrong by less than the cone's width.
-    bool averages = isOn(kTraceLobe) || frame.settings.blur.strength > 0.0;
-    bool sampled = averages && !isMirror(origin.perceptualRoughness);
+    bool anyAverage = isOn(kTraceLobe) || frame.settings.blur.strength > 0.0;
+    bool averaged = anyAverage && !isMirror(origin.perceptualRoughness);
     vec3 hitVS = ray.originVS + ray.directionVS * record.hitDistance;
     float radius = cone.alpha > 0.0 ? coneRadius(cone, hitVS, record.hitDistance) : 0.0;
-    Certainty certainty = certaintyOf(ray, end, answer.rgb, sampled || blurredShare(radius) >= 1.0);
+    Certainty certainty = certaintyOf(ray, end, answer.rgb, averaged || blurredShare(radius) >= 1.0);
     float weight = certainWeight(ray, certainty, answer.rgb, origin.perceptualRoughness);
-    if (sampled && end.outcome == kOutcomeHit)
+    if (averaged && end.outcome == kOutcomeHit)
         weight = 1.0;
     weight = mix(weight, 1.0, blurredShare(radius / max(certainty.reach, 1.0)));
     if (isOn(kTraceUncertain)) {
